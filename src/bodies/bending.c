@@ -1,0 +1,217 @@
+/* bending.c -- M q'' + D q' + K q = F of a straight beam of equal elements.
+ *
+ *   (41), (43)  K assembled from elements, (42) the equation of motion,
+ *   M consistent instead of the lumped (44), see element.c,
+ *   D = alpha M + beta K (Rayleigh) instead of (45), whose one d for forces and
+ *   moments makes damping grow with the number of elements.
+ *
+ * The implicit solve of z - gamma f_I(z) = r eliminates positions exactly:
+ *
+ *   z_q = r_q + gamma z_v
+ *   (M + gamma D + gamma^2 K) z_v = M r_v - gamma K r_q                    (BE1)
+ *
+ * one banded solve; factorizations are kept for the last few gamma.  Seed: Toth
+ * 2012, section 4.  Checked in tests/unit/beam.c. */
+#include "bodies/bending.h"
+#include "base/status.h"
+#include "bodies/element.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BANDWIDTH = 3 };
+
+bool bending_held(const struct bending *b, int dof)
+{
+    const int last = b->dofs - 2;
+
+    if (dof >= 2 && dof < last)
+        return false;
+    const enum bending_end end = dof < 2 ? b->def.root : b->def.tip;
+    return end == BENDING_CLAMPED || (end == BENDING_PINNED && dof % 2 == 0);
+}
+
+static void assemble(struct bending *b)
+{
+    double k[4][4], m[4][4];
+
+    element_stiffness(b->def.EI, b->l, k);
+    element_mass(b->def.mu, b->l, m);
+    for (int e = 0; e < b->def.elements; e++) {
+        band_add_block(b->stiffness, 2 * e, 4, &k[0][0]);
+        band_add_block(b->mass, 2 * e, 4, &m[0][0]);
+    }
+    band_sum(b->stiffness_free, 1, b->stiffness, 0, b->mass);
+    band_sum(b->mass_free, 1, b->mass, 0, b->stiffness);
+    for (int i = 0; i < b->dofs; i++)
+        if (bending_held(b, i)) {
+            band_hold(b->stiffness_free, i, 0);
+            band_hold(b->mass_free, i, 1);
+        }
+}
+
+static int take_memory(struct bending *b)
+{
+    struct band **matrix[] = { &b->mass, &b->stiffness, &b->mass_free, &b->stiffness_free,
+                               &b->sum };
+
+    for (size_t i = 0; i < sizeof matrix / sizeof matrix[0]; i++)
+        TRY(band_create(b->dofs, BANDWIDTH, matrix[i]));
+    TRY(band_factor_create(b->dofs, BANDWIDTH, &b->mass_factor));
+    for (int i = 0; i < BENDING_FACTORS; i++)
+        TRY(band_factor_create(b->dofs, BANDWIDTH, &b->kept[i].factor));
+    b->work = status_alloc((unsigned long)b->dofs * 2, sizeof *b->work);
+    return b->work ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Largest frequency of K and M from above.  No frequency of the beam exceeds the
+ * largest of a single free element, lambda = 8400 EI/(mu l^4) (Irons and Treharne
+ * 1971); from there lambda is halved towards the least for which lambda M - K is
+ * positive definite, that is, for which all frequencies lie below. */
+static double fastest(struct bending *b)
+{
+    const double unit = b->def.EI / (b->def.mu * pow(b->l, 4));
+    double low = 0, high = 8400;
+
+    while (high - low > 0.01 * high && high > 1) {
+        const double middle = (low + high) / 2;
+        band_sum(b->sum, middle * unit, b->mass_free, -1, b->stiffness_free);
+        if (band_factor_definite(b->kept[0].factor, b->sum))
+            high = middle;
+        else
+            low = middle;
+    }
+    return sqrt(high * unit);
+}
+
+int bending_create(const struct bending_def *def, struct bending **out)
+{
+    struct bending *b = status_alloc(1, sizeof *b);
+    int code = STATUS_FAILED;
+
+    if (!b)
+        return code;
+    b->def = *def;
+    b->dofs = 2 * (def->elements + 1);
+    b->l = def->length / def->elements;
+    code = take_memory(b);
+    if (code == STATUS_DONE) {
+        assemble(b);
+        b->fastest = fastest(b);
+        code = band_factor_set(b->mass_factor, b->mass_free);
+    }
+    if (code != STATUS_DONE)
+        bending_free(&b);
+    *out = b;
+    return code;
+}
+
+void bending_free(struct bending **b)
+{
+    if (!*b)
+        return;
+    band_free(&(*b)->mass);
+    band_free(&(*b)->stiffness);
+    band_free(&(*b)->mass_free);
+    band_free(&(*b)->stiffness_free);
+    band_free(&(*b)->sum);
+    band_factor_free(&(*b)->mass_factor);
+    for (int i = 0; i < BENDING_FACTORS; i++)
+        band_factor_free(&(*b)->kept[i].factor);
+    free((*b)->work);
+    free(*b);
+    *b = NULL;
+}
+
+/* K q + D v = K (q + beta v) + alpha M v. */
+void bending_resist(const struct bending *b, const double *q, const double *v, double *to)
+{
+    double *bent = b->work, *drag = b->work + b->dofs;
+
+    for (int i = 0; i < b->dofs; i++)
+        bent[i] = q[i] + b->def.beta * v[i];
+    band_multiply(b->stiffness, bent, to);
+    band_multiply(b->mass, v, drag);
+    for (int i = 0; i < b->dofs; i++)
+        to[i] += b->def.alpha * drag[i];
+}
+
+void bending_accelerate(const struct bending *b, double *f)
+{
+    for (int i = 0; i < b->dofs; i++)
+        if (bending_held(b, i))
+            f[i] = 0;
+    band_factor_solve(b->mass_factor, f);
+}
+
+/* The factorization of M + gamma D + gamma^2 K: kept, or made anew over the oldest. */
+static int factor_of(struct bending *b, double gamma, const struct band_factor **out)
+{
+    for (int i = 0; i < BENDING_FACTORS; i++)
+        if (b->kept[i].set && b->kept[i].gamma == gamma) {
+            *out = b->kept[i].factor;
+            return STATUS_DONE;
+        }
+    struct bending_factor *f = &b->kept[b->oldest];
+
+    b->oldest = (b->oldest + 1) % BENDING_FACTORS;
+    band_sum(b->sum, 1 + gamma * b->def.alpha, b->mass_free,
+             gamma * (b->def.beta + gamma), b->stiffness_free);
+    for (int i = 0; i < b->dofs; i++)
+        if (bending_held(b, i))
+            band_hold(b->sum, i, 1);
+    f->set = false;
+    TRY(band_factor_set(f->factor, b->sum));
+    f->set = true;
+    f->gamma = gamma;
+    *out = f->factor;
+    return STATUS_DONE;
+}
+
+int bending_solve(struct bending *b, double gamma, double *q, double *v)
+{
+    const struct band_factor *f;
+    double *pull = b->work, *push = b->work + b->dofs;
+
+    TRY(factor_of(b, gamma, &f));
+    band_multiply(b->stiffness_free, q, pull);
+    band_multiply(b->mass_free, v, push);
+    for (int i = 0; i < b->dofs; i++)
+        v[i] = push[i] - gamma * pull[i];
+    band_factor_solve(f, v);
+    for (int i = 0; i < b->dofs; i++)
+        if (!bending_held(b, i))
+            q[i] += gamma * v[i];
+    return STATUS_DONE;
+}
+
+double bending_kinetic(const struct bending *b, const double *v)
+{
+    return 0.5 * band_form(b->mass, v);
+}
+
+double bending_elastic(const struct bending *b, const double *q)
+{
+    return 0.5 * band_form(b->stiffness, q);
+}
+
+double bending_damping(const struct bending *b, const double *v)
+{
+    return -b->def.alpha * band_form(b->mass, v) - b->def.beta * band_form(b->stiffness, v);
+}
+
+/* omega = (beta L)^2 / L^2 sqrt(EI/mu); beta L solves the frequency equation of the
+ * two ends, for instance cos x cosh x = -1 for clamped and free.  Blevins, Formulas
+ * for Natural Frequency and Mode Shape, 1979, table 8-1. */
+double bending_first(const struct bending_def *def)
+{
+    static const double beta_L[3][3] = { /* [root][tip]: clamped, pinned, free */
+        { 4.730040744862704, 3.926602312047919, 1.875104068711961 },
+        { 3.926602312047919, 3.141592653589793, 3.926602312047919 },
+        { 1.875104068711961, 3.926602312047919, 0 }
+    };
+    const double x = beta_L[def->root][def->tip] / def->length;
+
+    return x * x * sqrt(def->EI / def->mu);
+}

@@ -1,0 +1,70 @@
+/* bending.h -- M q'' + D q' + K q = F of a straight beam of equal elements.
+ *
+ * Degrees of freedom: q[2 i] deflection w [m], q[2 i + 1] rotation theta of node
+ * i, nodes from the root (0) to the tip; F holds forces and moments in the same
+ * places.  Everything is per metre of width in 2D.  Ends take degrees of freedom
+ * away: those stay in the vectors as entries that nothing moves ("held"). */
+#ifndef BODIES_BENDING_H
+#define BODIES_BENDING_H
+
+#include "algebra/band.h"
+
+enum bending_end { BENDING_CLAMPED, BENDING_PINNED, BENDING_FREE };
+
+struct bending_def {
+    int elements;
+    double length;             /* [m]                                          */
+    double EI;                 /* bending stiffness     [N m^2, 2D: N m]       */
+    double mu;                 /* mass per length       [kg/m, 2D: kg/m^2]     */
+    double alpha, beta;        /* D = alpha M + beta K  [1/s], [s]             */
+    enum bending_end root, tip;
+};
+
+struct bending_factor { /* M + gamma D + gamma^2 K of one gamma */
+    bool set;
+    double gamma;
+    struct band_factor *factor;
+};
+
+enum { BENDING_FACTORS = 4 };
+
+struct bending {
+    struct bending_def def;
+    int dofs;                                 /* 2 (elements + 1)              */
+    double l;                                 /* length of an element [m]      */
+    double fastest;                           /* largest frequency [rad/s], from above
+                                                 by 1 % at most                */
+    struct band *mass, *stiffness;            /* all degrees of freedom        */
+    struct band *mass_free, *stiffness_free;  /* held ones taken out           */
+    struct band *sum;                         /* scratch                       */
+    struct band_factor *mass_factor;
+    struct bending_factor kept[BENDING_FACTORS];
+    int oldest;                               /* of kept: the next to go       */
+    double *work;                             /* [2][dofs] scratch             */
+};
+
+/* Takes all memory it will ever need.  Free with bending_free(&b). */
+int bending_create(const struct bending_def *def, struct bending **out);
+void bending_free(struct bending **b); /* NULL is welcome */
+
+bool bending_held(const struct bending *b, int dof);
+
+/* to [dofs] = K q + D v, rows of held degrees of freedom included. */
+void bending_resist(const struct bending *b, const double *q, const double *v, double *to);
+
+/* f [dofs]: forces come in, accelerations M^-1 f go out; held ones are 0. */
+void bending_accelerate(const struct bending *b, double *f);
+
+/* Solves z - gamma f_I(z) = r with f_I = (v, -M^-1 (K q + D v)): r comes in
+ * through q and v, z goes out.  Held entries keep r. */
+int bending_solve(struct bending *b, double gamma, double *q, double *v);
+
+double bending_kinetic(const struct bending *b, const double *v); /* [J, 2D: J/m]        */
+double bending_elastic(const struct bending *b, const double *q); /* [J, 2D: J/m]        */
+double bending_damping(const struct bending *b, const double *v); /* power, <= 0 [W, ..] */
+
+/* Frequency [rad/s] of the first mode that bends, from theory; ends may not
+ * both be free. */
+double bending_first(const struct bending_def *def);
+
+#endif

@@ -1,0 +1,76 @@
+/* bodies.h -- things that move by themselves and carry a skin of particles.
+ *
+ * A kind of body is a const struct in the table of this room.  The state of a
+ * body lives in y, in rows that it adds to the layout; its skin is a range of
+ * particles of kind KIND_SKIN or KIND_SKIN_SLIP, moved by move() and pressed
+ * by the fluid through load(), its exact transpose. */
+#ifndef BODIES_BODIES_H
+#define BODIES_BODIES_H
+
+#include "state/part.h"
+
+struct body; /* one body of a kind, made by create() */
+
+struct body_load { /* what load() reports, all [N, 2D: N/m], [N m] */
+    double damping;      /* power taken by damping [W], never positive         */
+    double driven;       /* power put in by prescribed loads [W]               */
+    double support[DIM]; /* force of the supports on the body [N]              */
+};
+
+struct body_view { /* for output: displacements of chosen points */
+    double tip[DIM], mid[DIM]; /* displacement [m]                             */
+    double tip_angle;          /* [rad]                                        */
+    double root_force;         /* shear force at the root [N, 2D: N/m]         */
+    double root_moment;        /* bending moment at the root [N m, 2D: N]      */
+};
+
+struct body_kind {
+    const char *name, *about, *equation, *source;
+    const char *group;          /* scene group: "beam"                         */
+    size_t size;                /* of its parameter struct                     */
+    const struct param *params;
+
+    /* Refuses (BAD_SCENE) what cannot stand; `path` is "beam.NAME". */
+    int (*create)(const void *params, const struct scales *s, const char *name,
+                  const char *path, struct body **out);
+    void (*free)(struct body **body); /* NULL is welcome */
+
+    enum kind (*skin_kind)(const struct body *b);
+    int (*skin)(const struct body *b, double (*x)[DIM]); /* points at rest; NULL x: count only */
+
+    int (*rows)(struct body *b, struct layout *l);             /* adds its rows     */
+    void (*start)(const struct body *b, const struct layout *l, double *y); /* y at t = 0 */
+
+    /* Skin at this state: x, u [skin][DIM]. */
+    void (*move)(const struct body *b, const struct layout *l, double t, const double *y,
+                 double (*x)[DIM], double (*u)[DIM]);
+
+    /* Explicit rates: M^-1 (N^T force + weight + prescribed loads) into the
+     * velocity rows of ydot, 0 into its position rows.  force [skin][DIM]. */
+    void (*load)(struct body *b, const struct layout *l, double t, const double *y,
+                 const double (*force)[DIM], double *ydot, struct body_load *out);
+
+    /* Implicit rates: q' = v, v' = -M^-1 (K q + D v), ADDED to its rows of ydot. */
+    void (*stiff)(const struct body *b, const struct layout *l, double t, const double *y,
+                  double *ydot);
+
+    /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched. */
+    int (*solve)(struct body *b, const struct layout *l, double t, double gamma,
+                 const double *r, double *z);
+
+    /* Implicit side taken explicitly: its fastest frequency. */
+    void (*limit)(const struct body *b, struct limit *out);
+    void (*energy)(const struct body *b, const struct layout *l, const double *y,
+                   struct energies *to);
+    void (*momentum)(const struct body *b, const struct layout *l, const double *y, double *p);
+    double (*weight)(const struct body *b); /* its mass [kg, 2D: kg/m] */
+
+    /* force [skin][DIM] as in load(); y and t of the same moment. */
+    void (*show)(const struct body *b, const struct layout *l, double t, const double *y,
+                 const double (*force)[DIM], struct body_view *out);
+};
+
+extern const struct body_kind *const bodies_table[]; /* NULL-ended */
+extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2 only */
+
+#endif

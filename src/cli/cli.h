@@ -1,0 +1,36 @@
+/* cli.h -- the command line: what was asked for. */
+#ifndef CLI_CLI_H
+#define CLI_CLI_H
+
+#include <stdbool.h>
+
+enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
+
+enum { CLI_OVERRIDES = 128 };
+
+struct cli {
+    enum cli_command command;
+    const char *subject;                  /* scene, directory, table or name  */
+    int overrides;
+    const char *override[CLI_OVERRIDES];  /* "KEY=VALUE", those of options last */
+    const char *directory;                /* -o; NULL: chosen from the scene  */
+    int threads;                          /* 0: as the environment says       */
+    bool quiet;
+};
+
+/* Fills c from the arguments.  --help and --version print and end the program;
+ * a wrong command line prints what is wrong and ends it with status 2. */
+void cli_parse(int argc, char **argv, struct cli *c);
+
+/* Program, libraries and their versions, as --version prints them. */
+void cli_version(void);
+
+/* Replaces this process by the program for `dimension` (2 or 3), found beside
+ * this one or in the directory where it was installed.  Returns only when that
+ * failed: STATUS_IO. */
+int cli_exec(int dimension, char **argv);
+
+/* The dimension that a scene asks for (2 when it does not say). */
+int cli_dimension(const struct cli *c, int *dimension);
+
+#endif

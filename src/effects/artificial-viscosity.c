@@ -1,0 +1,108 @@
+/* artificial-viscosity.c -- Monaghan's viscosity, with or without its switch.
+ *
+ *   F_ab = m_a m_b alpha c0 hs (v.x) / (rhobar (r^2 + 0.01 hs^2)) gradW_ab  (V2)
+ *
+ * with x = x_a - x_b, v = v_a - v_b, rhobar the mean density, hs half the
+ * support.  The published form acts on approaching pairs (v.x < 0) only; that
+ * switch makes f rough and costs two to three digits of accuracy in time, so
+ * it is off unless the scene asks.  F_ab . v is never positive: this effect
+ * only takes energy out.  It is worth a kinematic viscosity of
+ * alpha c0 hs / (2 (D + 2)).
+ * Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574, eq. 4.1-4.2.
+ * Checked in tests/physics/laws.c. */
+#include "effects/effects.h"
+
+struct artificial_viscosity {
+    double alpha;
+    bool only_approaching;
+    double strength; /* 2 alpha c0 hs          [m^2/s] */
+    double eta2;     /* 0.01 hs^2              [m^2]   */
+    double rate;     /* fastest decay          [1/s]   */
+};
+
+static const struct param params[] = {
+    { .key = "alpha", .unit = "1", .offset = offsetof(struct artificial_viscosity, alpha),
+      .fallback = 0.02, .min = 0, .max = 10, .about = "strength of the viscosity" },
+    { .key = "only_approaching", .unit = "", .type = PARAM_FLAG,
+      .offset = offsetof(struct artificial_viscosity, only_approaching), .fallback = 0,
+      .max = 1, .about = "act on approaching pairs only, as published (rough in time)" },
+    { 0 },
+};
+
+/* The one place of (V2): factor of x in the force of one row. */
+static inline lanes factor(const struct artificial_viscosity *s, const struct side *a,
+                           const struct block *b, int k, lanes xv)
+{
+    return s->strength * xv * b->gw[k] / ((a->rho + b->rho[k]) * (b->r2[k] + s->eta2));
+}
+
+static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    struct sum t = *to;
+
+    for (int k = 0; k < b->n; k++) {
+        const lanes c = factor(self, a, b, k, b->xv[k]);
+        for (int d = 0; d < DIM; d++)
+            t.f[d] += c * b->x[d][k];
+    }
+    *to = t;
+}
+
+static void pairs_approaching(const void *self, const struct side *a, const struct block *b,
+                              struct sum *to)
+{
+    struct sum t = *to;
+
+    for (int k = 0; k < b->n; k++) {
+        const lanes c = factor(self, a, b, k, -lanes_positive(-b->xv[k]));
+        for (int d = 0; d < DIM; d++)
+            t.f[d] += c * b->x[d][k];
+    }
+    *to = t;
+}
+
+static part_pairs *choose(const void *self)
+{
+    const struct artificial_viscosity *s = self;
+
+    return s->only_approaching ? pairs_approaching : pairs;
+}
+
+/* Longitudinal waves feel three times the shear viscosity of (V2). */
+static int prepare(void *self, const struct scales *scales)
+{
+    struct artificial_viscosity *s = self;
+    const double nu = s->alpha * scales->c0 * scales->hs / (2 * (DIM + 2));
+
+    s->strength = 2 * s->alpha * scales->c0 * scales->hs;
+    s->eta2 = 0.01 * scales->hs * scales->hs;
+    s->rate = 3 * SCALES_LAPLACE * nu / (scales->hs * scales->hs);
+    return 0;
+}
+
+static void limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct artificial_viscosity *s = self;
+
+    (void)v;
+    out->rate = s->rate;
+    out->decay = true;
+    out->where = -1; /* the same everywhere */
+}
+
+const struct part LANE_NAME(effects_artificial_viscosity) = {
+    .name = "artificial-viscosity",
+    .about = "Monaghan's viscosity along the line of centres",
+    .equation = "(V2) F_ab = m_a m_b alpha c0 hs (v.x)/(rhobar (r^2 + 0.01 hs^2)) gradW_ab",
+    .source = "Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574",
+    .size = sizeof(struct artificial_viscosity),
+    .params = params,
+    .needs = FIELD_DENSITY,
+    .rows = NEED_X | NEED_RHO | NEED_R2 | NEED_XV | NEED_GRADW,
+    .columns = COLUMN_FORCE,
+    .acts = EFFECTS_ACT_STICKY,
+    .prepare = prepare,
+    .pairs = pairs,
+    .choose = choose,
+    .limit = limit,
+};

@@ -1,0 +1,82 @@
+/* density-diffusion.c -- density differences diffuse, the hydrostatic ones
+ * excepted.
+ *
+ *   m_a d rho_a/dt = sum_b m_a m_b 2 delta hs c0 (rho_a - rho_b - rho_H)
+ *                    / rhobar  x.gradW_ab / (r^2 + 0.01 hs^2)               (D2)
+ *   rho_H = rho0 g.(x_a - x_b) / c0^2
+ *
+ * with rhobar the mean density of the pair: antisymmetric, so mass-weighted
+ * density is kept.  Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009)
+ * 861-872; subtracting the hydrostatic part: Fourtakas et al., Comput. Fluids
+ * 190 (2019) 346-361, here linearised about rho0 so that both sides agree.
+ * Checked in tests/physics/laws.c. */
+#include "effects/effects.h"
+
+struct density_diffusion {
+    double delta;
+    double strength; /* 4 delta hs c0             [m^2/s]    */
+    double eta2;     /* 0.01 hs^2                 [m^2]      */
+    double slope[3]; /* rho0 g / c0^2             [kg/m^4]   */
+    double rate;     /* fastest decay             [1/s]      */
+};
+
+static const struct param params[] = {
+    { .key = "delta", .unit = "1", .offset = offsetof(struct density_diffusion, delta),
+      .fallback = 0.1, .min = 0, .max = 1, .about = "strength of the diffusion" },
+    { 0 },
+};
+
+static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    const struct density_diffusion *s = self;
+    lanes drho = to->drho;
+
+    for (int k = 0; k < b->n; k++) {
+        lanes hydrostatic = s->slope[0] * b->x[0][k];
+        for (int d = 1; d < DIM; d++)
+            hydrostatic += s->slope[d] * b->x[d][k];
+        drho += s->strength * (a->rho - b->rho[k] - hydrostatic) * b->gw[k] * b->r2[k]
+              / ((a->rho + b->rho[k]) * (b->r2[k] + s->eta2));
+    }
+    to->drho = drho;
+}
+
+static int prepare(void *self, const struct scales *scales)
+{
+    struct density_diffusion *s = self;
+
+    s->strength = 4 * s->delta * scales->hs * scales->c0;
+    s->eta2 = 0.01 * scales->hs * scales->hs;
+    for (int d = 0; d < DIM; d++)
+        s->slope[d] = scales->rho0 * scales->g[d] / (scales->c0 * scales->c0);
+    s->rate = SCALES_LAPLACE * s->delta * scales->c0 / scales->hs;
+    return 0;
+}
+
+static void limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct density_diffusion *s = self;
+
+    (void)v;
+    out->rate = s->rate;
+    out->decay = true;
+    out->where = -1; /* the same everywhere */
+}
+
+const struct part LANE_NAME(effects_density_diffusion) = {
+    .name = "density-diffusion",
+    .about = "smooths density, hydrostatic differences excepted",
+    .equation = "(D2) m_a d rho_a/dt = sum_b m_a m_b 2 delta hs c0 (rho_a - rho_b - rho_H)/rhobar "
+                "x.gradW/(r^2 + 0.01 hs^2)",
+    .source = "Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009) 861-872; "
+              "Fourtakas et al., Comput. Fluids 190 (2019) 346-361",
+    .size = sizeof(struct density_diffusion),
+    .params = params,
+    .needs = FIELD_DENSITY,
+    .rows = NEED_X | NEED_RHO | NEED_R2 | NEED_GRADW,
+    .columns = COLUMN_DRHO,
+    .acts = EFFECTS_ACT_FLUID,
+    .prepare = prepare,
+    .pairs = pairs,
+    .limit = limit,
+};

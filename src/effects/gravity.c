@@ -1,0 +1,54 @@
+/* gravity.c -- weight of the fluid; in the plan when the scene's gravity is
+ * not zero.  It books no power: what it does is potential energy, counted from
+ * the lowest point of the domain.  The seed's (32). */
+#include "effects/effects.h"
+
+struct gravity {
+    double g[DIM];      /* [m/s^2]                          */
+    double lowest[DIM]; /* corner of the domain, lowest [m] */
+};
+
+static int prepare(void *self, const struct scales *scales)
+{
+    struct gravity *s = self;
+
+    for (int d = 0; d < DIM; d++) {
+        s->g[d] = scales->g[d];
+        s->lowest[d] = scales->g[d] > 0 ? scales->high[d] : scales->low[d];
+    }
+    return 0;
+}
+
+static void field(const void *self, const struct view *v, double (*rate)[DIM])
+{
+    const struct gravity *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+
+    for (int i = 0; i < n; i++)
+        for (int d = 0; d < DIM; d++)
+            rate[i][d] += s->g[d];
+}
+
+static void energy(const void *self, const struct view *v, struct energies *to)
+{
+    const struct gravity *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    const double *x = v->x[KIND_FLUID];
+    double sum = 0;
+
+    for (int i = 0; i < n; i++)
+        for (int d = 0; d < DIM; d++)
+            sum -= v->p->m[i] * s->g[d] * (x[i * DIM + d] - s->lowest[d]);
+    to->potential += sum;
+}
+
+const struct part LANE_NAME(effects_gravity) = {
+    .name = "gravity",
+    .about = "weight of the fluid (the scene's `gravity` calls for it)",
+    .equation = "(G1) dv_a/dt = g",
+    .source = "seed (32)",
+    .size = sizeof(struct gravity),
+    .prepare = prepare,
+    .field = field,
+    .energy = energy,
+};

@@ -1,0 +1,79 @@
+/* laminar-viscosity.c -- laminar viscosity between neighbouring particles.
+ *
+ *   F_ab = m_a m_b 2 mu/(rho_a rho_b) (x . gradW)/(r^2 + 0.01 hs^2) v       (V1)
+ *
+ * with x = x_a - x_b, v = v_a - v_b, hs half the support.  x . gradW is never
+ * positive, so F_ab . v is not either: this effect only takes energy out.
+ * Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214-226, constant mu.  It
+ * stands for the seed's (28)-(31), whose printed kernel is wrong in sign and
+ * dimension.  Checked in tests/physics/laws.c. */
+#include "effects/effects.h"
+
+#include <math.h>
+
+struct laminar_viscosity {
+    double mu;   /* dynamic viscosity                  [Pa s] */
+    double eta2; /* 0.01 hs^2, keeps r = 0 finite      [m^2]  */
+    double hs2;  /* hs^2                               [m^2]  */
+};
+
+static const struct param params[] = {
+    { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laminar_viscosity, mu),
+      .fallback = 1e-3, .min = 0, .max = 1e4, .about = "dynamic viscosity; 0.001 is water" },
+    { 0 },
+};
+
+static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    const struct laminar_viscosity *s = self;
+    struct sum t = *to; /* registers, not memory */
+
+    for (int k = 0; k < b->n; k++) {
+        const lanes c = 2 * s->mu * (a->irho * b->irho[k]) * b->gw[k]
+                      * b->r2[k] / (b->r2[k] + s->eta2);
+        for (int d = 0; d < DIM; d++)
+            t.f[d] += c * b->v[d][k];
+    }
+    *to = t;
+}
+
+static int prepare(void *self, const struct scales *scales)
+{
+    struct laminar_viscosity *s = self;
+
+    s->hs2 = scales->hs * scales->hs;
+    s->eta2 = 0.01 * s->hs2;
+    return 0;
+}
+
+/* The lightest particle diffuses fastest. */
+static void limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct laminar_viscosity *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < n; i++)
+        if (v->rho[KIND_FLUID][i] < least) {
+            least = v->rho[KIND_FLUID][i];
+            out->where = i;
+        }
+    out->rate = SCALES_LAPLACE * s->mu / (least * s->hs2);
+    out->decay = true;
+}
+
+const struct part LANE_NAME(effects_laminar_viscosity) = {
+    .name = "laminar-viscosity",
+    .about = "laminar viscosity between neighbours",
+    .equation = "(V1) F_ab = m_a m_b 2 mu/(rho_a rho_b) (x.gradW)/(r^2 + 0.01 hs^2) v",
+    .source = "Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214-226",
+    .size = sizeof(struct laminar_viscosity),
+    .params = params,
+    .needs = FIELD_DENSITY,
+    .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW,
+    .columns = COLUMN_FORCE,
+    .acts = EFFECTS_ACT_STICKY,
+    .prepare = prepare,
+    .pairs = pairs,
+    .limit = limit,
+};

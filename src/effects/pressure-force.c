@@ -1,0 +1,34 @@
+/* pressure-force.c -- force of the pressure between neighbours.
+ *
+ *   F_ab = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW_ab                   (P1)
+ *
+ * Monaghan, J. Comput. Phys. 110 (1994) 399-406; the form that follows from a
+ * Lagrangian with (D1).  It replaces the seed's (24), which has p/rho: wrong by
+ * a factor of about rho.  Checked in tests/physics/laws.c. */
+#include "effects/effects.h"
+
+static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    struct sum t = *to; /* registers, not memory */
+
+    (void)self;
+    for (int k = 0; k < b->n; k++) {
+        const lanes c = (a->p2 + b->p2[k]) * b->gw[k];
+        for (int d = 0; d < DIM; d++)
+            t.f[d] -= c * b->x[d][k];
+    }
+    *to = t;
+}
+
+const struct part LANE_NAME(effects_pressure_force) = {
+    .name = "pressure",
+    .about = "force of the pressure between neighbours",
+    .equation = "(P1) F_ab = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW_ab",
+    .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406",
+    .needs = FIELD_DENSITY | FIELD_PRESSURE,
+    .rows = NEED_X | NEED_P2 | NEED_GRADW,
+    .columns = COLUMN_FORCE,
+    .acts = EFFECTS_ACT_ALL,
+    .conservative = true,
+    .pairs = pairs,
+};

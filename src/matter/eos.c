@@ -1,0 +1,92 @@
+/* eos.c -- the Tait equation of state and what follows from it.
+ *
+ * Everything is written in d = (rho - rho0)/rho0, which a double holds exactly
+ * near rho0: weakly compressible water lives at |d| of 1e-6 to 1e-2, where
+ * (rho/rho0)^gamma - 1 would lose most of its digits. */
+#include "matter/eos.h"
+
+#include <math.h>
+
+static double stiffness(const struct eos *e) /* B [Pa] */
+{
+    return e->rho0 * e->c0 * e->c0 / e->gamma;
+}
+
+static double strain(const struct eos *e, double rho) /* d [1] */
+{
+    return (rho - e->rho0) / e->rho0;
+}
+
+/* s^7 - 1 = (s - 1)(1 + s + ... + s^6) at s = 1 + d. */
+static inline double seventh(double d)
+{
+    const double s = 1 + d, s2 = s * s;
+
+    return d * (1 + (s + s2) * (1 + s2 * (1 + s2)));
+}
+
+/* (exp(z) - 1 - z)/z^2, to rounding for every z. */
+static double second_remainder(double z)
+{
+    double sum = 0;
+
+    if (fabs(z) > 1)
+        return (expm1(z) - z) / (z * z);
+    for (int k = 19; k >= 2; k--)
+        sum = (sum * z + 1) / k;
+    return sum;
+}
+
+/* (E2) p = B ((rho/rho0)^gamma - 1).  Monaghan, J. Comput. Phys. 110 (1994)
+ * 399-406, takes gamma = 7 for water; gamma = 1 is p = c0^2 (rho - rho0). */
+double eos_pressure(const struct eos *e, double rho)
+{
+    const double d = strain(e, rho);
+
+    if (e->gamma == 7)
+        return stiffness(e) * seventh(d);
+    return stiffness(e) * expm1(e->gamma * log1p(d));
+}
+
+double eos_density(const struct eos *e, double p)
+{
+    return e->rho0 * (1 + expm1(log1p(p / stiffness(e)) / e->gamma));
+}
+
+/* c = c0 (rho/rho0)^((gamma - 1)/2), from dp/drho of (E2). */
+double eos_sound(const struct eos *e, double rho)
+{
+    const double s = rho / e->rho0;
+
+    return e->gamma == 7 ? e->c0 * s * s * s : e->c0 * pow(s, 0.5 * (e->gamma - 1));
+}
+
+/* With s = rho/rho0 and L = ln s the integral of (E2) is
+ *
+ *   e = B/rho0 [ (s^(gamma-1) - 1)/(gamma - 1) + 1/s - 1 ]
+ *     = B/rho0 L^2 [ (gamma - 1) R((gamma - 1) L) + R(-L) ],  R = second_remainder,
+ *
+ * the second line without the cancellation of the first, and good for gamma = 1. */
+double eos_energy(const struct eos *e, double rho)
+{
+    const double a = e->gamma - 1, log_s = log1p(strain(e, rho));
+    const double sum = a * second_remainder(a * log_s) + second_remainder(-log_s);
+
+    return stiffness(e) / e->rho0 * log_s * log_s * sum;
+}
+
+static void sevenths(double b, double rho0, int n, const double *restrict rho, double *restrict p)
+{
+    for (int i = 0; i < n; i++)
+        p[i] = b * seventh((rho[i] - rho0) / rho0);
+}
+
+void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
+{
+    if (e->gamma == 7) {
+        sevenths(stiffness(e), e->rho0, n, rho, p);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        p[i] = eos_pressure(e, rho[i]);
+}

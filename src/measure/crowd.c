@@ -1,0 +1,162 @@
+/* crowd.c -- counts neighbours, particle by particle where it is asked, in cells of one support. */
+#include "measure/crowd.h"
+
+#include "base/status.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { OUTSIDE = -1 };
+
+struct crowd {
+    const struct particles *p;
+    struct view view;
+    double reach2;      /* neighbours are nearer than this, squared    [m^2] */
+    int half, quarter;  /* of the full lattice, rounded up                   */
+    double size;        /* edge of a cell, at least the support        [m]   */
+    double low[DIM];    /* corner of the first cell                    [m]   */
+    long cells[DIM], most; /* cells in use by direction; how many may be     */
+    int *start;         /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
+    int *order;         /* [n] particles cell by cell                        */
+    long *cell;         /* [n] cell of a particle, or OUTSIDE                */
+};
+
+/* Strictly inside the support, with room for rounding: at r = H kernels are 0. */
+static double reach2(const struct scales *s)
+{
+    return s->support * s->support * (1 - 1e-9);
+}
+
+int crowd_full(const struct scales *s)
+{
+    const int most = (int)(s->support / s->dx) + 1;
+    const double within = reach2(s) / (s->dx * s->dx);
+    int count = -1; /* not the site itself */
+
+    for (int i = -most; i <= most; i++)
+        for (int j = -most; j <= most; j++)
+            for (int k = DIM == 3 ? -most : 0; k <= (DIM == 3 ? most : 0); k++)
+                count += i * i + j * j + k * k < within;
+    return count;
+}
+
+int crowd_create(const struct particles *p, struct crowd **out)
+{
+    const int full = crowd_full(p->scales);
+    struct crowd *c = status_alloc(1, sizeof *c);
+
+    *out = c;
+    if (!c)
+        return STATUS_FAILED;
+    c->p = p;
+    c->reach2 = reach2(p->scales);
+    c->half = (full + 1) / 2;
+    c->quarter = (full + 3) / 4;
+    c->most = 4L * p->n + 64;
+    c->start = status_alloc((unsigned long)c->most + 1, sizeof *c->start);
+    c->order = status_alloc((unsigned long)p->n, sizeof *c->order);
+    c->cell = status_alloc((unsigned long)p->n, sizeof *c->cell);
+    if (c->start && c->order && c->cell)
+        return STATUS_DONE;
+    crowd_free(out);
+    return STATUS_FAILED;
+}
+
+void crowd_free(struct crowd **crowd)
+{
+    if (!*crowd)
+        return;
+    free((*crowd)->start);
+    free((*crowd)->order);
+    free((*crowd)->cell);
+    free(*crowd);
+    *crowd = NULL;
+}
+
+const struct view *crowd_view(const struct crowd *c)
+{
+    return &c->view;
+}
+
+/* Everybody counts who is less than a support outside the domain (its walls
+ * stand there); fluid has to be inside. NaN counts nowhere. */
+static bool is_inside(const struct scales *s, enum kind k, const double *x)
+{
+    const double margin = k == KIND_FLUID ? 0 : s->support;
+
+    for (int d = 0; d < DIM; d++)
+        if (!(x[d] >= s->low[d] - margin && x[d] <= s->high[d] + margin))
+            return false;
+    return true;
+}
+
+/* Cells of one support, or larger where the domain is large and empty. */
+static void lay_cells(struct crowd *c)
+{
+    const struct scales *s = c->p->scales;
+    double count;
+
+    c->size = s->support;
+    do {
+        count = 1;
+        for (int d = 0; d < DIM; d++)
+            count *= floor((s->high[d] - s->low[d] + 2 * s->support) / c->size) + 1;
+        if (count > (double)c->most)
+            c->size *= 1.25;
+    } while (count > (double)c->most);
+    for (int d = 0; d < DIM; d++) {
+        c->low[d] = s->low[d] - s->support;
+        c->cells[d] = (long)((s->high[d] - s->low[d] + 2 * s->support) / c->size) + 1;
+    }
+}
+
+static long cell_of(const struct crowd *c, const double *x)
+{
+    long cell = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        const long at = (long)((x[d] - c->low[d]) / c->size);
+        cell = cell * c->cells[d] + (at < c->cells[d] ? at : c->cells[d] - 1);
+    }
+    return cell;
+}
+
+static long cells(const struct crowd *c)
+{
+    long count = 1;
+
+    for (int d = 0; d < DIM; d++)
+        count *= c->cells[d];
+    return count;
+}
+
+static void find_cells(struct crowd *c)
+{
+    for (int k = 0; k < KINDS; k++)
+        for (int i = c->p->from[k]; i < c->p->from[k + 1]; i++) {
+            const double *x = c->view.x[k] + DIM * (long)(i - c->p->from[k]);
+            c->cell[i] = is_inside(c->p->scales, (enum kind)k, x) ? cell_of(c, x) : OUTSIDE;
+        }
+}
+
+void crowd_update(struct crowd *c, const struct view *v)
+{
+    long count;
+
+    c->view = *v;
+    lay_cells(c);
+    find_cells(c);
+    count = cells(c);
+    for (long i = 0; i <= count; i++)
+        c->start[i] = 0;
+    for (int i = 0; i < c->p->n; i++)
+        if (c->cell[i] != OUTSIDE)
+            c->start[c->cell[i] + 1]++;
+    for (long i = 0; i < count; i++)
+        c->start[i + 1] += c->start[i];
+    for (int i = c->p->n - 1; i >= 0; i--) /* fills each cell from its end */
+        if (c->cell[i] != OUTSIDE)
+            c->order[--c->start[c->cell[i] + 1]] = i;
+    for (long i = 0; i < count; i++) /* start[i+1] is now where cell i begins */
+        c->start[i] = c->start[i + 1];
+    c->start[count] = c->p->n;
+}

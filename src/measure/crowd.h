@@ -1,0 +1,32 @@
+/* crowd.h -- tells water from spray: which fluid particles have company.
+ *
+ * A fluid particle belongs to the water when it has at least half as many
+ * neighbours within the support as a site of the full lattice has, solids
+ * counted, and at least half of those are fluid.  So a toe two particles thin
+ * that runs along the floor is water; drops in the air, and single particles
+ * that slide along a wall or cling to it, are not.  Who has left the domain
+ * neither belongs nor counts. */
+#ifndef MEASURE_CROWD_H
+#define MEASURE_CROWD_H
+
+#include "state/particles.h"
+#include <stdbool.h>
+
+struct crowd; /* work arrays, made once for a run */
+
+int crowd_create(const struct particles *p, struct crowd **out);
+void crowd_free(struct crowd **crowd); /* NULL is welcome */
+
+/* Sorts everybody of this moment into cells: O(n).  The view must live as long
+ * as questions are asked. */
+void crowd_update(struct crowd *c, const struct view *v);
+
+const struct view *crowd_view(const struct crowd *c); /* of the last update */
+
+/* Neighbours within the support of a site of the full lattice of spacing dx. */
+int crowd_full(const struct scales *s);
+
+/* Does fluid particle i (creation order) belong to the water? */
+bool crowd_is_water(const struct crowd *c, int i);
+
+#endif

@@ -1,0 +1,62 @@
+/* aside.c -- writes a file under a temporary name and renames it when it is whole. */
+#include "output/aside.h"
+
+#include "base/status.h"
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+
+int aside_join(char *to, const char *dir, const char *name)
+{
+    const int n = snprintf(to, ASIDE_PATH, "%s/%s", dir, name);
+
+    if (n < 0 || n >= ASIDE_PATH - 16)
+        return status_fail(STATUS_IO, "%.200s.../%s: this path is longer than %d characters; "
+                           "choose an output directory nearer to the root", dir, name, ASIDE_PATH);
+    return STATUS_DONE;
+}
+
+int aside_directory(const char *path)
+{
+    if (mkdir(path, 0777) != 0 && errno != EEXIST)
+        return status_fail(STATUS_IO, "%s: this directory cannot be made: %s", path,
+                           strerror(errno));
+    return STATUS_DONE;
+}
+
+int aside_open(struct aside *a, const char *path)
+{
+    const int n = snprintf(a->path, sizeof a->path, "%s", path);
+
+    if (n < 0 || n >= ASIDE_PATH - 16)
+        return status_fail(STATUS_IO, "%.200s...: this path is too long", path);
+    snprintf(a->temporary, sizeof a->temporary, "%.*s.part", n, path);
+    a->to = fopen(a->temporary, "w");
+    if (!a->to)
+        return status_fail(STATUS_IO, "%s: cannot be opened for writing: %s", a->temporary,
+                           strerror(errno));
+    return STATUS_DONE;
+}
+
+int aside_finish(const char *temporary, const char *path, int code)
+{
+    if (code == STATUS_DONE && rename(temporary, path) != 0)
+        code = status_fail(STATUS_IO, "%s: cannot be written: %s", path, strerror(errno));
+    if (code != STATUS_DONE)
+        remove(temporary);
+    return code;
+}
+
+int aside_close(struct aside *a)
+{
+    const int written = fflush(a->to) == 0 && !ferror(a->to);
+    int error = errno, code = STATUS_DONE;
+
+    if (fclose(a->to) != 0 && written)
+        error = errno;
+    else if (written)
+        error = 0;
+    if (error != 0)
+        code = status_fail(STATUS_IO, "%s: cannot be written: %s", a->path, strerror(error));
+    return aside_finish(a->temporary, a->path, code);
+}

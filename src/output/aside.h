@@ -1,0 +1,33 @@
+/* aside.h -- small files that are whole at every moment: written under a
+ * temporary name beside the old one and then renamed over it. */
+#ifndef OUTPUT_ASIDE_H
+#define OUTPUT_ASIDE_H
+
+#include <stdio.h>
+
+enum { ASIDE_PATH = 4096 };
+
+struct aside {
+    FILE *to; /* write here                                                  */
+    char path[ASIDE_PATH], temporary[ASIDE_PATH];
+};
+
+/* Opens "PATH.part" for writing. */
+int aside_open(struct aside *a, const char *path);
+
+/* Renames it to PATH.  When any write failed (full disk, quota) it is taken
+ * away instead, the old file stays, and STATUS_IO comes back. */
+int aside_close(struct aside *a);
+
+/* The same for a file that others wrote under a temporary name, and that is
+ * whole when code is STATUS_DONE: renames it, or takes it away; returns code, or
+ * STATUS_IO when the renaming failed. */
+int aside_finish(const char *temporary, const char *path, int code);
+
+/* "DIR/NAME" into to [ASIDE_PATH]; STATUS_IO when that is too long. */
+int aside_join(char *to, const char *dir, const char *name);
+
+/* Makes the directory; one that exists already is welcome. */
+int aside_directory(const char *path);
+
+#endif

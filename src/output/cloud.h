@@ -1,0 +1,18 @@
+/* cloud.h -- everybody at one moment, as particle files want it: fluid and
+ * solids in one list, creation order. */
+#ifndef OUTPUT_CLOUD_H
+#define OUTPUT_CLOUD_H
+
+struct cloud_frame {
+    double t;                  /* [s]                                            */
+    int n, dim;                /* particles, components of x and u: 2 or 3       */
+    const double *x;           /* [n][dim] position                     [m]      */
+    const double *u;           /* [n][dim] velocity                     [m/s]    */
+    const double *rho;         /* [n]      density            [kg/m^3, 2D too]   */
+    const double *p;           /* [n]      pressure                     [Pa]     */
+    const unsigned char *dye;  /* [n]      colour 0, 1, ...                      */
+    const unsigned char *kind; /* [n]      enum kind (space/kinds.h)             */
+    const int *id;             /* [n]      creation index; NULL: 0, 1, ...       */
+};
+
+#endif

@@ -1,0 +1,219 @@
+/* fields-file.c -- one moment of the particles as an HDF5 file that VTK 9.1 reads.
+ *
+ * The layout is version 1.0 of VTK's own for a UnstructuredGrid in one piece:
+ * https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html */
+#include "output/fields-file.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+#include <hdf5.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Where one array of the file comes from. */
+struct array {
+    const char *name;
+    hid_t type;
+    hsize_t rows, columns; /* columns 0: a list, not a table                  */
+    const void *data;
+    int regular;           /* a pattern: worth compressing                    */
+};
+
+static int is_fine(hid_t id)
+{
+    return id >= 0;
+}
+
+static int write_data(hid_t group, const struct array *a, hid_t space, hid_t making)
+{
+    const hid_t set = H5Dcreate2(group, a->name, a->type, space, H5P_DEFAULT, making, H5P_DEFAULT);
+    int fine = is_fine(set);
+
+    if (fine && a->rows > 0)
+        fine = H5Dwrite(set, a->type, H5S_ALL, H5S_ALL, H5P_DEFAULT, a->data) >= 0;
+    if (is_fine(set))
+        fine = H5Dclose(set) >= 0 && fine;
+    return fine;
+}
+
+/* Vertex cells are 0, 1, 2, ...: packed they cost next to nothing. */
+static int pack(hid_t making, const struct array *a)
+{
+    const hsize_t chunk = a->rows < 65536 ? a->rows : 65536;
+
+    if (!a->regular || a->rows == 0 || H5Zfilter_avail(H5Z_FILTER_DEFLATE) <= 0)
+        return 1;
+    return H5Pset_chunk(making, 1, &chunk) >= 0 && H5Pset_shuffle(making) >= 0
+           && H5Pset_deflate(making, 1) >= 0;
+}
+
+static int write_array(hid_t group, const struct array *a)
+{
+    const hsize_t size[2] = { a->rows, a->columns };
+    const hid_t space = H5Screate_simple(a->columns > 0 ? 2 : 1, size, NULL);
+    const hid_t making = H5Pcreate(H5P_DATASET_CREATE);
+    const int fine = pack(making, a) && write_data(group, a, space, making);
+
+    H5Pclose(making);
+    H5Sclose(space);
+    return fine;
+}
+
+static int write_attribute(hid_t group, const char *name, hid_t type, hid_t space,
+                           const void *value)
+{
+    const hid_t attribute = H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const int fine = is_fine(attribute) && H5Awrite(attribute, type, value) >= 0;
+
+    return is_fine(attribute) && H5Aclose(attribute) >= 0 && fine;
+}
+
+/* What makes the group a VTK grid: version, type; and the time. */
+static int write_attributes(hid_t group, double t)
+{
+    static const int64_t version[2] = { 1, 0 };
+    static const char type[] = "UnstructuredGrid";
+    const hsize_t two = 2;
+    const hid_t scalar = H5Screate(H5S_SCALAR), pair = H5Screate_simple(1, &two, NULL);
+    const hid_t text = H5Tcopy(H5T_C_S1);
+    const int fine = H5Tset_size(text, sizeof type - 1) >= 0
+                     && write_attribute(group, "Version", H5T_NATIVE_INT64, pair, version)
+                     && write_attribute(group, "Type", text, scalar, type)
+                     && write_attribute(group, "time", H5T_NATIVE_DOUBLE, scalar, &t);
+
+    H5Tclose(text);
+    H5Sclose(pair);
+    H5Sclose(scalar);
+    return fine;
+}
+
+static int write_all(hid_t group, const struct array *array)
+{
+    for (; array->name; array++)
+        if (!write_array(group, array))
+            return 0;
+    return 1;
+}
+
+static int write_group(hid_t file, const char *name, const struct array *array, double t)
+{
+    const hid_t group = H5Gcreate2(file, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    int fine = is_fine(group) && write_all(group, array);
+
+    if (fine && !strcmp(name, "VTKHDF"))
+        fine = write_attributes(group, t);
+    return is_fine(group) && H5Gclose(group) >= 0 && fine;
+}
+
+/* Work arrays of one file: three components, and the cells. */
+struct work {
+    double *x, *u;       /* [n][3] */
+    int64_t *count;      /* [n+1] 0, 1, 2, ... */
+    unsigned char *type; /* [n] VTK_VERTEX */
+    int *id;             /* [n] */
+};
+
+static void work_free(struct work *w)
+{
+    free(w->x);
+    free(w->u);
+    free(w->count);
+    free(w->type);
+    free(w->id);
+}
+
+static int work_fill(struct work *w, const struct cloud_frame *c)
+{
+    const size_t n = (size_t)c->n, dim = (size_t)c->dim;
+
+    w->x = status_alloc(n, 3 * sizeof *w->x);
+    w->u = status_alloc(n, 3 * sizeof *w->u);
+    w->count = status_alloc(n + 1, sizeof *w->count);
+    w->type = status_alloc(n, sizeof *w->type);
+    w->id = status_alloc(n, sizeof *w->id);
+    if (!w->x || !w->u || !w->count || !w->type || !w->id)
+        return STATUS_FAILED;
+    for (size_t i = 0; i < n; i++) {
+        memcpy(w->x + 3 * i, c->x + dim * i, dim * sizeof *w->x);
+        memcpy(w->u + 3 * i, c->u + dim * i, dim * sizeof *w->u);
+        w->count[i] = (int64_t)i;
+        w->type[i] = 1;
+        w->id[i] = c->id ? c->id[i] : (int)i;
+    }
+    w->count[n] = (int64_t)n;
+    return STATUS_DONE;
+}
+
+static int write_groups(hid_t file, const struct cloud_frame *c, const struct work *w)
+{
+    const hsize_t n = (hsize_t)c->n;
+    const int64_t points = c->n;
+    const struct array grid[] = {
+        { "NumberOfPoints", H5T_NATIVE_INT64, 1, 0, &points, 0 },
+        { "NumberOfCells", H5T_NATIVE_INT64, 1, 0, &points, 0 },
+        { "NumberOfConnectivityIds", H5T_NATIVE_INT64, 1, 0, &points, 0 },
+        { "Points", H5T_NATIVE_DOUBLE, n, 3, w->x, 0 },
+        { "Connectivity", H5T_NATIVE_INT64, n, 0, w->count, 1 },
+        { "Offsets", H5T_NATIVE_INT64, n + 1, 0, w->count, 1 },
+        { "Types", H5T_NATIVE_UCHAR, n, 0, w->type, 1 },
+        { .name = NULL },
+    };
+    const struct array values[] = {
+        { "velocity", H5T_NATIVE_DOUBLE, n, 3, w->u, 0 },
+        { "density", H5T_NATIVE_DOUBLE, n, 0, c->rho, 0 },
+        { "pressure", H5T_NATIVE_DOUBLE, n, 0, c->p, 0 },
+        { "dye", H5T_NATIVE_UCHAR, n, 0, c->dye, 1 },
+        { "kind", H5T_NATIVE_UCHAR, n, 0, c->kind, 1 },
+        { "id", H5T_NATIVE_INT, n, 0, w->id, 1 },
+        { .name = NULL },
+    };
+
+    return write_group(file, "VTKHDF", grid, c->t)
+           && write_group(file, "VTKHDF/PointData", values, c->t);
+}
+
+/* Keeps the innermost reason ("No space left on device") of HDF5's stack. */
+static herr_t keep_reason(unsigned depth, const H5E_error2_t *error, void *reason)
+{
+    if (depth == 0 && error->desc)
+        snprintf(reason, 512, "%s", error->desc);
+    return 0;
+}
+
+static int trouble(const char *path)
+{
+    char reason[512] = "no reason given";
+
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_reason, reason);
+    return status_fail(STATUS_IO, "%s: HDF5 cannot write it: %s", path, reason);
+}
+
+static int write_file(const char *path, const struct cloud_frame *c, const struct work *w)
+{
+    const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    int code;
+
+    if (!is_fine(file))
+        return trouble(path);
+    code = write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0
+               ? STATUS_DONE : trouble(path);
+    if (H5Fclose(file) < 0 && code == STATUS_DONE)
+        code = trouble(path);
+    return code;
+}
+
+int fields_file_write(const char *path, const struct cloud_frame *frame)
+{
+    char temporary[ASIDE_PATH];
+    struct work work = { 0 };
+    int code;
+
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    snprintf(temporary, sizeof temporary, "%s.part", path);
+    code = work_fill(&work, frame);
+    if (code == STATUS_DONE)
+        code = write_file(temporary, frame, &work);
+    work_free(&work);
+    return aside_finish(temporary, path, code);
+}

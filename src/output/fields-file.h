@@ -1,0 +1,10 @@
+/* fields-file.h -- one moment of the particles as one HDF5 file. */
+#ifndef OUTPUT_FIELDS_FILE_H
+#define OUTPUT_FIELDS_FILE_H
+
+#include "output/cloud.h"
+
+/* Writes path whole or not at all (STATUS_IO). */
+int fields_file_write(const char *path, const struct cloud_frame *frame);
+
+#endif

@@ -1,0 +1,135 @@
+/* fields.c -- the series of particle files and its index.
+ *
+ * XDMF 2: https://www.xdmf.org/index.php/XDMF_Model_and_Format */
+#include "output/fields.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+#include "output/fields-file.h"
+#include <stdlib.h>
+
+struct moment {
+    double t;
+    int n;
+};
+
+struct fields {
+    char folder[ASIDE_PATH], index[ASIDE_PATH];
+    int moments, room;
+    struct moment *moment;
+};
+
+/* One array: TYPE is Scalar or Vector, PLACE its path below /VTKHDF. */
+static void item(FILE *to, int number, int rows, int columns, const char *type, const char *place)
+{
+    fprintf(to, "<DataItem Dimensions=\"%d", rows);
+    if (columns > 1)
+        fprintf(to, " %d", columns);
+    fprintf(to, "\" %s Format=\"HDF\">fields/%06d.vtkhdf:/VTKHDF/%s</DataItem>", type, number,
+            place);
+}
+
+static void attribute(FILE *to, int number, int rows, int columns, const char *type,
+                      const char *name)
+{
+    char place[64];
+
+    snprintf(place, sizeof place, "PointData/%s", name);
+    fprintf(to, "        <Attribute Name=\"%s\" AttributeType=\"%s\" Center=\"Node\">\n          ",
+            name, columns > 1 ? "Vector" : "Scalar");
+    item(to, number, rows, columns, type, place);
+    fputs("\n        </Attribute>\n", to);
+}
+
+static void grid(FILE *to, int number, const struct moment *m)
+{
+    static const char real[] = "NumberType=\"Float\" Precision=\"8\"";
+    static const char byte[] = "NumberType=\"UChar\" Precision=\"1\"";
+    static const char whole[] = "NumberType=\"Int\" Precision=\"4\"";
+
+    fprintf(to, "      <Grid Name=\"particles\" GridType=\"Uniform\">\n"
+            "        <Time Value=\"%.17g\"/>\n"
+            "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%d\""
+            " NodesPerElement=\"1\">\n          ", m->t, m->n);
+    item(to, number, m->n, 1, "NumberType=\"Int\" Precision=\"8\"", "Connectivity");
+    fputs("\n        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          ", to);
+    item(to, number, m->n, 3, real, "Points");
+    fputs("\n        </Geometry>\n", to);
+    attribute(to, number, m->n, 3, real, "velocity");
+    attribute(to, number, m->n, 1, real, "density");
+    attribute(to, number, m->n, 1, real, "pressure");
+    attribute(to, number, m->n, 1, byte, "dye");
+    attribute(to, number, m->n, 1, byte, "kind");
+    attribute(to, number, m->n, 1, whole, "id");
+    fputs("      </Grid>\n", to);
+}
+
+static int write_index(const struct fields *f)
+{
+    struct aside a;
+
+    TRY(aside_open(&a, f->index));
+    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+          "<Xdmf Version=\"2.0\">\n  <Domain>\n"
+          "    <Grid Name=\"moments\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", a.to);
+    for (int i = 0; i < f->moments; i++)
+        grid(a.to, i, f->moment + i);
+    fputs("    </Grid>\n  </Domain>\n</Xdmf>\n", a.to);
+    return aside_close(&a);
+}
+
+static int start(struct fields *f, const char *dir)
+{
+    TRY(aside_join(f->folder, dir, "fields"));
+    TRY(aside_join(f->index, dir, "fields.xdmf"));
+    remove(f->index); /* of an earlier run */
+    return aside_directory(f->folder);
+}
+
+int fields_open(struct fields **out, const char *dir)
+{
+    struct fields *f = status_alloc(1, sizeof *f);
+    int code;
+
+    *out = f;
+    if (!f)
+        return STATUS_FAILED;
+    code = start(f, dir);
+    if (code != STATUS_DONE)
+        fields_close(out);
+    return code;
+}
+
+static int remember(struct fields *f, const struct cloud_frame *frame)
+{
+    if (f->moments == f->room) {
+        const int room = 2 * f->room + 64;
+        struct moment *more = realloc(f->moment, (size_t)room * sizeof *more);
+        if (!more)
+            return status_fail(STATUS_FAILED, "out of memory for the index of the fields");
+        f->moment = more;
+        f->room = room;
+    }
+    f->moment[f->moments++] = (struct moment){ frame->t, frame->n };
+    return STATUS_DONE;
+}
+
+int fields_write(struct fields *f, const struct cloud_frame *frame)
+{
+    char name[32], path[ASIDE_PATH];
+
+    snprintf(name, sizeof name, "%06d.vtkhdf", f->moments);
+    TRY(aside_join(path, f->folder, name));
+    TRY(fields_file_write(path, frame));
+    TRY(remember(f, frame));
+    return write_index(f);
+}
+
+void fields_close(struct fields **fields)
+{
+    if (!*fields)
+        return;
+    free((*fields)->moment);
+    free(*fields);
+    *fields = NULL;
+}

@@ -1,0 +1,29 @@
+/* fields.h -- particles for viewers: a time series that ParaView and VTK open.
+ *
+ * Each moment is a file of its own, DIR/fields/000012.vtkhdf: HDF5 in the
+ * layout of a VTK unstructured grid of vertex cells, with `velocity`,
+ * `density`, `pressure`, `dye`, `kind` and `id` for each point and `time`.  The
+ * index DIR/fields.xdmf names them all with their times.
+ *
+ *   ParaView 5.11       opens fields.xdmf: the series with its times
+ *   VTK 9.1 of Debian   has no XDMF reader; its vtkHDFReader opens each file
+ *   h5py, h5dump ...    /VTKHDF/Points, /VTKHDF/PointData/pressure, ...
+ *
+ * Both files are written aside and renamed, the index last: whatever happens to
+ * the run, what the index names is there and whole. */
+#ifndef OUTPUT_FIELDS_H
+#define OUTPUT_FIELDS_H
+
+#include "output/cloud.h"
+
+struct fields;
+
+/* Makes DIR/fields; takes away the index of an earlier run. */
+int fields_open(struct fields **out, const char *dir);
+
+/* Adds a moment; times must grow. In 2D z and the third velocity are 0. */
+int fields_write(struct fields *f, const struct cloud_frame *frame);
+
+void fields_close(struct fields **fields); /* frees; NULL is welcome */
+
+#endif

@@ -1,0 +1,33 @@
+/* series.h -- CSV files that grow by a row at a time.
+ *
+ * First a comment line with the units, then a line with the names, then rows:
+ *
+ *     # units: s,m,m
+ *     t,x,height
+ *     0.005,0.146,0.29
+ *
+ * A run that is killed leaves whole lines, at most a second old; so does a
+ * disk that is full.  Numbers have 10 digits, the first column 12. */
+#ifndef OUTPUT_SERIES_H
+#define OUTPUT_SERIES_H
+
+struct series;
+
+/* Makes the file; name and unit [columns] are only read here ("" or "1" for a
+ * column without unit). */
+int series_open(struct series **out, const char *path, int columns, const char *const *name,
+                const char *const *unit);
+
+/* Adds a row of value [columns]. */
+int series_row(struct series *s, const double *value);
+
+/* The same; where text[i] is not NULL it stands in column i instead. */
+int series_text_row(struct series *s, const double *value, const char *const *text);
+
+/* Writes down what is held back; for a moment when others will read. */
+int series_flush(struct series *s);
+
+/* Closes and frees, NULL is welcome; an error of the last rows is told here. */
+int series_close(struct series **series);
+
+#endif

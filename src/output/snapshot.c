@@ -1,0 +1,87 @@
+/* snapshot.c -- particles at chosen times as plain CSV, with an index of times. */
+#include "output/snapshot.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+#include "output/series.h"
+#include <stdlib.h>
+
+struct snapshot {
+    char dir[ASIDE_PATH];
+    int written;
+    struct series *index;
+};
+
+static int start(struct snapshot *s, const char *dir)
+{
+    char path[ASIDE_PATH];
+
+    TRY(aside_join(path, dir, "snapshots"));
+    TRY(aside_directory(path));
+    TRY(aside_join(s->dir, dir, "."));
+    TRY(aside_join(path, dir, "snapshots.csv"));
+    return series_open(&s->index, path, 2, (const char *[]){ "t", "file" },
+                       (const char *[]){ "s", "" });
+}
+
+int snapshot_open(struct snapshot **out, const char *dir)
+{
+    struct snapshot *s = status_alloc(1, sizeof *s);
+    int code;
+
+    *out = s;
+    if (!s)
+        return STATUS_FAILED;
+    code = start(s, dir);
+    if (code != STATUS_DONE)
+        snapshot_close(out);
+    return code;
+}
+
+static void row(FILE *to, const struct cloud_frame *c, int i)
+{
+    const double *x = c->x + (size_t)c->dim * (size_t)i, *u = c->u + (size_t)c->dim * (size_t)i;
+
+    for (int d = 0; d < c->dim; d++)
+        fprintf(to, "%.10g,", x[d]);
+    for (int d = 0; d < c->dim; d++)
+        fprintf(to, "%.8g,", u[d]);
+    fprintf(to, "%.10g,%.8g,%d,%d\n", c->rho[i], c->p[i], c->dye[i], c->kind[i]);
+}
+
+static int write_cloud(const char *path, const struct cloud_frame *c)
+{
+    struct aside a;
+
+    TRY(aside_open(&a, path));
+    fprintf(a.to, "# t = %.12g s\n# units: %s,kg/m^3,Pa,,\n", c->t,
+            c->dim == 2 ? "m,m,m/s,m/s" : "m,m,m,m/s,m/s,m/s");
+    fputs(c->dim == 2 ? "x,y,ux,uy,rho,p,dye,kind\n" : "x,y,z,ux,uy,uz,rho,p,dye,kind\n", a.to);
+    for (int i = 0; i < c->n; i++)
+        row(a.to, c, i);
+    return aside_close(&a);
+}
+
+int snapshot_write(struct snapshot *s, const struct cloud_frame *frame)
+{
+    char name[48], path[ASIDE_PATH];
+
+    snprintf(name, sizeof name, "snapshots/%04d.csv", s->written);
+    TRY(aside_join(path, s->dir, name));
+    TRY(write_cloud(path, frame));
+    s->written++;
+    TRY(series_text_row(s->index, &frame->t, (const char *[]){ NULL, name }));
+    return series_flush(s->index);
+}
+
+int snapshot_close(struct snapshot **snapshot)
+{
+    int code;
+
+    if (!*snapshot)
+        return STATUS_DONE;
+    code = series_close(&(*snapshot)->index);
+    free(*snapshot);
+    *snapshot = NULL;
+    return code;
+}

@@ -1,0 +1,136 @@
+/* book.c -- mass, momentum and energy by name: quadratures that ride in y, and
+ * what is stored at a moment. */
+#include "plan/inside.h"
+#include "plan/observe.h"
+
+#include "base/status.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+int plan_book_rows(struct plan *p)
+{
+    struct plan_book *b = &p->book;
+
+    b->work = 0;
+    b->walls = b->work + p->slots;
+    b->damping = b->walls + 1;
+    b->driven = b->damping + p->bodies;
+    b->impulse = b->driven + p->bodies;
+    b->support = b->impulse + p->particles->objects * DIM;
+    b->n = b->support + p->bodies * DIM;
+    b->row = layout_add(&p->layout, LAYOUT_OTHER, "book", "J", b->n, 1, 0);
+    return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
+}
+
+void plan_book_rates(const struct plan *p, const struct plan_workspace *w, double *ydot)
+{
+    double *book = ydot + layout_at(&p->layout, p->book.row);
+
+    memset(book, 0, p->book.n * sizeof *book);
+    for (int i = 0; i < p->slots; i++)
+        book[p->book.work + i] = w->power[i];
+    book[p->book.walls] = -p->wall_power;
+    for (int i = 0; i < p->bodies; i++) {
+        book[p->book.damping + i] = p->body[i].load.damping;
+        book[p->book.driven + i] = p->body[i].load.driven;
+        for (int d = 0; d < DIM; d++)
+            book[p->book.support + i * DIM + d] = p->body[i].load.support[d];
+    }
+    for (int o = 0; o < p->particles->objects; o++)
+        for (int d = 0; d < DIM; d++)
+            book[p->book.impulse + o * DIM + d] = p->force[o][d];
+}
+
+/* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */
+static double fluid_motion(const struct view *v, double *momentum)
+{
+    const int n = particles_count(v->p, KIND_FLUID);
+    const double *u = v->u[KIND_FLUID];
+    double kinetic = 0;
+
+    for (int i = 0; i < n; i++)
+        for (int d = 0; d < DIM; d++) {
+            kinetic += 0.5 * v->p->m[i] * u[i * DIM + d] * u[i * DIM + d];
+            momentum[d] += v->p->m[i] * u[i * DIM + d];
+        }
+    return kinetic;
+}
+
+static void read_works(const struct plan *p, const double *book, struct plan_sheet *s)
+{
+    for (int i = 0; i < p->parts; i++) {
+        if (p->part[i].slot < 0)
+            continue;
+        if (p->part[i].part->conservative)
+            s->pressure_defect += book[p->book.work + p->part[i].slot];
+        else
+            s->work[s->works++] = book[p->book.work + p->part[i].slot];
+    }
+    s->work[s->works++] = book[p->book.walls];
+    for (int i = 0; i < p->bodies; i++) {
+        s->work[s->works++] = book[p->book.damping + i];
+        s->work[s->works++] = book[p->book.driven + i];
+    }
+}
+
+/* Momentum that came through walls, supports and gravity since the start. */
+static void read_impulses(const struct plan *p, double t, const double *book, double mass,
+                          struct plan_sheet *s)
+{
+    for (int d = 0; d < DIM; d++) {
+        double given = mass * p->scales.g[d] * t;
+        for (int o = 0; o < p->particles->objects; o++)
+            if (p->particles->object[o].kind != KIND_FLUID)
+                given -= book[p->book.impulse + o * DIM + d];
+        for (int i = 0; i < p->bodies; i++) {
+            const struct plan_body *b = &p->body[i];
+            given += book[p->book.support + i * DIM + d]
+                   + b->kind->weight(b->body) * p->scales.g[d] * t;
+            if (b->object >= 0)
+                given += book[p->book.impulse + b->object * DIM + d];
+        }
+        s->momentum_given[d] = given;
+    }
+}
+
+int plan_work_names(const struct plan *p, char (*name)[80])
+{
+    int n = 0;
+
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].slot >= 0 && !p->part[i].part->conservative)
+            snprintf(name[n++], 80, "%s", p->part[i].part->name);
+    snprintf(name[n++], 80, "walls");
+    for (int i = 0; i < p->bodies; i++) {
+        snprintf(name[n++], 80, "%.60s.damping", p->body[i].name);
+        snprintf(name[n++], 80, "%.60s.load", p->body[i].name);
+    }
+    return n;
+}
+
+void plan_sheet_make(struct plan *p, double t, const double *y, struct plan_sheet *s)
+{
+    const double *book = y + layout_at(&p->layout, p->book.row);
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    *s = (struct plan_sheet){ .t = t };
+    s->energy.kinetic = fluid_motion(&v, s->momentum);
+    for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++)
+        s->mass += v.p->m[i];
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->energy)
+            p->part[i].part->energy(p->part[i].self, &v, &s->energy);
+    for (int i = 0; i < p->bodies; i++) {
+        double momentum[DIM] = {0};
+        p->body[i].kind->energy(p->body[i].body, &p->layout, y, &s->energy);
+        p->body[i].kind->momentum(p->body[i].body, &p->layout, y, momentum);
+        for (int d = 0; d < DIM; d++)
+            s->momentum[d] += momentum[d];
+    }
+    read_works(p, book, s);
+    read_impulses(p, t, book, s->mass, s);
+    s->total = s->energy.kinetic + s->energy.potential + s->energy.internal + s->energy.elastic;
+}

@@ -1,0 +1,227 @@
+/* catalogue.c -- `list` and `explain`, from the same tables that a run uses. */
+#include "plan/catalogue.h"
+
+#include "base/status.h"
+#include "bodies/bodies.h"
+#include "plan/settings.h"
+#include "pressure/pressure.h"
+#include "scene/scene.h"
+#include "walls/walls.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What `explain` and `list` need of a kernel; the full struct is lanes wide. */
+#include "plan/kernels.h"
+
+const char *const catalogue_groups[] = {
+    "kernel", "domain", "reference", "eos", "effects", "fluid", "wall", "beam", "probe",
+    "output", NULL
+};
+
+/* Keys of a scene by group; rows that several sets share stand one after another. */
+static const struct group {
+    const char *name, *about;
+    const struct param *rows[3];
+} groups[] = {
+    { "scene", "keys at the top level", { settings_params } },
+    { "kernel", "smoothing kernel and pair list", { settings_kernel_params } },
+    { "domain", "the box that counts; a wall of type \"frame\" surrounds it",
+      { settings_domain_params } },
+    { "reference", "scales of the flow", { settings_reference_params } },
+    { "eos", "equation of state; its own keys: see `explain tait`", { settings_eos_params } },
+    { "output", "how often files are written", { settings_output_params } },
+    { "fluid", "fluid.NAME: a region filled with fluid", { shape_params, settings_fluid_params } },
+    { "wall", "wall.NAME: a region filled with wall",
+      { shape_params, settings_wall_params, walls_motion_params } },
+    { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
+};
+
+enum { NAMES = 128, GROUPS = sizeof groups / sizeof groups[0] };
+
+const struct part *catalogue_part(const struct part *const *table, const char *name)
+{
+    for (int i = 0; table[i]; i++)
+        if (strcmp(table[i]->name, name) == 0)
+            return table[i];
+    return NULL;
+}
+
+bool catalogue_implied(const struct part *part)
+{
+    return strcmp(part->name, "gravity") == 0;
+}
+
+static void part_names(const struct part *const *table, const char **names)
+{
+    int n = 0;
+
+    while (table[n] && n < NAMES - 1) {
+        names[n] = table[n]->name;
+        n++;
+    }
+    names[n] = NULL;
+}
+
+void catalogue_prepare(const struct engine *engine)
+{
+    const char *kernels[NAMES], *eos[NAMES], *walls[NAMES];
+
+    kernels_names(engine, kernels, NAMES);
+    part_names(pressure_table, eos);
+    part_names(walls_table, walls);
+    settings_prepare(kernels, eos, walls);
+}
+
+static void list_parts(const struct part *const *table, FILE *to)
+{
+    for (int i = 0; table[i]; i++)
+        fprintf(to, "%-22s %s\n", table[i]->name, table[i]->about);
+}
+
+static void list_bodies(FILE *to)
+{
+    for (int i = 0; bodies_table[i]; i++)
+        fprintf(to, "%-22s %s\n", bodies_table[i]->name, bodies_table[i]->about);
+}
+
+int catalogue_list(const char *what, FILE *to)
+{
+    static const char *const words[] = { "effects", "kernels", "eos", "pressure", "walls",
+                                         "bodies", "methods", NULL };
+    const char *near;
+
+    if (strcmp(what, "effects") == 0)
+        list_parts(engine_pick()->effects, to);
+    else if (strcmp(what, "kernels") == 0)
+        kernels_list(engine_pick(), to);
+    else if (strcmp(what, "eos") == 0 || strcmp(what, "pressure") == 0)
+        list_parts(pressure_table, to);
+    else if (strcmp(what, "walls") == 0)
+        list_parts(walls_table, to);
+    else if (strcmp(what, "bodies") == 0)
+        list_bodies(to);
+    else {
+        near = scene_nearest(what, words);
+        return status_fail(STATUS_BAD_SCENE, "list %s: no such table%s%s%s; there are effects, "
+                           "kernels, eos, pressure, walls, bodies, methods", what,
+                           near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
+    }
+    return STATUS_DONE;
+}
+
+static void print_default(const struct param *r, FILE *to)
+{
+    if (r->required)
+        fputs("required", to);
+    else if (r->type == PARAM_WORD)
+        fprintf(to, "%s", r->words[0] ? r->words[0] : "-");
+    else if (r->type == PARAM_FLAG)
+        fputs(r->fallback != 0 ? "true" : "false", to);
+    else if (r->type == PARAM_TEXT)
+        fputs("\"\"", to);
+    else if (r->type == PARAM_POINTS || r->type == PARAM_WORDS)
+        fputs("none", to);
+    else if (isnan(r->fallback))
+        fputs("computed", to);
+    else
+        fprintf(to, "%g", r->fallback);
+}
+
+static void explain_rows(const struct param *rows, FILE *to)
+{
+    for (const struct param *r = rows; r && r->key; r++) {
+        fprintf(to, "  %-18s %-10s default ", r->key, r->unit);
+        print_default(r, to);
+        if ((r->type == PARAM_NUMBER || r->type == PARAM_INTEGER) && r->max > r->min)
+            fprintf(to, ", %g to %g", r->min, r->max);
+        fprintf(to, "\n      %s\n", r->about);
+        if (r->type == PARAM_WORD || r->type == PARAM_WORDS) {
+            fputs("      one of:", to);
+            for (int i = 0; r->words[i]; i++)
+                fprintf(to, " %s", r->words[i]);
+            fputc('\n', to);
+        }
+    }
+}
+
+static void explain_thing(const char *name, const char *about, const char *equation,
+                          const char *source, const struct param *rows, FILE *to)
+{
+    fprintf(to, "%s -- %s\n", name, about);
+    if (equation)
+        fprintf(to, "  %s\n", equation);
+    if (source)
+        fprintf(to, "  source: %s\n", source);
+    if (rows && rows->key)
+        explain_rows(rows, to);
+    else
+        fputs("  no parameters\n", to);
+}
+
+static bool explain_group(const char *name, FILE *to)
+{
+    for (int i = 0; i < GROUPS; i++)
+        if (strcmp(groups[i].name, name) == 0) {
+            fprintf(to, "%s -- %s\n", name, groups[i].about);
+            for (int k = 0; k < 3 && groups[i].rows[k]; k++)
+                explain_rows(groups[i].rows[k], to);
+            return true;
+        }
+    return false;
+}
+
+static bool explain_part(const struct part *const *table, const char *name, FILE *to)
+{
+    const struct part *p = catalogue_part(table, name);
+
+    if (p)
+        explain_thing(p->name, p->about, p->equation, p->source, p->params, to);
+    return p != NULL;
+}
+
+static bool explain_body(const char *name, FILE *to)
+{
+    for (int i = 0; bodies_table[i]; i++)
+        if (strcmp(bodies_table[i]->name, name) == 0) {
+            const struct body_kind *b = bodies_table[i];
+            explain_thing(b->name, b->about, b->equation, b->source, b->params, to);
+            return true;
+        }
+    return false;
+}
+
+/* Every name that `explain` knows, for the nearest one. */
+static void all_names(const char **names)
+{
+    const struct part *const *tables[] = { engine_pick()->effects, pressure_table, walls_table };
+    int n = 0;
+
+    for (int t = 0; t < 3; t++)
+        for (int i = 0; tables[t][i] && n < NAMES - 1; i++)
+            names[n++] = tables[t][i]->name;
+    for (int i = 0; bodies_table[i] && n < NAMES - 1; i++)
+        names[n++] = bodies_table[i]->name;
+    for (int i = 0; i < GROUPS && n < NAMES - 1; i++)
+        names[n++] = groups[i].name;
+    kernels_names(engine_pick(), names + n, NAMES - n);
+}
+
+int catalogue_explain(const char *name, FILE *to)
+{
+    const char *names[NAMES];
+    const char *near;
+
+    catalogue_prepare(engine_pick());
+    if (strncmp(name, "effects.", 8) == 0)
+        name += 8;
+    if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
+        || explain_part(walls_table, name, to) || explain_body(name, to)
+        || explain_group(name, to) || kernels_explain(engine_pick(), name, to))
+        return STATUS_DONE;
+    all_names(names);
+    near = scene_nearest(name, names);
+    return status_fail(STATUS_BAD_SCENE, "explain %s: no such thing%s%s%s; `stiffwater list "
+                       "effects` and its like show what there is", name,
+                       near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
+}

@@ -1,0 +1,30 @@
+/* catalogue.h -- joins the tables of all rooms: what there is, and its rows. */
+#ifndef PLAN_CATALOGUE_H
+#define PLAN_CATALOGUE_H
+
+#include "plan/engine.h"
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Groups that a scene may have at its top level, NULL-ended. */
+extern const char *const catalogue_groups[];
+
+/* Hands the names of kernels, equations of state and wall models to the rows
+ * that refer to them; call before any row is read. */
+void catalogue_prepare(const struct engine *engine);
+
+/* The part of that name, NULL if the table has none. */
+const struct part *catalogue_part(const struct part *const *table, const char *name);
+
+/* Is the effect called for by a key at the top level instead of a group? */
+bool catalogue_implied(const struct part *part);
+
+/* `list WHAT`: a line each; BAD_SCENE for a word that is no table. */
+int catalogue_list(const char *what, FILE *to);
+
+/* `explain NAME`: equation, source, parameters with units and defaults of a
+ * part, a body kind, a kernel or a group of keys; BAD_SCENE with the nearest
+ * name when there is no such thing. */
+int catalogue_explain(const char *name, FILE *to);
+
+#endif

@@ -1,0 +1,382 @@
+/* create.c -- from a scene to a plan: every decision is taken here, once. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+#include "matter/eos.h"
+#include "plan/kernels.h"
+#include "scene/scene.h"
+#include "state/fill.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Bytes a particle takes here: y and the integrator's copies of it (about 12),
+ * records, rates, order, creation data. The pair list comes on top. */
+static double bytes_each(const struct plan *p)
+{
+    const double h = p->in.kernel.support;
+    const double neighbours = DIM == 2 ? M_PI * h * h : 4.0 / 3 * M_PI * h * h * h;
+
+    return (2 * DIM + 1) * 8.0 * 14 + 240 + list_bytes(1, neighbours);
+}
+
+/* Highest minus lowest point of all fluid along gravity [m]. */
+static double fluid_height(const struct plan *p)
+{
+    double low[DIM], high[DIM], best = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        double least = HUGE_VAL, most = -HUGE_VAL;
+        for (int i = 0; i < p->in.fluids; i++) {
+            shape_bounds(&p->in.fluid[i].set.shape, low, high);
+            least = fmin(least, low[d]);
+            most = fmax(most, high[d]);
+        }
+        if (p->in.set.gravity[d] != 0 && p->in.fluids > 0)
+            best = fmax(best, most - least);
+    }
+    return best;
+}
+
+static int make_sound(struct plan *p, struct scene *scene)
+{
+    struct eos *e = p->in.pressure_self;
+    double g2 = 0;
+
+    for (int d = 0; d < DIM; d++)
+        g2 += p->in.set.gravity[d] * p->in.set.gravity[d];
+    if (isnan(e->c0)) {
+        if (p->in.fluids > 0 && g2 == 0)
+            return status_fail(STATUS_BAD_SCENE, "%s: eos.c0 is needed: without gravity the sound "
+                               "speed cannot be computed; take 10 times the largest speed that "
+                               "you expect", scene_path(scene));
+        e->c0 = p->in.fluids > 0 ? 10 * sqrt(2 * sqrt(g2) * fluid_height(p)) : 1;
+        scene_computed(scene, "eos", "c0", e->c0);
+    }
+    if (isnan(p->in.reference.speed)) {
+        p->in.reference.speed = e->c0 / 10;
+        scene_computed(scene, "reference", "speed", p->in.reference.speed);
+    }
+    return STATUS_DONE;
+}
+
+static int make_scales(struct plan *p, struct scene *scene)
+{
+    const struct eos *e = p->in.pressure_self;
+    struct scales *s = &p->scales;
+
+    TRY(make_sound(p, scene));
+    s->dimension = DIM;
+    s->fluid = p->in.fluids > 0;
+    s->dx = p->in.set.spacing;
+    if (isnan(s->dx) && (p->in.fluids > 0 || p->in.wall_count > 0))
+        return status_fail(STATUS_BAD_SCENE, "%s: spacing is needed: the distance of particles "
+                           "[m], such as 0.002", scene_path(scene));
+    if (isnan(s->dx))
+        s->dx = 1; /* nobody there: a beam alone */
+    s->support = p->in.kernel.support * s->dx;
+    s->hs = s->support / 2;
+    s->rho0 = e->rho0;
+    s->c0 = e->c0;
+    s->gamma = e->gamma;
+    s->mass = s->rho0 * pow(s->dx, DIM);
+    s->speed = p->in.reference.speed;
+    memcpy(s->g, p->in.set.gravity, sizeof s->g);
+    memcpy(s->low, p->in.domain.from, sizeof s->low);
+    memcpy(s->high, p->in.domain.to, sizeof s->high);
+    return STATUS_DONE;
+}
+
+static int check_domain(const struct plan *p, const struct scene *scene)
+{
+    const bool needed = p->in.fluids > 0 || p->in.wall_count > 0;
+
+    for (int d = 0; d < DIM && needed; d++)
+        if (!(p->scales.high[d] > p->scales.low[d]))
+            return status_fail(STATUS_BAD_SCENE, "%s: domain.from and domain.to are needed, with "
+                               "from below to in every direction (direction %d: %g to %g m)",
+                               scene_path(scene), d, p->scales.low[d], p->scales.high[d]);
+    return STATUS_DONE;
+}
+
+static int take_part(struct plan *p, const struct part *part, void **self, const char *path)
+{
+    struct plan_part *to = &p->part[p->parts];
+
+    if (p->parts == PLAN_PARTS)
+        return status_fail(STATUS_BAD_SCENE, "more than %d parts in a scene", PLAN_PARTS);
+    to->part = part;
+    to->self = self ? *self : NULL;
+    if (self)
+        *self = NULL;
+    to->slot = part->pairs ? p->slots++ : -1;
+    snprintf(to->path, sizeof to->path, "%s", path);
+    if (part->provides & FIELD_PRESSURE)
+        p->pressure = to;
+    p->parts++;
+    return part->prepare ? part->prepare(to->self, &p->scales) : STATUS_DONE;
+}
+
+/* Pressure first, then wall model, then effects in table order. */
+static int take_parts(struct plan *p)
+{
+    unsigned needs = 0;
+
+    for (int i = 0; i < p->in.effects; i++)
+        needs |= p->in.effect[i].part->needs;
+    if (p->in.fluids == 0)
+        return STATUS_DONE;
+    if (needs & FIELD_PRESSURE)
+        TRY(take_part(p, p->in.pressure, &p->in.pressure_self, "eos"));
+    if (needs & FIELD_DENSITY)
+        TRY(take_part(p, p->in.walls, NULL, "walls"));
+    for (int i = 0; i < p->in.effects; i++)
+        TRY(take_part(p, p->in.effect[i].part, &p->in.effect[i].self, p->in.effect[i].path));
+    return STATUS_DONE;
+}
+
+/* Every field that a part needs, some part must provide. */
+static int check_needs(const struct plan *p, const struct scene *scene)
+{
+    unsigned provided = 0;
+
+    for (int i = 0; i < p->parts; i++)
+        provided |= p->part[i].part->provides;
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->needs & ~provided & FIELD_DENSITY)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s (%s) needs a density, which no effect "
+                               "provides: name effects.continuity = { }", scene_path(scene),
+                               p->part[i].path, p->part[i].part->name);
+    return STATUS_DONE;
+}
+
+static int make_bodies(struct plan *p)
+{
+    if (!(p->body = status_alloc(p->in.bodies + 1, sizeof *p->body)))
+        return STATUS_FAILED;
+    for (int i = 0; i < p->in.bodies; i++) {
+        const struct input_body *in = &p->in.body[i];
+        struct plan_body *b = &p->body[p->bodies];
+
+        b->kind = in->kind;
+        b->object = -1;
+        snprintf(b->name, sizeof b->name, "%s", in->name);
+        snprintf(b->path, sizeof b->path, "%s", in->path);
+        TRY(in->kind->create(in->params, &p->scales, in->name, in->path, &b->body));
+        p->bodies++;
+        b->skin = p->scales.fluid ? in->kind->skin(b->body, NULL) : 0;
+        b->force = status_alloc(b->skin + 1, sizeof *b->force);
+        if (!b->force)
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+static void frame_of(const struct plan *p, struct shape *s)
+{
+    memcpy(s->low, p->scales.low, sizeof s->low);
+    memcpy(s->high, p->scales.high, sizeof s->high);
+    s->thickness = ceil(p->in.kernel.support) * p->scales.dx;
+    s->open = p->in.domain.open | (p->in.domain.lid ? 0 : shape_side(DIM - 1, true));
+}
+
+static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DIM])
+{
+    int n = 0, at = 0;
+
+    for (int i = 0; i < p->in.fluids; i++, n++) {
+        item[n] = (struct fill_item){ .group = "fluid", .where = p->in.fluid[i].where,
+                                      .kind = KIND_FLUID, .shape = &p->in.fluid[i].set.shape };
+        strcpy(item[n].name, p->in.fluid[i].name);
+    }
+    for (int i = 0; i < p->in.wall_count; i++, n++) {
+        struct input_wall *w = &p->in.wall[i];
+        frame_of(p, &w->set.shape);
+        item[n] = (struct fill_item){ .group = "wall", .where = w->where,
+                                      .kind = w->set.slip ? KIND_WALL_SLIP : KIND_WALL,
+                                      .shape = &w->set.shape };
+        strcpy(item[n].name, w->name);
+    }
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        if (b->skin == 0)
+            continue;
+        b->kind->skin(b->body, skin + at);
+        item[n] = (struct fill_item){ .group = b->kind->group, .where = p->in.body[i].where,
+                                      .kind = b->kind->skin_kind(b->body), .points = b->skin,
+                                      .point = (const double (*)[DIM])(skin + at) };
+        strcpy(item[n++].name, b->name);
+        at += b->skin;
+    }
+}
+
+static int find_object(const struct particles *p, const char *name, bool skin)
+{
+    for (int i = 0; i < p->objects; i++) {
+        const enum kind k = p->object[i].kind;
+        const bool is_skin = k == KIND_SKIN || k == KIND_SKIN_SLIP;
+        if (k != KIND_FLUID && is_skin == skin && strcmp(p->object[i].name, name) == 0)
+            return i;
+    }
+    return -1;
+}
+
+static int fill(struct plan *p)
+{
+    int items = p->in.fluids + p->in.wall_count, skins = 0, status;
+    struct fill_item *item;
+    double (*skin)[DIM];
+
+    for (int i = 0; i < p->bodies; i++) {
+        items += p->body[i].skin > 0;
+        skins += p->body[i].skin;
+    }
+    item = status_alloc(items + 1, sizeof *item);
+    skin = status_alloc(skins + 1, sizeof *skin);
+    status = item && skin ? STATUS_DONE : STATUS_FAILED;
+    if (status == STATUS_DONE) {
+        list_items(p, item, skin);
+        status = fill_particles(item, items, &p->scales, bytes_each(p), &p->particles);
+    }
+    free(item);
+    free(skin);
+    return status;
+}
+
+/* Objects of walls and skins, dye of fluids. */
+static int name_objects(struct plan *p)
+{
+    struct particles *all = p->particles;
+
+    if (!(p->wall = status_alloc(p->in.wall_count + 1, sizeof *p->wall)))
+        return STATUS_FAILED;
+    for (int i = 0; i < p->in.wall_count; i++) {
+        struct plan_wall *w = &p->wall[p->walls++];
+        w->motion = p->in.wall[i].motion;
+        w->moves = walls_motion_any(&w->motion);
+        w->object = find_object(all, p->in.wall[i].name, false);
+        p->moving_walls |= w->moves;
+    }
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].skin > 0)
+            p->body[i].object = find_object(all, p->body[i].name, true);
+    for (int i = 0, f = 0; i < all->objects; i++)
+        if (all->object[i].kind == KIND_FLUID)
+            memset(all->dye + all->object[i].from, p->in.fluid[f++].set.dye, all->object[i].n);
+    p->force = status_alloc(all->objects + 1, sizeof *p->force);
+    return p->force ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int make_layout(struct plan *p)
+{
+    const int n = particles_count(p->particles, KIND_FLUID);
+    struct layout *l = &p->layout;
+
+    p->row_x = p->row_u = -1;
+    for (int k = 0; k < KINDS; k++)
+        p->density_row[k] = -1;
+    if (n > 0) {
+        p->row_x = layout_add(l, LAYOUT_POSITION, "position of fluid", "m", n, DIM, p->scales.hs);
+        p->row_u = layout_add(l, LAYOUT_VELOCITY, "velocity of fluid", "m/s", n, DIM,
+                              p->scales.speed);
+    }
+    for (int i = 0; i < p->bodies; i++)
+        TRY(p->body[i].kind->rows(p->body[i].body, l));
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->blocks)
+            TRY(p->part[i].part->blocks(p->part[i].self, &p->scales, p->particles, l,
+                                        p->density_row));
+    TRY(plan_book_rows(p));
+    layout_done(l);
+    p->scratch = status_alloc(layout_size(l) + 1, sizeof *p->scratch);
+    return p->scratch ? STATUS_DONE : STATUS_FAILED;
+}
+
+static void make_list_def(struct plan *p)
+{
+    struct list_def *d = &p->list_def;
+
+    memcpy(d->from, p->particles->from, sizeof d->from);
+    d->support = p->scales.support;
+    d->skin = p->in.kernel.skin * p->scales.support;
+    for (int i = 0; i < DIM; i++) { /* walls stand outside of the domain */
+        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx;
+        d->low[i] = p->scales.low[i] - room;
+        d->high[i] = p->scales.high[i] + room;
+    }
+    for (int i = 0; i < p->parts; i++)
+        for (int k = 0; k < KINDS && p->part[i].part->pairs; k++)
+            d->acts[k] |= p->part[i].part->acts[k];
+}
+
+static int check_something(const struct plan *p, const struct scene *scene)
+{
+    if (p->in.fluids == 0 && p->in.bodies == 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: there is nothing that moves: name a fluid "
+                           "(fluid = { water = { type = \"box\"; ... } }) or a beam",
+                           scene_path(scene));
+    return STATUS_DONE;
+}
+
+static int build(struct plan *p, struct scene *scene)
+{
+    TRY(input_read(scene, p->engine, &p->in));
+    TRY(check_something(p, scene));
+    TRY(make_scales(p, scene));
+    TRY(check_domain(p, scene));
+    p->kernel = kernels_use(p->engine, p->in.kernel.type, p->scales.support);
+    if (!p->kernel)
+        return STATUS_FAILED;
+    TRY(make_bodies(p));
+    TRY(fill(p));
+    TRY(take_parts(p));
+    TRY(check_needs(p, scene));
+    TRY(name_objects(p));
+    TRY(make_layout(p));
+    make_list_def(p);
+    TRY(plan_tables_make(p));
+    return plan_workspace_make(p, &p->main);
+}
+
+int plan_create(struct scene *scene, struct plan **out)
+{
+    struct plan *p = status_alloc(1, sizeof *p);
+    int status;
+
+    *out = NULL;
+    if (!p)
+        return STATUS_FAILED;
+    p->engine = engine_pick();
+    status = build(p, scene);
+    if (status != STATUS_DONE)
+        plan_free(&p);
+    *out = p;
+    return status;
+}
+
+void plan_free(struct plan **plan)
+{
+    struct plan *p = *plan;
+
+    if (!p)
+        return;
+    for (int i = 0; i < p->parts; i++)
+        free(p->part[i].self);
+    for (int i = 0; i < p->bodies; i++) {
+        p->body[i].kind->free(&p->body[i].body);
+        free(p->body[i].force);
+    }
+    plan_workspace_free(p, &p->main);
+    plan_workspace_free(p, &p->observer);
+    particles_free(&p->particles);
+    input_free(&p->in);
+    free(p->body);
+    free(p->wall);
+    free(p->force);
+    free(p->kernel);
+    free(p->table);
+    free(p->scratch);
+    free(p);
+    *plan = NULL;
+}

@@ -1,0 +1,36 @@
+/* engine.c -- picks the compiled lane width, once. */
+#include "plan/engine.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct part *const effects_table_lanes2[];
+extern const struct kernel *const kernel_table_lanes2[];
+
+static const struct engine two = {
+    2, &sum_engine_lanes2, effects_table_lanes2, kernel_table_lanes2
+};
+
+#ifdef STIFFWATER_V3
+extern const struct part *const effects_table_lanes4[];
+extern const struct kernel *const kernel_table_lanes4[];
+
+static const struct engine four = {
+    4, &sum_engine_lanes4, effects_table_lanes4, kernel_table_lanes4
+};
+
+const struct engine *engine_pick(void)
+{
+    const char *wish = getenv("STIFFWATER_LANES");
+
+    if (wish && strcmp(wish, "2") == 0)
+        return &two;
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &four : &two;
+}
+#else
+const struct engine *engine_pick(void)
+{
+    return &two;
+}
+#endif

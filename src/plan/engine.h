@@ -1,0 +1,21 @@
+/* engine.h -- the hot rooms at the lane width that this machine runs best. */
+#ifndef PLAN_ENGINE_H
+#define PLAN_ENGINE_H
+
+#include "plan/sum.h"
+#include "state/part.h"
+
+struct kernel;
+
+struct engine {
+    int lanes;
+    const struct sum_engine *sum;
+    const struct part *const *effects;    /* NULL-ended */
+    const struct kernel *const *kernels;  /* NULL-ended */
+};
+
+/* Four lanes where the processor has AVX2 and FMA, else two; the environment
+ * variable STIFFWATER_LANES=2 asks for two.  Results do not depend on it. */
+const struct engine *engine_pick(void);
+
+#endif

@@ -1,0 +1,274 @@
+/* input.c -- reads every key of a scene by the rows of all tables. */
+#include "plan/input.h"
+
+#include "base/status.h"
+#include "plan/catalogue.h"
+#include "pressure/pressure.h"
+#include "scene/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* One set of rows that reads its share of a group's keys. */
+struct share {
+    const struct param *rows;
+    void *into;
+};
+
+enum { KEYS = 96 };
+
+static int add_keys(const struct param *rows, const char **keys, int n)
+{
+    for (const struct param *r = rows; r && r->key && n < KEYS - 1; r++)
+        keys[n++] = r->key;
+    keys[n] = NULL;
+    return n;
+}
+
+/* Several sets of rows read one group: each knows the keys of the others. */
+static int fill_shares(struct scene *scene, const struct scene_node *group, const char *path,
+                       const struct share *share, int shares)
+{
+    for (int i = 0; i < shares; i++) {
+        const char *also[KEYS] = { NULL };
+        int n = 0;
+        for (int j = 0; j < shares; j++)
+            if (j != i)
+                n = add_keys(share[j].rows, also, n);
+        TRY(scene_fill(scene, group, path, share[i].rows, also, DIM, share[i].into));
+    }
+    return STATUS_DONE;
+}
+
+static int read_top(struct scene *scene, struct input *in)
+{
+    const struct scene_node *root = scene_root(scene);
+
+    TRY(scene_fill(scene, root, "", settings_params, catalogue_groups, DIM, &in->set));
+    if (in->set.dimension != DIM)
+        return status_fail(STATUS_BAD_SCENE, "dimension = %d, but this program is for %d",
+                           in->set.dimension, DIM);
+    TRY(scene_fill(scene, scene_child(root, "kernel"), "kernel", settings_kernel_params, NULL,
+                   DIM, &in->kernel));
+    TRY(scene_fill(scene, scene_child(root, "domain"), "domain", settings_domain_params, NULL,
+                   DIM, &in->domain));
+    TRY(scene_fill(scene, scene_child(root, "reference"), "reference",
+                   settings_reference_params, NULL, DIM, &in->reference));
+    return scene_fill(scene, scene_child(root, "output"), "output", settings_output_params,
+                      NULL, DIM, &in->output);
+}
+
+static int read_eos(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "eos");
+    const char *also[KEYS] = { NULL };
+    int n = 0;
+
+    for (int i = 0; pressure_table[i]; i++)
+        n = add_keys(pressure_table[i]->params, also, n);
+    TRY(scene_fill(scene, group, "eos", settings_eos_params, also, DIM, &in->eos));
+    in->pressure = catalogue_part(pressure_table, in->eos.type);
+    in->walls = catalogue_part(walls_table, in->set.walls);
+    in->pressure_self = status_alloc(1, in->pressure->size);
+    if (!in->pressure_self)
+        return STATUS_FAILED;
+    n = add_keys(settings_eos_params, also, 0);
+    return scene_fill(scene, group, "eos", in->pressure->params, also, DIM, in->pressure_self);
+}
+
+static bool has_gravity(const struct input *in)
+{
+    for (int d = 0; d < DIM; d++)
+        if (in->set.gravity[d] != 0)
+            return true;
+    return false;
+}
+
+/* In the order of the table, whatever the order in the scene. */
+static int read_effects(struct scene *scene, const struct engine *engine, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "effects");
+    const char *names[KEYS] = { NULL };
+
+    for (int i = 0, n = 0; engine->effects[i] && n < KEYS - 1; i++)
+        if (!catalogue_implied(engine->effects[i]))
+            names[n++] = engine->effects[i]->name;
+    TRY(scene_fill(scene, group, "effects", NULL, names, DIM, NULL));
+    for (int i = 0; engine->effects[i]; i++) {
+        const struct part *part = engine->effects[i];
+        const struct scene_node *node = scene_child(group, part->name);
+        struct input_effect *e = &in->effect[in->effects];
+
+        if (catalogue_implied(part) ? !has_gravity(in) || in->fluids == 0 : !node)
+            continue;
+        if (in->effects == INPUT_EFFECTS)
+            return status_fail(STATUS_BAD_SCENE, "more than %d effects", INPUT_EFFECTS);
+        if (node && !scene_is_group(node))
+            return status_fail(STATUS_BAD_SCENE, "%s: effects.%s must be a group: %s = { }",
+                               scene_where(node), part->name, part->name);
+        snprintf(e->path, sizeof e->path, "effects.%s", part->name);
+        e->part = part;
+        e->self = part->size ? status_alloc(1, part->size) : NULL;
+        in->effects++;
+        if (part->size && !e->self)
+            return STATUS_FAILED;
+        if (node)
+            TRY(scene_fill(scene, node, e->path, part->params, NULL, DIM, e->self));
+    }
+    return STATUS_DONE;
+}
+
+/* The group of named objects `group`: checks that each is a group itself. */
+static int check_objects(const struct scene_node *group, const char *name)
+{
+    if (group && !scene_is_group(group))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s must be a group of named objects: "
+                           "%s = { NAME = { ... } }", scene_where(group), name, name);
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        if (!scene_is_group(node))
+            return status_fail(STATUS_BAD_SCENE, "%s: %s.%s must be a named object: "
+                               "%s = { NAME = { ... } }", scene_where(node), name,
+                               scene_name(node), name);
+        if (strlen(scene_name(node)) > 40)
+            return status_fail(STATUS_BAD_SCENE, "%s: the name %s is longer than 40 letters",
+                               scene_where(node), scene_name(node));
+    }
+    return STATUS_DONE;
+}
+
+static void *objects(const struct scene_node *group, size_t size)
+{
+    return status_alloc(scene_count(group) + 1, size);
+}
+
+static int read_fluids(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "fluid");
+
+    TRY(check_objects(group, "fluid"));
+    if (!(in->fluid = objects(group, sizeof *in->fluid)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_fluid *f = &in->fluid[in->fluids++];
+        char path[80];
+
+        snprintf(f->name, sizeof f->name, "%s", scene_name(node));
+        snprintf(f->where, sizeof f->where, "%s", scene_where(node));
+        snprintf(path, sizeof path, "fluid.%s", f->name);
+        TRY(fill_shares(scene, node, path,
+                        (struct share[]){ { shape_params, &f->set.shape },
+                                          { settings_fluid_params, &f->set } }, 2));
+        TRY(shape_check(&f->set.shape, path, f->where));
+        if (f->set.shape.kind == SHAPE_FRAME)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame is a shape for walls, not "
+                               "for a fluid", f->where, path);
+    }
+    return STATUS_DONE;
+}
+
+static int read_walls(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "wall");
+
+    TRY(check_objects(group, "wall"));
+    if (!(in->wall = objects(group, sizeof *in->wall)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_wall *w = &in->wall[in->wall_count++];
+        char path[80];
+
+        snprintf(w->name, sizeof w->name, "%s", scene_name(node));
+        snprintf(w->where, sizeof w->where, "%s", scene_where(node));
+        snprintf(path, sizeof path, "wall.%s", w->name);
+        TRY(fill_shares(scene, node, path,
+                        (struct share[]){ { shape_params, &w->set.shape },
+                                          { settings_wall_params, &w->set },
+                                          { walls_motion_params, &w->motion } }, 3));
+        TRY(shape_check(&w->set.shape, path, w->where));
+    }
+    return STATUS_DONE;
+}
+
+static int read_probes(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "probe");
+
+    TRY(check_objects(group, "probe"));
+    if (!(in->probe = objects(group, sizeof *in->probe)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_probe *p = &in->probe[in->probes++];
+        char path[80];
+
+        snprintf(p->name, sizeof p->name, "%s", scene_name(node));
+        snprintf(path, sizeof path, "probe.%s", p->name);
+        TRY(scene_fill(scene, node, path, settings_probe_params, NULL, DIM, &p->set));
+    }
+    return STATUS_DONE;
+}
+
+static int read_bodies_of(struct scene *scene, const struct body_kind *kind, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), kind->group);
+
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_body *b = &in->body[in->bodies++];
+
+        snprintf(b->name, sizeof b->name, "%s", scene_name(node));
+        snprintf(b->path, sizeof b->path, "%s.%s", kind->group, b->name);
+        snprintf(b->where, sizeof b->where, "%s", scene_where(node));
+        b->kind = kind;
+        if (!(b->params = status_alloc(1, kind->size)))
+            return STATUS_FAILED;
+        TRY(scene_fill(scene, node, b->path, kind->params, NULL, DIM, b->params));
+    }
+    return STATUS_DONE;
+}
+
+static int read_bodies(struct scene *scene, struct input *in)
+{
+    int n = 0;
+
+    for (int k = 0; bodies_table[k]; k++) {
+        const struct scene_node *group = scene_child(scene_root(scene), bodies_table[k]->group);
+        TRY(check_objects(group, bodies_table[k]->group));
+        n += scene_count(group);
+    }
+    if (!(in->body = status_alloc(n + 1, sizeof *in->body)))
+        return STATUS_FAILED;
+    for (int k = 0; bodies_table[k]; k++)
+        TRY(read_bodies_of(scene, bodies_table[k], in));
+    return STATUS_DONE;
+}
+
+int input_read(struct scene *scene, const struct engine *engine, struct input *in)
+{
+    *in = (struct input){0};
+    catalogue_prepare(engine);
+    TRY(read_top(scene, in));
+    TRY(read_eos(scene, in));
+    TRY(read_fluids(scene, in));
+    TRY(read_effects(scene, engine, in));
+    TRY(read_walls(scene, in));
+    TRY(read_bodies(scene, in));
+    return read_probes(scene, in);
+}
+
+void input_free(struct input *in)
+{
+    for (int i = 0; i < in->effects; i++)
+        free(in->effect[i].self);
+    for (int i = 0; i < in->bodies; i++)
+        free(in->body[i].params);
+    free(in->pressure_self);
+    free(in->fluid);
+    free(in->wall);
+    free(in->body);
+    free(in->probe);
+    *in = (struct input){0};
+}

@@ -1,0 +1,110 @@
+/* inside.h -- the plan as the files of this room see it. */
+#ifndef PLAN_INSIDE_H
+#define PLAN_INSIDE_H
+
+#include "plan/engine.h"
+#include "plan/input.h"
+#include "plan/plan.h"
+
+enum { PLAN_PARTS = 32 };
+
+struct pairs_table;
+struct kernel_use;
+
+struct plan_part {
+    const struct part *part;
+    void *self;
+    char path[80]; /* "effects.continuity", "eos"                             */
+    int slot;      /* row of power it is booked in, -1: none                  */
+};
+
+struct plan_body {
+    const struct body_kind *kind;
+    struct body *body;
+    char name[64], path[80];
+    int object;              /* its skin in particles->object, -1: no skin   */
+    int skin;                /* points                                        */
+    double (*force)[DIM];    /* [skin][DIM] scratch, force on each point [N]  */
+    struct body_load load;   /* of the last right-hand side                   */
+};
+
+struct plan_wall {
+    struct walls_motion motion;
+    bool moves;
+    int object;
+};
+
+/* Where the quadratures of the book stand in its row of y. */
+struct plan_book {
+    int row;      /* of the layout                                            */
+    int work;     /* [slots] energy each pair part gave                       */
+    int walls;    /* energy that driven walls gave                            */
+    int damping;  /* [bodies] energy that damping took (negative)             */
+    int driven;   /* [bodies] energy that prescribed loads gave               */
+    int impulse;  /* [objects][DIM] on solids                                 */
+    int support;  /* [bodies][DIM] impulse of supports                        */
+    int n;
+};
+
+/* What one evaluation of the pair sums works in; the observer has its own. */
+struct plan_workspace {
+    struct list *list;
+    double *record;  /* [n+1][RECORD], 64-byte aligned                        */
+    double *f;       /* [n][DIM] by slot                                      */
+    double *drho;    /* [n] by slot                                           */
+    double *power;   /* [slots]                                               */
+    struct sum_scratch scratch;
+};
+
+struct plan {
+    struct input in;
+    struct scales scales;
+    const struct engine *engine;
+    struct kernel_use *kernel;
+    int parts, slots;
+    struct plan_part part[PLAN_PARTS];
+    const struct plan_part *pressure;  /* NULL: none                          */
+    int bodies, walls;
+    struct plan_body *body;
+    struct plan_wall *wall;
+    struct particles *particles;
+    struct layout layout;
+    int row_x, row_u;                  /* of the fluid, -1: none              */
+    int density_row[KINDS];            /* -1: none                            */
+    struct plan_book book;
+    struct pairs_table *table;         /* [KINDS][KINDS]                      */
+    struct list_def list_def;
+    struct plan_workspace main, observer; /* observer made when first needed  */
+    double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
+    double *scratch;                   /* [size] rates for the observer       */
+    double wall_power;                 /* v . f of moving walls [W]           */
+    bool moving_walls;
+    char refusal[320];
+    struct plan_counts counts;
+};
+
+/* pairs.c: tables of laws, by lane-free arithmetic on pointers. */
+int plan_tables_make(struct plan *p);
+
+/* workspace.c */
+int plan_workspace_make(struct plan *p, struct plan_workspace *w);
+void plan_workspace_free(struct plan *p, struct plan_workspace *w);
+
+/* pack.c: records of everybody in list order.  STATUS_FAILED: refused. */
+int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v);
+
+/* rates.c: the explicit side into ydot, with this workspace. */
+int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double *y,
+               double *ydot);
+
+/* view.c: moves solids to (t, y) and says where everything is. */
+void plan_view_make(struct plan *p, double t, const double *y, struct view *v);
+
+/* book.c */
+int plan_book_rows(struct plan *p);
+void plan_book_rates(const struct plan *p, const struct plan_workspace *w, double *ydot);
+
+/* start.c */
+void plan_start_density(const struct plan *p, double *y);
+
+#endif

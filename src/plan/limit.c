@@ -1,0 +1,36 @@
+/* limit.c -- the largest explicit step: the fastest wave and the fastest decay
+ * of all parts, by name. */
+#include "plan/inside.h"
+
+#include <stdio.h>
+
+static void keep_fastest(const struct limit *one, const char *name, struct limit limit[2])
+{
+    struct limit *best = &limit[one->decay ? 1 : 0];
+
+    if (!(one->rate > best->rate))
+        return;
+    *best = *one;
+    snprintf(best->part, sizeof best->part, "%s", name);
+}
+
+void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct limit limit[2])
+{
+    struct view v;
+
+    limit[0] = (struct limit){ .where = -1 };
+    limit[1] = (struct limit){ .where = -1, .decay = true };
+    plan_view_make(p, t, y, &v);
+    for (int i = 0; i < p->parts; i++) {
+        struct limit one = { .where = -1 };
+        if (p->part[i].part->limit) {
+            p->part[i].part->limit(p->part[i].self, &v, &one);
+            keep_fastest(&one, p->part[i].part->name, limit);
+        }
+    }
+    for (int i = 0; i < p->bodies && stiff; i++) {
+        struct limit one = { .where = -1 };
+        p->body[i].kind->limit(p->body[i].body, &one);
+        keep_fastest(&one, p->body[i].path, limit);
+    }
+}

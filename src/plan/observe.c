@@ -1,0 +1,141 @@
+/* observe.c -- looking at a plan without disturbing the run. */
+#include "plan/observe.h"
+
+#include "base/status.h"
+#include "plan/inside.h"
+#include "space/record.h"
+
+#include <string.h>
+
+void plan_view(struct plan *p, double t, const double *y, struct view *v)
+{
+    plan_view_make(p, t, y, v);
+}
+
+/* The run's list if it fits the moment, else the observer's own. */
+static int choose(struct plan *p, double t, const double *y, struct plan_workspace **w)
+{
+    struct cloud cloud;
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    memcpy(cloud.from, v.p->from, sizeof cloud.from);
+    memcpy(cloud.x, v.x, sizeof cloud.x);
+    *w = &p->main;
+    if (p->particles->n == 0 || !p->engine->sum->list->stale(p->main.list, &cloud))
+        return STATUS_DONE;
+    *w = &p->observer;
+    return p->observer.list ? STATUS_DONE : plan_workspace_make(p, &p->observer);
+}
+
+int plan_observe(struct plan *p, double t, const double *y)
+{
+    struct plan_workspace *w;
+
+    TRY(choose(p, t, y, &w));
+    if (plan_rates(p, w, t, y, p->scratch) != STATUS_DONE)
+        return status_fail(STATUS_FAILED, "%s", p->refusal);
+    return STATUS_DONE;
+}
+
+const double *plan_force(const struct plan *p, int object)
+{
+    return p->force[object];
+}
+
+int plan_bodies(const struct plan *p)
+{
+    return p->bodies;
+}
+
+const char *plan_body_name(const struct plan *p, int body)
+{
+    return p->body[body].name;
+}
+
+void plan_body_view(struct plan *p, int body, double t, const double *y, struct body_view *out)
+{
+    const struct plan_body *b = &p->body[body];
+
+    b->kind->show(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, out);
+}
+
+const double *plan_impulse(const struct plan *p, const double *y, int object)
+{
+    return y + layout_at(&p->layout, p->book.row) + p->book.impulse + object * DIM;
+}
+
+void plan_pressures(const struct plan *p, int n, const double *rho, double *press)
+{
+    memset(press, 0, n * sizeof *press);
+    if (p->pressure)
+        p->pressure->part->pressure(p->pressure->self, n, rho, press);
+}
+
+const struct particles *plan_particles(const struct plan *p)
+{
+    return p->particles;
+}
+
+const struct scales *plan_scales(const struct plan *p)
+{
+    return &p->scales;
+}
+
+const struct settings *plan_settings(const struct plan *p)
+{
+    return &p->in.set;
+}
+
+const struct settings_output *plan_output(const struct plan *p)
+{
+    return &p->in.output;
+}
+
+int plan_probes(const struct plan *p)
+{
+    return p->in.probes;
+}
+
+const struct settings_probe *plan_probe(const struct plan *p, int i, const char **name)
+{
+    *name = p->in.probe[i].name;
+    return &p->in.probe[i].set;
+}
+
+int plan_escaped(struct plan *p, double t, const double *y)
+{
+    struct view v;
+    int n = 0;
+
+    plan_view_make(p, t, y, &v);
+    for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++)
+        n += !list_inside(&p->list_def, v.x[KIND_FLUID] + (size_t)i * DIM);
+    return n;
+}
+
+int plan_lanes(const struct plan *p)
+{
+    return p->engine->lanes;
+}
+
+int plan_parts(const struct plan *p)
+{
+    return p->parts;
+}
+
+const struct part *plan_part(const struct plan *p, int i, const char **path)
+{
+    *path = p->part[i].path;
+    return p->part[i].part;
+}
+
+double plan_bytes(const struct plan *p)
+{
+    const double h = p->in.kernel.support;
+    const double neighbours = DIM == 2 ? 3.14159 * h * h : 4.18879 * h * h * h;
+    const double n = p->particles->n;
+
+    return n * (RECORD + DIM + 1 + 3 * DIM + 2) * 8.0 + plan_size(p) * 8.0 * 12
+         + list_bytes(n, neighbours);
+}

@@ -1,0 +1,110 @@
+/* pack.c -- records of everybody in the order of the list, with the pressure
+ * of the equation of state; refuses densities out of bounds. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+#include "space/record.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdio.h>
+
+enum { CHUNK = 128 };
+
+/* Far outside of everything, and far from one another, so that no pair of
+ * these is within the support of a kernel. */
+static void write_far(const struct plan *p, int number, double *r)
+{
+    for (int i = 0; i < RECORD; i++)
+        r[i] = 0;
+    r[RECORD_X] = p->list_def.high[0] + (10.0 + 2.0 * number) * p->scales.support;
+    r[RECORD_RHO] = p->scales.rho0;
+    r[RECORD_M] = 1;
+    r[RECORD_IRHO] = 1 / p->scales.rho0;
+}
+
+static void write_record(double *r, const double *x, const double *u, double rho, double press,
+                         double m)
+{
+    const double irho = 1 / rho;
+
+    r[RECORD_X] = x[0];
+    r[RECORD_X + 1] = x[1];
+    r[RECORD_V] = u[0];
+    r[RECORD_V + 1] = u[1];
+#if DIM == 3
+    r[RECORD_Z] = x[2];
+    r[RECORD_VZ] = u[2];
+#endif
+    r[RECORD_RHO] = rho;
+    r[RECORD_P2] = press * irho * irho;
+    r[RECORD_M] = m;
+    r[RECORD_IRHO] = irho;
+}
+
+/* Slots from..to-1, all of kind k.  Returns the first slot whose density is out
+ * of bounds, or -1. */
+static int pack_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
+                      int k, int from, int to)
+{
+    const double low = p->in.eos.lowest * p->scales.rho0, high = p->in.eos.highest * p->scales.rho0;
+    const int first = v->p->from[k];
+    double rho[CHUNK], press[CHUNK];
+
+    for (int s = from; s < to; s++) {
+        const int i = w->list->order[s] - first;
+        rho[s - from] = v->rho[k] ? v->rho[k][i] : p->scales.rho0;
+        if (!(rho[s - from] >= low && rho[s - from] <= high))
+            return s;
+        press[s - from] = 0;
+    }
+    if (p->pressure)
+        p->pressure->part->pressure(p->pressure->self, to - from, rho, press);
+    for (int s = from; s < to; s++) {
+        const int c = w->list->order[s], i = c - first;
+        double *r = w->record + (size_t)s * RECORD;
+        if (list_inside(&p->list_def, v->x[k] + (size_t)i * DIM))
+            write_record(r, v->x[k] + (size_t)i * DIM, v->u[k] + (size_t)i * DIM,
+                         rho[s - from], press[s - from], v->p->m[c]);
+        else
+            write_far(p, s + 1, r);
+    }
+    return -1;
+}
+
+static int refuse_density(struct plan *p, const struct plan_workspace *w, const struct view *v,
+                          int slot)
+{
+    static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
+    const int c = w->list->order[slot];
+    const struct object *o = &v->p->object[v->p->object_of[c]];
+    const int i = c - v->p->from[o->kind];
+    const double *x = v->x[o->kind] + (size_t)i * DIM;
+
+    snprintf(p->refusal, sizeof p->refusal,
+             "density %g kg/m^3 of %s particle %d (%s) at (%g, %g%s%.0g) m at t = %g s lies outside "
+             "%g to %g; particles were pushed together or torn apart faster than the step could "
+             "follow", v->rho[o->kind][i], kinds[o->kind], c, o->name, x[0], x[1],
+             DIM == 3 ? ", " : "", DIM == 3 ? x[DIM - 1] : 0.0, v->t,
+             p->in.eos.lowest * p->scales.rho0, p->in.eos.highest * p->scales.rho0);
+    return STATUS_FAILED;
+}
+
+int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v)
+{
+    const struct list *l = w->list;
+    atomic_int bad = l->listed;
+
+    for (int k = 0; k < KINDS; k++) {
+        const int from = l->start[k], to = l->start[k + 1];
+#pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
+        for (int s = from; s < to; s += CHUNK) {
+            const int at = pack_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+            for (int old = bad; at >= 0 && at < old;) /* keep the smallest slot */
+                if (atomic_compare_exchange_weak(&bad, &old, at))
+                    break;
+        }
+    }
+    write_far(p, 0, w->record + (size_t)l->listed * RECORD);
+    return bad < l->listed ? refuse_density(p, w, v, bad) : STATUS_DONE;
+}

@@ -1,0 +1,144 @@
+/* rates.c -- the explicit side of the right-hand side: a short list of passes. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int refuse_position(struct plan *p, const struct list *l, double t)
+{
+    const struct object *o = &p->particles->object[p->particles->object_of[l->bad]];
+
+    snprintf(p->refusal, sizeof p->refusal, "the position of particle %d (%s) is not finite at "
+             "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
+    return STATUS_FAILED;
+}
+
+static int update_list(struct plan *p, struct plan_workspace *w, const struct view *v)
+{
+    struct cloud cloud;
+
+    memcpy(cloud.from, v->p->from, sizeof cloud.from);
+    memcpy(cloud.x, v->x, sizeof cloud.x);
+    return p->engine->sum->list->update(w->list, &cloud) == STATUS_DONE
+               ? STATUS_DONE
+               : refuse_position(p, w->list, v->t);
+}
+
+static int sum_pairs(struct plan *p, struct plan_workspace *w)
+{
+    const struct sum_job job = {
+        .list = w->list, .record = w->record, .table = p->table, .slots = p->slots,
+        .f = w->f, .drho = w->drho, .power = w->power,
+    };
+
+    return p->engine->sum->pairs(&job, &w->scratch);
+}
+
+/* Everybody's rates to their places in ydot: x' = u, u' = f/m, rho'. */
+static void scatter_fluid(const struct plan *p, const struct plan_workspace *w,
+                          const struct view *v, double *ydot)
+{
+    const struct list *l = w->list;
+    const int n = particles_count(v->p, KIND_FLUID);
+    double *xdot = ydot + layout_at(&p->layout, p->row_x);
+    double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
+
+    memcpy(xdot, v->u[KIND_FLUID], (size_t)n * DIM * sizeof *xdot);
+    if (l->start[KIND_FLUID + 1] - l->start[KIND_FLUID] < n)
+        memset(udot, 0, (size_t)n * sizeof *udot); /* some have left the domain */
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int s = l->start[KIND_FLUID]; s < l->start[KIND_FLUID + 1]; s++) {
+        const int i = l->order[s];
+        const double im = 1 / v->p->m[i];
+        for (int d = 0; d < DIM; d++)
+            udot[i][d] = w->f[(size_t)s * DIM + d] * im;
+    }
+}
+
+static void scatter_density(const struct plan *p, const struct plan_workspace *w, double *ydot)
+{
+    const struct list *l = w->list;
+
+    for (int k = 0; k < KINDS; k++) {
+        const int first = p->particles->from[k], n = particles_count(p->particles, k);
+        double *rhodot;
+        if (p->density_row[k] < 0)
+            continue;
+        rhodot = ydot + layout_at(&p->layout, p->density_row[k]);
+        if (l->start[k + 1] - l->start[k] < n)
+            memset(rhodot, 0, (size_t)n * sizeof *rhodot);
+#pragma omp parallel for schedule(static) if (n > 4096)
+        for (int s = l->start[k]; s < l->start[k + 1]; s++)
+            rhodot[l->order[s] - first] = w->drho[s];
+    }
+}
+
+/* Force of the fluid on each solid, and the power of driven walls. */
+static void sum_solids(struct plan *p, const struct plan_workspace *w)
+{
+    const struct particles *all = p->particles;
+
+    memset(p->force, 0, all->objects * sizeof *p->force);
+    p->wall_power = 0;
+    for (int c = all->from[KIND_WALL]; c < all->n; c++) {
+        const int s = w->list->slot[c];
+        double *sum = p->force[all->object_of[c]];
+        if (s < 0)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            sum[d] += w->f[(size_t)s * DIM + d];
+    }
+    for (int i = 0; i < p->walls; i++)
+        for (int d = 0; d < DIM && p->wall[i].moves; d++)
+            p->wall_power += p->force[p->wall[i].object][d]
+                           * all->u[all->object[p->wall[i].object].from][d];
+}
+
+/* Skin forces bend the bodies. */
+static void load_bodies(struct plan *p, const struct plan_workspace *w, double t,
+                        const double *y, double *ydot)
+{
+    const struct particles *all = p->particles;
+
+    for (int i = 0; i < p->bodies; i++) {
+        struct plan_body *b = &p->body[i];
+        for (int j = 0; j < b->skin; j++) {
+            const int s = w->list->slot[all->object[b->object].from + j];
+            for (int d = 0; d < DIM; d++)
+                b->force[j][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d];
+        }
+        b->kind->load(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, ydot, &b->load);
+    }
+}
+
+static void add_fields(const struct plan *p, const struct view *v, double *ydot)
+{
+    double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
+
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->field)
+            p->part[i].part->field(p->part[i].self, v, udot);
+}
+
+int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double *y, double *ydot)
+{
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    if (p->particles->n > 0) {
+        TRY(update_list(p, w, &v));
+        TRY(plan_pack(p, w, &v));
+        TRY(sum_pairs(p, w));
+    }
+    if (p->row_x >= 0) {
+        scatter_fluid(p, w, &v, ydot);
+        scatter_density(p, w, ydot);
+        add_fields(p, &v, ydot);
+    }
+    sum_solids(p, w);
+    load_bodies(p, w, t, y, ydot);
+    plan_book_rates(p, w, ydot);
+    return STATUS_DONE;
+}

@@ -1,0 +1,110 @@
+/* rhs.c -- the one right-hand side, and its implicit side. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void add_stiff(struct plan *p, double t, const double *y, double *ydot)
+{
+    for (int i = 0; i < p->bodies; i++)
+        p->body[i].kind->stiff(p->body[i].body, &p->layout, t, y, ydot);
+}
+
+int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *ydot)
+{
+    p->counts.rhs_explicit += (which & PLAN_EXPLICIT) != 0;
+    p->counts.rhs_implicit += which == PLAN_IMPLICIT;
+    if (which & PLAN_EXPLICIT) {
+        const int status = plan_rates(p, &p->main, t, y, ydot);
+        p->counts.refused += status != STATUS_DONE;
+        p->counts.rebuilds = p->main.list ? p->main.list->builds : 0;
+        TRY(status);
+    } else {
+        memset(ydot, 0, (size_t)plan_size(p) * sizeof *ydot);
+    }
+    if (which & PLAN_IMPLICIT)
+        add_stiff(p, t, y, ydot);
+    return STATUS_DONE;
+}
+
+const char *plan_refusal(const struct plan *p)
+{
+    return p->refusal;
+}
+
+long plan_size(const struct plan *p)
+{
+    return layout_size(&p->layout);
+}
+
+const struct layout *plan_layout(const struct plan *p)
+{
+    return &p->layout;
+}
+
+double plan_length(const struct plan *p)
+{
+    return p->scales.support;
+}
+
+const struct plan_counts *plan_counts(const struct plan *p)
+{
+    return &p->counts;
+}
+
+bool plan_stiff(const struct plan *p)
+{
+    return p->bodies > 0;
+}
+
+/* Rows of bodies are all rows whose name starts with the body's path. */
+static bool of_body(const struct plan *p, const struct layout_row *r)
+{
+    for (int i = 0; i < p->bodies; i++) {
+        const size_t n = strlen(p->body[i].path);
+        if (strncmp(r->name, p->body[i].path, n) == 0 && r->name[n] == '.')
+            return true;
+    }
+    return false;
+}
+
+int plan_stiff_ranges(const struct plan *p, int most, long (*range)[2])
+{
+    int n = 0;
+
+    for (int i = 0; i < p->layout.rows && n < most; i++) {
+        const struct layout_row *r = &p->layout.row[i];
+        if (of_body(p, r)) {
+            range[n][0] = r->offset;
+            range[n++][1] = r->offset + (long)r->n * r->components;
+        }
+    }
+    return n;
+}
+
+int plan_solve(struct plan *p, double t, double gamma, const double *r, double *z)
+{
+    p->counts.solves++;
+    for (int i = 0; i < p->bodies; i++)
+        TRY(p->body[i].kind->solve(p->body[i].body, &p->layout, t, gamma, r, z));
+    return STATUS_DONE;
+}
+
+void plan_weights(const struct plan *p, double tol, double *weight)
+{
+    layout_weights(&p->layout, tol, weight);
+}
+
+const char *plan_entry(const struct plan *p, long i)
+{
+    static char text[96];
+    const struct layout_row *r;
+    int which = 0;
+
+    r = layout_find(&p->layout, i, &which);
+    if (r)
+        snprintf(text, sizeof text, "%s, number %d", r->name, which);
+    return r ? text : "nothing";
+}

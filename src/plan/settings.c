@@ -1,0 +1,133 @@
+/* settings.c -- rows of the keys that belong to no part. */
+#include "plan/settings.h"
+
+#include <math.h>
+#include <stddef.h>
+
+enum { WORDS = 32 };
+
+/* Words that tables of other rooms bring; see settings_prepare(). */
+static const char *kernel_words[WORDS], *eos_words[WORDS], *wall_words[WORDS];
+
+static const char *const norm_words[] = { "max", "p8", "wrms", NULL };
+static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
+static const char *const probe_words[] = { "pressure", "height", "velocity", NULL };
+
+#define AT(type, member) .offset = offsetof(struct type, member)
+
+const struct param settings_params[] = {
+    { .key = "title", .unit = "", .type = PARAM_TEXT, AT(settings, title),
+      .about = "what the scene shows" },
+    { .key = "dimension", .unit = "", .type = PARAM_INTEGER, AT(settings, dimension),
+      .fallback = DIM, .min = 2, .max = 3, .about = "2 or 3" },
+    { .key = "gravity", .unit = "m/s^2", .type = PARAM_VECTOR, AT(settings, gravity),
+      .min = -1e4, .max = 1e4, .about = "acceleration of gravity; zero: no such effect" },
+    { .key = "until", .unit = "s", AT(settings, until), .min = 1e-9, .max = 1e6, .required = 1,
+      .about = "time at which the run ends" },
+    { .key = "spacing", .unit = "m", AT(settings, spacing), .fallback = NAN, .min = 1e-9,
+      .max = 1e6, .about = "distance of particles at the start; needed when there are any" },
+    { .key = "method", .unit = "", .type = PARAM_TEXT, AT(settings, method),
+      .about = "time integration (see `list methods`); empty: the default for the scene" },
+    { .key = "tol", .unit = "1", AT(settings, tol), .fallback = 1e-2, .min = 1e-12, .max = 10,
+      .about = "error allowed in a step, in units of the scales of each block" },
+    { .key = "norm", .unit = "", .type = PARAM_WORD, AT(settings, norm), .words = norm_words,
+      .about = "how the errors of all entries become one: largest, mean 8th power, rms" },
+    { .key = "walls", .unit = "", .type = PARAM_WORD, AT(settings, walls), .words = wall_words,
+      .about = "how solids meet the fluid (see `list walls`)" },
+    { 0 },
+};
+
+const struct param settings_kernel_params[] = {
+    { .key = "type", .unit = "", .type = PARAM_WORD, AT(settings_kernel, type),
+      .words = kernel_words, .about = "smoothing kernel (see `list kernels`)" },
+    { .key = "support", .unit = "spacings", AT(settings_kernel, support), .fallback = 3,
+      .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
+    { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.1, .min = 0.001,
+      .max = 1, .about = "extra radius of the pair list; changes speed, not results" },
+    { 0 },
+};
+
+const struct param settings_domain_params[] = {
+    { .key = "from", .unit = "m", .type = PARAM_VECTOR, AT(settings_domain, from),
+      .fallback = NAN, .min = -1e6, .max = 1e6, .about = "lowest corner of the domain" },
+    { .key = "to", .unit = "m", .type = PARAM_VECTOR, AT(settings_domain, to),
+      .fallback = NAN, .min = -1e6, .max = 1e6, .about = "highest corner of the domain" },
+    { .key = "lid", .unit = "", .type = PARAM_FLAG, AT(settings_domain, lid), .fallback = 1,
+      .max = 1, .about = "whether a frame closes the top" },
+    { .key = "open", .unit = "", .type = PARAM_WORDS, AT(settings_domain, open),
+      .words = shape_sides, .about = "sides on which a frame has no wall" },
+    { 0 },
+};
+
+const struct param settings_reference_params[] = {
+    { .key = "speed", .unit = "m/s", AT(settings_reference, speed), .fallback = NAN, .min = 1e-9,
+      .max = 1e6, .about = "speed U that scales error weights; computed: c0/10" },
+    { 0 },
+};
+
+const struct param settings_eos_params[] = {
+    { .key = "type", .unit = "", .type = PARAM_WORD, AT(settings_eos, type), .words = eos_words,
+      .about = "equation of state (see `list eos`)" },
+    { .key = "lowest", .unit = "rho0", AT(settings_eos, lowest), .fallback = 0.2, .min = 0.01,
+      .max = 0.99, .about = "density below which the right-hand side refuses to answer" },
+    { .key = "highest", .unit = "rho0", AT(settings_eos, highest), .fallback = 3, .min = 1.01,
+      .max = 100, .about = "density above which it refuses" },
+    { 0 },
+};
+
+const struct param settings_output_params[] = {
+    { .key = "interval", .unit = "s", AT(settings_output, interval), .fallback = NAN,
+      .min = 1e-9, .max = 1e6, .about = "time between rows of the CSV files; computed: until/500" },
+    { .key = "fields", .unit = "s", AT(settings_output, fields), .fallback = NAN, .min = 1e-9,
+      .max = 1e6, .about = "time between particle fields; computed: until/50" },
+    { .key = "snapshots", .unit = "", .type = PARAM_INTEGER, AT(settings_output, snapshots),
+      .fallback = 6, .min = 0, .max = 1000,
+      .about = "pictures of the particles, evenly spread from start to end" },
+    { 0 },
+};
+
+const struct param settings_fluid_params[] = {
+    { .key = "dye", .unit = "", .type = PARAM_INTEGER, AT(settings_fluid, dye), .max = 7,
+      .about = "colour that its particles keep, 0 to 7" },
+    { .key = "initial", .unit = "", .type = PARAM_WORD, AT(settings_fluid, initial),
+      .words = initial_words, .about = "density at the start: under its own weight, or rho0" },
+    { .key = "surface", .unit = "m", AT(settings_fluid, surface), .fallback = NAN, .min = -1e6,
+      .max = 1e6, .about = "level from which hydrostatic depth counts; computed: its own top" },
+    { .key = "velocity", .unit = "m/s", .type = PARAM_VECTOR, AT(settings_fluid, velocity),
+      .min = -1e5, .max = 1e5, .about = "velocity at the start" },
+    { 0 },
+};
+
+const struct param settings_wall_params[] = {
+    { .key = "slip", .unit = "", .type = PARAM_FLAG, AT(settings_wall, slip), .max = 1,
+      .about = "the fluid slips along it: viscosity does not act" },
+    { 0 },
+};
+
+const struct param settings_probe_params[] = {
+    { .key = "at", .unit = "m", .type = PARAM_VECTOR, AT(settings_probe, at), .min = -1e6,
+      .max = 1e6, .required = 1, .about = "where it is" },
+    { .key = "what", .unit = "", .type = PARAM_WORD, AT(settings_probe, what),
+      .words = probe_words,
+      .about = "pressure at the point, height of the water above it, or speed of the water" },
+    { 0 },
+};
+
+static void copy_words(const char **to, const char *const *from)
+{
+    int n = 0;
+
+    while (from[n] && n < WORDS - 1) {
+        to[n] = from[n];
+        n++;
+    }
+    to[n] = NULL;
+}
+
+void settings_prepare(const char *const *kernels, const char *const *eos,
+                      const char *const *walls)
+{
+    copy_words(kernel_words, kernels);
+    copy_words(eos_words, eos);
+    copy_words(wall_words, walls);
+}

@@ -1,0 +1,74 @@
+/* settings.h -- the keys of a scene that belong to no part. */
+#ifndef PLAN_SETTINGS_H
+#define PLAN_SETTINGS_H
+
+#include "base/param.h"
+#include "space/shape.h"
+#include <stdbool.h>
+
+struct settings {
+    const char *title;
+    int dimension;
+    double gravity[3];  /* [m/s^2]                                            */
+    double until;       /* [s]                                                */
+    double spacing;     /* dx [m]                                             */
+    const char *method; /* "" : by whether there is a stiff side              */
+    double tol;
+    const char *norm;   /* "max", "p8", "wrms"                                */
+    const char *walls;  /* wall model                                         */
+};
+
+struct settings_kernel {
+    const char *type;
+    double support; /* H/dx */
+    double skin;    /* extra radius of the pair list / H */
+};
+
+struct settings_domain {
+    double from[3], to[3]; /* [m] */
+    bool lid;
+    unsigned open; /* sides without wall, bits of shape_side() */
+};
+
+struct settings_reference {
+    double speed; /* U [m/s] */
+};
+
+struct settings_eos { /* beside the keys of the equation of state itself */
+    const char *type;
+    double lowest, highest; /* density bounds in rho0 */
+};
+
+struct settings_output {
+    double interval;  /* between rows of the CSV files [s]          */
+    double fields;    /* between particle fields [s]                */
+    int snapshots;    /* pictures of the particles, start and end included */
+};
+
+struct settings_fluid {
+    struct shape shape;
+    int dye;
+    const char *initial;  /* "hydrostatic" or "rest"                 */
+    double surface;       /* height of its free surface [m]          */
+    double velocity[3];   /* at the start [m/s]                      */
+};
+
+struct settings_wall {
+    struct shape shape;
+    bool slip;
+};
+
+struct settings_probe {
+    double at[3];
+    const char *what; /* "pressure", "height", "velocity" */
+};
+
+extern const struct param settings_params[], settings_kernel_params[], settings_domain_params[],
+    settings_reference_params[], settings_eos_params[], settings_output_params[],
+    settings_fluid_params[], settings_wall_params[], settings_probe_params[];
+
+/* Fills in the words that come from tables of other rooms; call first. */
+void settings_prepare(const char *const *kernels, const char *const *eos,
+                      const char *const *walls);
+
+#endif

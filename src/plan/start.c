@@ -1,0 +1,116 @@
+/* start.c -- y at t = 0: lattice at rest under its own weight. */
+#include "plan/inside.h"
+
+#include "matter/eos.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Depth pressure [Pa] at x under the surface of fluid number f. */
+static double depth_pressure(const struct plan *p, int f, const double *x)
+{
+    const struct settings_fluid *s = &p->in.fluid[f].set;
+    double low[DIM], high[DIM], pressure = 0;
+
+    shape_bounds(&s->shape, low, high);
+    for (int d = 0; d < DIM; d++) {
+        const double g = p->scales.g[d];
+        double top = g < 0 ? high[d] : low[d];
+        if (d == DIM - 1 && !isnan(s->surface))
+            top = s->surface;
+        pressure += p->scales.rho0 * g * (x[d] - top);
+    }
+    return pressure > 0 ? pressure : 0;
+}
+
+static const struct eos *eos_of(const struct plan *p)
+{
+    return p->pressure ? p->pressure->self : NULL;
+}
+
+/* Is x within the support of the box that holds fluid number f? */
+static bool near_fluid(const struct plan *p, int f, const double *x)
+{
+    double low[DIM], high[DIM];
+
+    shape_bounds(&p->in.fluid[f].set.shape, low, high);
+    for (int d = 0; d < DIM; d++)
+        if (x[d] < low[d] - p->scales.support || x[d] > high[d] + p->scales.support)
+            return false;
+    return true;
+}
+
+static void start_fluid(const struct plan *p, double *rho)
+{
+    const struct particles *all = p->particles;
+
+    for (int o = 0, f = 0; o < all->objects; o++) {
+        const struct object *ob = &all->object[o];
+        if (ob->kind != KIND_FLUID)
+            continue;
+        for (int i = ob->from; i < ob->from + ob->n; i++)
+            if (eos_of(p) && strcmp(p->in.fluid[f].set.initial, "hydrostatic") == 0)
+                rho[i] = eos_density(eos_of(p), depth_pressure(p, f, all->x0[i]));
+        f++;
+    }
+}
+
+/* Solids beside fluid start with the pressure that it has there. */
+static void start_solids(const struct plan *p, int k, double *rho)
+{
+    const struct particles *all = p->particles;
+
+    for (int i = 0; i < particles_count(all, k); i++) {
+        const double *x = all->x0[all->from[k] + i];
+        double pressure = 0;
+        for (int f = 0; f < p->in.fluids && eos_of(p); f++)
+            if (near_fluid(p, f, x) && strcmp(p->in.fluid[f].set.initial, "hydrostatic") == 0)
+                pressure = fmax(pressure, depth_pressure(p, f, x));
+        if (eos_of(p))
+            rho[i] = eos_density(eos_of(p), pressure);
+    }
+}
+
+void plan_start_density(const struct plan *p, double *y)
+{
+    for (int k = 0; k < KINDS; k++) {
+        double *rho;
+        if (p->density_row[k] < 0)
+            continue;
+        rho = y + layout_at(&p->layout, p->density_row[k]);
+        for (int i = 0; i < particles_count(p->particles, k); i++)
+            rho[i] = p->scales.rho0;
+        if (k == KIND_FLUID)
+            start_fluid(p, rho);
+        else
+            start_solids(p, k, rho);
+    }
+}
+
+static void start_motion(const struct plan *p, double *y)
+{
+    const struct particles *all = p->particles;
+    double *x = y + layout_at(&p->layout, p->row_x), *u = y + layout_at(&p->layout, p->row_u);
+
+    for (int o = 0, f = 0; o < all->objects; o++) {
+        const struct object *ob = &all->object[o];
+        if (ob->kind != KIND_FLUID)
+            continue;
+        for (int i = ob->from; i < ob->from + ob->n; i++)
+            for (int d = 0; d < DIM; d++) {
+                x[(size_t)i * DIM + d] = all->x0[i][d];
+                u[(size_t)i * DIM + d] = p->in.fluid[f].set.velocity[d];
+            }
+        f++;
+    }
+}
+
+void plan_start(const struct plan *p, double *y)
+{
+    memset(y, 0, (size_t)plan_size(p) * sizeof *y);
+    if (p->row_x >= 0)
+        start_motion(p, y);
+    plan_start_density(p, y);
+    for (int i = 0; i < p->bodies; i++)
+        p->body[i].kind->start(p->body[i].body, &p->layout, y);
+}

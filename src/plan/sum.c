@@ -1,0 +1,228 @@
+/* sum.c -- the traversal of pairs (design L of doc: lanes are particles).
+ *
+ * A thread takes a stretch of chunks with its share of rows; a chunk is
+ * SUM_CHUNK slots of one kind.  Every number is added in an order that chunks
+ * and slots alone decide: a lane its own neighbours, laws in table order,
+ * powers in four sums a chunk, chunks one after the other. */
+#include "plan/sum.h"
+
+#include "base/status.h"
+#include "space/gather.h"
+#include "space/record.h"
+#include "space/threads.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PARTS = 4, CHUNK_GROUPS = SUM_CHUNK / LANES };
+
+/* Sums of power of one chunk: slot s of it adds to part s % PARTS. */
+struct chunk_power {
+    lanes part[SUM_SLOTS][PARTS / LANES];
+};
+
+static int chunks_of(const struct list *list, int kind)
+{
+    const int groups = list->group_from[kind + 1] - list->group_from[kind];
+
+    return (groups + CHUNK_GROUPS - 1) / CHUNK_GROUPS;
+}
+
+static int chunks(const struct list *list)
+{
+    int n = 0;
+
+    for (int kind = 0; kind < KINDS; kind++)
+        n += chunks_of(list, kind);
+    return n;
+}
+
+/* First group of a chunk; that of the end for the last chunk + 1. */
+static int first_group(const struct list *list, int chunk)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        const int n = chunks_of(list, kind);
+
+        if (chunk < n)
+            return list->group_from[kind] + chunk * CHUNK_GROUPS;
+        chunk -= n;
+    }
+    return list->groups;
+}
+
+/* Rows before a chunk, and some for the work that each group is anyway. */
+static long work_before(const struct list *list, int chunk)
+{
+    const int group = first_group(list, chunk);
+
+    return list->rows_before[group] + 4L * group;
+}
+
+/* First chunk of thread t of `of`: equal work, found by halving. */
+static int share(const struct list *list, int n, int t, int of)
+{
+    const long want = work_before(list, n) / of * t;
+    int low = 0, high = n;
+
+    if (t == of)
+        return n;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+
+        if (work_before(list, middle) < want)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Laws of one table on the rows of one segment. */
+static void sum_segment(const struct sum_job *job, const struct pairs_table *table,
+                        const struct list_segment *segment, const struct side *a,
+                        struct block *b, struct sum *part)
+{
+    gather_rows *const gather = gather_choose(table->needs);
+
+    for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
+        const int left = segment->rows - row;
+        const struct kernel_use *kernel = NULL;
+
+        b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
+        gather(job->record, segment->j + (size_t)row * LANES, b->n, a, b);
+        for (int i = 0; i < table->n; i++) {
+            const struct pairs_work *w = &table->work[i];
+
+            if (w->kernel != kernel) {
+                kernel = w->kernel;
+                gather_kernel(table->needs, kernel, a, b);
+            }
+            w->law(w->self, a, b, &part[w->slot]);
+        }
+    }
+}
+
+/* Adds the sums in order of slots, writes the rates, books the power. */
+static void finish_group(const struct sum_job *job, int first, int owners, int quarter,
+                         const struct side *a, const struct sum *part, struct chunk_power *book)
+{
+    struct sum all = { 0 };
+
+    for (int s = 0; s < job->slots; s++) {
+        lanes power = a->p2 * part[s].drho;
+
+        for (int d = 0; d < DIM; d++) {
+            power += a->v[d] * part[s].f[d];
+            all.f[d] += part[s].f[d];
+        }
+        all.drho += part[s].drho;
+        book->part[s][quarter] += power;
+    }
+    all.drho /= a->m;
+    for (int l = 0; l < owners; l++) {
+        for (int d = 0; d < DIM; d++)
+            job->f[(size_t)(first + l) * DIM + (size_t)d] = all.f[d][l];
+        job->drho[first + l] = all.drho[l];
+    }
+}
+
+static void sum_group(const struct sum_job *job, int g, int quarter, struct block *b,
+                      struct chunk_power *book)
+{
+    const struct list *list = job->list;
+    const int first = list->group_slot[g], kind = list->group_kind[g];
+    const int end = list->start[kind + 1], left = end - first;
+    struct sum part[SUM_SLOTS];
+    struct side a;
+
+    gather_side(job->record, first, end, list->listed, &a);
+    memset(part, 0, (size_t)job->slots * sizeof *part);
+    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
+        const struct list_segment *segment = &list->segment[s];
+
+        sum_segment(job, &job->table[kind * KINDS + segment->partner], segment, &a, b, part);
+    }
+    finish_group(job, first, left < LANES ? left : LANES, quarter, &a, part, book);
+}
+
+/* The parts of one sum of power in one order for every lane width. */
+static double total(const lanes *part)
+{
+    double p[PARTS];
+
+    memcpy(p, part, sizeof p);
+    return (p[0] + p[1]) + (p[2] + p[3]);
+}
+
+static void sum_chunk(const struct sum_job *job, int chunk, struct block *b, double *power)
+{
+    const struct list *list = job->list;
+    const int from = first_group(list, chunk);
+    const int kind_end = list->group_from[list->group_kind[from] + 1];
+    const int to = from + CHUNK_GROUPS < kind_end ? from + CHUNK_GROUPS : kind_end;
+    struct chunk_power book;
+
+    memset(book.part, 0, (size_t)job->slots * sizeof *book.part);
+    for (int g = from; g < to; g++)
+        sum_group(job, g, (g - from) % (PARTS / LANES), b, &book);
+    for (int s = 0; s < job->slots; s++)
+        power[s] = total(book.part[s]);
+}
+
+/* Kinds that own nothing have rates of exactly 0. */
+static void clear_idle(const struct sum_job *job)
+{
+    const struct list *list = job->list;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        const size_t from = (size_t)list->start[kind], n = (size_t)list->start[kind + 1] - from;
+
+        if (list->group_from[kind] < list->group_from[kind + 1])
+            continue;
+        memset(job->f + from * DIM, 0, n * DIM * sizeof *job->f);
+        memset(job->drho + from, 0, n * sizeof *job->drho);
+    }
+}
+
+static int make_room(struct sum_scratch *scratch, int n, int slots)
+{
+    if (n <= scratch->chunks && slots == scratch->slots)
+        return STATUS_DONE;
+    const int more = n + n / 2 + 1;
+    double *power = realloc(scratch->power, (size_t)more * (size_t)(slots + 1) * sizeof *power);
+
+    if (!power)
+        return status_fail(STATUS_FAILED, "no memory to sum the power of %d effects", slots);
+    *scratch = (struct sum_scratch){ .chunks = more, .slots = slots, .power = power };
+    return STATUS_DONE;
+}
+
+static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
+{
+    const int n = chunks(job->list), slots = job->slots;
+
+    if (slots > SUM_SLOTS)
+        return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
+                           SUM_SLOTS);
+    TRY(make_room(scratch, n, slots));
+    double *power = scratch->power;
+    clear_idle(job);
+#pragma omp parallel
+    {
+        const int t = threads_me(), of = threads_all();
+        const int to = share(job->list, n, t + 1, of);
+        struct block b;
+
+        for (int c = share(job->list, n, t, of); c < to; c++)
+            sum_chunk(job, c, &b, power + (size_t)c * (size_t)slots);
+    }
+    memset(job->power, 0, (size_t)slots * sizeof *job->power);
+    for (int c = 0; c < n; c++)
+        for (int s = 0; s < slots; s++)
+            job->power[s] += power[(size_t)c * (size_t)slots + (size_t)s];
+    return STATUS_DONE;
+}
+
+const struct sum_engine LANE_NAME(sum_engine) = {
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .pairs = sum_pairs,
+};

@@ -1,0 +1,45 @@
+/* sum.h -- the traversal: visits every pair from both sides, calls the laws of
+ * the plan on rows of neighbours, adds their sums in table order and keeps the
+ * book of power by slot.  Threads own ranges of owners; no bit depends on their
+ * number nor on the lane width. */
+#ifndef PLAN_SUM_H
+#define PLAN_SUM_H
+
+#include "space/list.h"
+
+struct pairs_table;
+
+enum {
+    SUM_CHUNK = 128, /* slots of one kind whose powers are added first        */
+    SUM_SLOTS = 16   /* rows of the book at most                              */
+};
+
+struct sum_job {
+    const struct list *list;
+    const double *record;              /* [listed+1][RECORD], 64-byte aligned */
+    const struct pairs_table *table;   /* [KINDS][KINDS] owner, partner       */
+    int slots;                         /* rows of the book                    */
+    double *f;                         /* [listed][DIM] force on a slot [N]   */
+    double *drho;                      /* [listed] rate of density of a slot
+                                          [kg/m^D/s]: divided by the mass     */
+    double *power;                     /* [slots] v.f + p2 m drho over all
+                                          owners [W]                          */
+};
+
+/* Starts as { 0 }; memory is taken at the first call and after a rebuild that
+ * needs more, never between rebuilds.  The caller frees `power` at the end. */
+struct sum_scratch {
+    int chunks;     /* room for this many                                     */
+    int slots;
+    double *power;  /* [chunks][slots]                                        */
+};
+
+struct sum_engine {
+    int lanes;
+    const struct list_engine *list;
+    /* 0 or STATUS_FAILED (no memory). */
+    int (*pairs)(const struct sum_job *job, struct sum_scratch *scratch);
+};
+extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4;
+
+#endif

@@ -1,0 +1,48 @@
+/* view.c -- moves solids to the moment and says where everything is. */
+#include "plan/inside.h"
+#include "plan/observe.h"
+
+static void move_wall(struct particles *all, const struct plan_wall *w, double t)
+{
+    const struct object *o = &all->object[w->object];
+    double shift[DIM], u[DIM];
+
+    walls_motion_at(&w->motion, t, shift, u);
+    for (int i = o->from; i < o->from + o->n; i++)
+        for (int d = 0; d < DIM; d++) {
+            all->x[i][d] = all->x0[i][d] + shift[d];
+            all->u[i][d] = u[d];
+        }
+}
+
+static void move_solids(struct plan *p, double t, const double *y)
+{
+    struct particles *all = p->particles;
+
+    for (int i = 0; i < p->walls; i++)
+        if (p->wall[i].moves)
+            move_wall(all, &p->wall[i], t);
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        if (b->object >= 0)
+            b->kind->move(b->body, &p->layout, t, y, all->x + all->object[b->object].from,
+                          all->u + all->object[b->object].from);
+    }
+}
+
+void plan_view_make(struct plan *p, double t, const double *y, struct view *v)
+{
+    struct particles *all = p->particles;
+
+    move_solids(p, t, y);
+    *v = (struct view){ .p = all, .t = t };
+    for (int k = 0; k < KINDS; k++) {
+        const bool fluid = k == KIND_FLUID;
+        if (particles_count(all, k) == 0)
+            continue;
+        v->x[k] = fluid ? y + layout_at(&p->layout, p->row_x) : all->x[all->from[k]];
+        v->u[k] = fluid ? y + layout_at(&p->layout, p->row_u) : all->u[all->from[k]];
+        if (p->density_row[k] >= 0)
+            v->rho[k] = y + layout_at(&p->layout, p->density_row[k]);
+    }
+}

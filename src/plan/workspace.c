@@ -1,0 +1,46 @@
+/* workspace.c -- memory of one evaluation: list, records, sums. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+#include "space/record.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Zeroed, on cache lines. */
+static double *lines(size_t numbers)
+{
+    const size_t bytes = (numbers * sizeof(double) + 63) / 64 * 64 + 64;
+    double *to = aligned_alloc(64, bytes);
+
+    if (to)
+        memset(to, 0, bytes);
+    else
+        status_fail(STATUS_FAILED, "no memory for %zu MB of work arrays", bytes >> 20);
+    return to;
+}
+
+int plan_workspace_make(struct plan *p, struct plan_workspace *w)
+{
+    const size_t n = p->particles->n;
+
+    if (n == 0) /* a beam alone: no pairs */
+        return STATUS_DONE;
+    TRY(p->engine->sum->list->create(&w->list, &p->list_def));
+    w->record = lines((n + 1) * RECORD);
+    w->f = lines(n * DIM);
+    w->drho = lines(n);
+    w->power = lines(p->slots + 1);
+    return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
+}
+
+void plan_workspace_free(struct plan *p, struct plan_workspace *w)
+{
+    p->engine->sum->list->free(&w->list);
+    free(w->record);
+    free(w->f);
+    free(w->drho);
+    free(w->power);
+    free(w->scratch.power);
+    *w = (struct plan_workspace){0};
+}

@@ -1,0 +1,9 @@
+/* pressure.c -- the table of equations of state, a line each. */
+#include "pressure/pressure.h"
+
+extern const struct part pressure_tait;
+
+const struct part *const pressure_table[] = {
+    &pressure_tait,
+    NULL,
+};

@@ -1,0 +1,183 @@
+/* note.c -- notes what every parameter came to be, for scene_write_used(). */
+#include "base/status.h"
+#include "scene/tree.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool same(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+static struct scene_note *find(const struct scene *scene, const char *path, const char *key)
+{
+    for (int i = 0; i < scene->notes; i++)
+        if (same(scene->note[i].path, path) && same(scene->note[i].key, key))
+            return &scene->note[i];
+    return NULL;
+}
+
+/* The note of path and key, made if it is missing; NULL if there is no memory. */
+static struct scene_note *find_or_make(struct scene *scene, const char *path, const char *key)
+{
+    struct scene_pool *pool = &scene->pool;
+    struct scene_note *note = find(scene, path, key);
+
+    if (note)
+        return note;
+    note = scene_pool_grow(pool, scene->note, scene->notes, &scene->notes_room, sizeof *note);
+    if (!note)
+        return NULL;
+    scene->note = note;
+    note += scene->notes;
+    *note = (struct scene_note){ .path = scene_pool_print(pool, "%s", path), .unit = "",
+                                 .key = key ? scene_pool_print(pool, "%s", key) : NULL,
+                                 .value = "", .origin = "" };
+    if (!note->path || (key && !note->key))
+        return NULL;
+    scene->notes++;
+    return note;
+}
+
+int scene_note_group(struct scene *scene, const char *path)
+{
+    return find_or_make(scene, path, NULL) ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Writes some numbers as a list; answers whether a scene can say them all. */
+static bool write_numbers(const double *x, int n, FILE *to)
+{
+    bool finite = true;
+
+    fputc('[', to);
+    for (int i = 0; i < n; i++) {
+        if (i > 0)
+            fputs(", ", to);
+        scene_write_number(x[i], to);
+        finite = finite && isfinite(x[i]);
+    }
+    fputc(']', to);
+    return finite;
+}
+
+static void write_points(const struct param_points *points, int dimension, FILE *to)
+{
+    fputc('(', to);
+    for (int i = 0; i < points->n; i++) {
+        fputs(i > 0 ? ", " : "", to);
+        write_numbers(points->x[i], dimension, to);
+    }
+    fputc(')', to);
+}
+
+static void write_words(unsigned set, const char *const *words, FILE *to)
+{
+    const char *gap = "";
+
+    fputc('[', to);
+    for (int i = 0; words[i]; i++)
+        if (set >> i & 1) {
+            fputs(gap, to);
+            scene_write_text(words[i], to);
+            gap = ", ";
+        }
+    fputc(']', to);
+}
+
+/* Writes what stands in the caller's struct; answers whether a scene can say it. */
+static bool write_value(const struct scene_wish *w, FILE *to)
+{
+    switch (w->row->type) {
+    case PARAM_NUMBER:
+        scene_write_number(*(const double *)w->to, to);
+        return isfinite(*(const double *)w->to);
+    case PARAM_INTEGER:
+        if (*(const int *)w->to == INT_MIN)
+            break;
+        fprintf(to, "%d", *(const int *)w->to);
+        return true;
+    case PARAM_FLAG:
+        fputs(*(const bool *)w->to ? "true" : "false", to);
+        return true;
+    case PARAM_WORD:
+    case PARAM_TEXT:
+        scene_write_text(*(const char *const *)w->to, to);
+        return true;
+    case PARAM_VECTOR:
+        return write_numbers(w->to, w->dimension, to);
+    case PARAM_POINTS:
+        write_points(w->to, w->dimension, to);
+        return true;
+    case PARAM_WORDS:
+        write_words(*(const unsigned *)w->to, w->row->words, to);
+        return true;
+    }
+    fputs("nan", to);
+    return false;
+}
+
+/* What was written to the stream that open_memstream() made, kept in the pool. */
+static const char *keep(struct scene_pool *pool, FILE *stream, char **text)
+{
+    const char *kept = fclose(stream) == 0 ? scene_pool_print(pool, "%s", *text) : NULL;
+
+    free(*text);
+    return kept;
+}
+
+static int out_of_memory(void)
+{
+    return status_fail(STATUS_FAILED, "out of memory while noting the scene's values");
+}
+
+int scene_value_note(const struct scene_wish *wish, const char *path)
+{
+    struct scene_note *note = find_or_make(wish->scene, path, wish->row->key);
+    char *text = NULL;
+    size_t n = 0;
+    FILE *stream = note ? open_memstream(&text, &n) : NULL;
+
+    if (!stream)
+        return out_of_memory();
+    note->silent = !write_value(wish, stream);
+    note->value = keep(&wish->scene->pool, stream, &text);
+    note->unit = scene_pool_print(&wish->scene->pool, "%s", wish->row->unit ? wish->row->unit : "");
+    note->origin = wish->node ? "" : "default";
+    return note->value && note->unit ? STATUS_DONE : out_of_memory();
+}
+
+int scene_note_raw(struct scene *scene, const char *path, const struct scene_node *node)
+{
+    struct scene_note *note;
+    char *text = NULL;
+    size_t n = 0;
+    FILE *stream;
+
+    if (find(scene, path, node->name))
+        return STATUS_DONE;
+    note = find_or_make(scene, path, node->name);
+    stream = note ? open_memstream(&text, &n) : NULL;
+    if (!stream)
+        return out_of_memory();
+    scene_write_node(node, stream);
+    note->value = keep(&scene->pool, stream, &text);
+    return note->value ? STATUS_DONE : out_of_memory();
+}
+
+void scene_computed(struct scene *scene, const char *path, const char *key, double value)
+{
+    struct scene_note *note = find(scene, path, key);
+    const char *text;
+
+    if (!note || !note->origin[0] || !isfinite(value))
+        return;
+    text = scene_pool_print(&scene->pool, "%.17g", value);
+    if (!text)
+        return;
+    note->value = text;
+    note->origin = "computed";
+    note->silent = false;
+}

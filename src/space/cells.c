@@ -1,0 +1,148 @@
+/* cells.c -- sorts everybody by kind, cell and creation index (counting sort).
+ *
+ * The cells of a huge box with a tiny support are made coarser until there are
+ * not many more of them than particles. */
+#include "space/cells.h"
+
+#include "base/status.h"
+#include "space/list-private.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Cells along x in one radius: narrow cells keep runs of slots short.
+ * Measured: 2 to 4 are alike, 1 costs a third more. */
+enum { FINE = 3 };
+
+static const double *position(const struct list *list, const struct cloud *cloud, int kind, int i)
+{
+    return cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
+}
+
+/* Marks who is inside, and the box around them; returns how many. */
+static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
+{
+    int inside = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        low[d] = INFINITY;
+        high[d] = -INFINITY;
+    }
+    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
+        const double *x = position(list, cloud, kind, i);
+
+        list->slot[i] = list_inside(&list->def, x) ? 0 : -1;
+        if (list->slot[i] < 0)
+            continue;
+        inside++;
+        for (int d = 0; d < DIM; d++) {
+            low[d] = x[d] < low[d] ? x[d] : low[d];
+            high[d] = x[d] > high[d] ? x[d] : high[d];
+        }
+    }
+    return inside;
+}
+
+/* Cells of a grid over low..high, coarser until there are at most `most`. */
+static double resize(struct cells *c, const double *high, double radius, double most)
+{
+    for (double coarse = 1;; coarse *= 1.25) {
+        double cells = 1;
+
+        for (int d = 0; d < DIM; d++) {
+            c->per_metre[d] = (d == 0 ? FINE : 1) / (coarse * radius);
+            cells *= floor((high[d] - c->low[d]) * c->per_metre[d]) + 1;
+        }
+        if (cells <= most)
+            return cells;
+    }
+}
+
+static int make_grid(struct list *list, struct cells *c, const double *high, int inside)
+{
+    const double radius = list->def.support + list->def.skin;
+    size_t cells = 0;
+
+    memset(c->n, 0, sizeof c->n);
+    if (inside > 0) {
+        cells = (size_t)resize(c, high, radius, 8.0 * inside + 4096);
+        for (int d = 0; d < DIM; d++)
+            c->n[d] = (int)((high[d] - c->low[d]) * c->per_metre[d]) + 1;
+    }
+    if (!list_grow((void **)&c->start, &c->room, cells + 2, sizeof *c->start))
+        return list_no_memory(list);
+    memset(c->start, 0, (cells + 2) * sizeof *c->start);
+    return STATUS_DONE;
+}
+
+/* Number of the cell that holds x, along the plough's way. */
+static int rank(const struct cells *c, const double *x)
+{
+    int at[DIM], row;
+
+    for (int d = 0; d < DIM; d++)
+        at[d] = (int)((x[d] - c->low[d]) * c->per_metre[d]);
+#if DIM == 2
+    row = at[1];
+#else
+    row = at[2] * c->n[1] + (at[2] % 2 ? c->n[1] - 1 - at[1] : at[1]);
+#endif
+    return row * c->n[0] + (row % 2 ? c->n[0] - 1 - at[0] : at[0]);
+}
+
+/* Counts into start[cell + 2], so that after placing start[cell] is right. */
+static void count(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
+{
+    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++)
+        if (list->slot[i] >= 0) {
+            list->slot[i] = rank(c, position(list, cloud, kind, i));
+            c->start[list->slot[i] + 2]++;
+        }
+
+    size_t cells = 1;
+    for (int d = 0; d < DIM; d++)
+        cells *= (size_t)c->n[d];
+    c->start[0] = c->start[1] = list->start[kind];
+    for (size_t k = 2; k <= cells + 1; k++)
+        c->start[k] += c->start[k - 1];
+}
+
+static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
+{
+    struct list_private *own = list->own;
+
+    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
+        const double *x = position(list, cloud, kind, i);
+        double *built = own->built + (size_t)DIM * (size_t)i;
+
+        if (list->slot[i] < 0) {
+            for (int d = 0; d < DIM; d++)
+                built[d] = INFINITY;
+            continue;
+        }
+        const int s = c->start[list->slot[i] + 1]++;
+        list->slot[i] = s;
+        list->order[s] = i;
+        for (int d = 0; d < DIM; d++)
+            built[d] = own->place[d][s] = x[d];
+    }
+}
+
+int cells_sort(struct list *list, const struct cloud *cloud)
+{
+    list->start[0] = 0;
+    for (int kind = 0; kind < KINDS; kind++) {
+        struct cells *c = &list->own->cells[kind];
+        double high[DIM];
+        const int inside = bounds(list, cloud, kind, c->low, high);
+
+        TRY(make_grid(list, c, high, inside));
+        count(list, cloud, kind, c);
+        place(list, cloud, kind, c);
+        list->start[kind + 1] = list->start[kind] + inside;
+    }
+    list->listed = list->start[KINDS];
+    for (int d = 0; d < DIM; d++)
+        memset(list->own->place[d] + list->listed, 0, LIST_PAD * sizeof(double));
+    return STATUS_DONE;
+}

@@ -1,0 +1,54 @@
+/* kernel.h -- smoothing kernels, described by their support radius H:
+ *
+ *     W(r) = sigma_D / H^D  w(q),   q = r/H in [0, 1],   0 beyond.
+ *
+ * One file, one const struct, one line in space/kernels.c. */
+#ifndef SPACE_KERNEL_H
+#define SPACE_KERNEL_H
+
+#include "space/lanes.h"
+
+struct kernel {
+    const char *name, *about, *source;
+    double sigma[4]; /* [D] normalisation in 2D and 3D, 0 where undefined    */
+
+    /* The shape and its first two derivatives by q [1], for q in [0, 1]. */
+    double (*w)(double q);
+    double (*dw)(double q);
+    double (*ddw)(double q);
+
+    /* g[k] = W'(r)/r [m^-(D+2)] and v[k] = W(r) [m^-D] for n rows of r^2
+     * [m^2]; exactly 0 from r = H on, finite at r = 0.  scale = sigma_D/H^D. */
+    void (*gradient)(double support, double scale, int n, const lanes *r2, lanes *g);
+    void (*value)(double support, double scale, int n, const lanes *r2, lanes *v);
+};
+
+/* A kernel as a scene uses it. */
+struct kernel_use {
+    const struct kernel *kernel;
+    double support; /* H [m]                                                 */
+    double scale;   /* sigma_D / H^D [m^-D]                                  */
+};
+
+#define kernel_wendland_c2 LANE_NAME(kernel_wendland_c2)
+#define kernel_cubic_spline LANE_NAME(kernel_cubic_spline)
+extern const struct kernel kernel_wendland_c2, kernel_cubic_spline;
+
+/* NULL-ended; the compiled width's own functions. */
+#define kernel_table LANE_NAME(kernel_table)
+extern const struct kernel *const kernel_table[];
+
+/* A kernel with its scale worked out; it must have a sigma in that dimension. */
+#define kernel_use_make LANE_NAME(kernel_use_make)
+struct kernel_use kernel_use_make(const struct kernel *kernel, double support, int dimension);
+
+/* W [m^-D], W' [m^-(D+1)] and the Laplacian of W in `dimension` dimensions
+ * [m^-(D+2)] at r >= 0 [m]; 0 from r = H on. */
+#define kernel_w LANE_NAME(kernel_w)
+#define kernel_gradient LANE_NAME(kernel_gradient)
+#define kernel_laplacian LANE_NAME(kernel_laplacian)
+double kernel_w(const struct kernel_use *use, double r);
+double kernel_gradient(const struct kernel_use *use, double r);
+double kernel_laplacian(const struct kernel_use *use, double r, int dimension);
+
+#endif

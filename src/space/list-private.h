@@ -1,0 +1,57 @@
+/* list-private.h -- what the files of the pair list share. */
+#ifndef SPACE_LIST_PRIVATE_H
+#define SPACE_LIST_PRIVATE_H
+
+#include "space/cells.h"
+#include "space/list.h"
+
+enum { LIST_PAD = 8 }; /* places may be read this far beyond the last slot   */
+
+/* The rows one thread made; what a thread needs to make them. */
+struct list_store {
+    int *j;                /* [room] rows                                    */
+    size_t used, room;     /* entries                                        */
+    struct list_found *found;
+    size_t founds, found_room;
+    int *near;             /* [lanes][near_room] neighbours of one group     */
+    size_t near_room;
+    bool failed;           /* out of memory                                  */
+};
+
+/* A segment whose rows may still move in memory. */
+struct list_found {
+    int partner, rows;
+    size_t at; /* first entry in its store                                   */
+};
+
+struct list_private {
+    double *built;      /* [n][DIM] position at the last rebuild [m];
+                           infinite for those left out                       */
+    double *place[DIM]; /* [listed + LIST_PAD] the same in slot order        */
+    struct cells cells[KINDS];
+    int stores;
+    struct list_store *store; /* [stores]                                    */
+    int *group_slot, *group_kind, *segment_from;
+    long *rows_before;
+    struct list_segment *segment;
+    size_t segment_room;
+};
+
+/* A list whose rows are `lanes` wide. */
+int list_create(struct list **list, const struct list_def *def, int lanes);
+void list_free(struct list **list);
+bool list_stale(const struct list *list, const struct cloud *cloud);
+
+/* Makes the list right; `rows` makes the rows of the stores for one thread's
+ * groups from..to-1. */
+typedef void list_rows(struct list *list, struct list_store *store, int from, int to);
+int list_update(struct list *list, const struct cloud *cloud, list_rows *rows);
+
+/* Room for `want` entries in all in an array that grows by half at least;
+ * false without memory, the array is as it was. */
+bool list_grow(void **array, size_t *room, size_t want, size_t size);
+
+/* The failure that goes with it; for one thread at a time. */
+int list_no_memory(const struct list *list);
+
+#endif

@@ -1,0 +1,276 @@
+/* list.c -- the pair list but for its rows: memory, freshness, rebuilding. */
+#include "space/list-private.h"
+
+#include "base/status.h"
+#include "space/threads.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORTH_THREADS = 20000 }; /* particles whose check repays waking them  */
+
+struct check {
+    bool moved;
+    int bad; /* lowest particle whose position is not finite, or n            */
+};
+
+bool list_grow(void **array, size_t *room, size_t want, size_t size)
+{
+    if (want <= *room)
+        return true;
+    size_t now = *room + *room / 2;
+    if (now < want)
+        now = want;
+    void *bigger = now <= SIZE_MAX / size ? realloc(*array, now * size) : NULL;
+    if (!bigger)
+        return false;
+    *array = bigger;
+    *room = now;
+    return true;
+}
+
+int list_no_memory(const struct list *list)
+{
+    return status_fail(STATUS_FAILED, "no memory for the pair list of %d particles: they are "
+                       "too many for this machine, or have drawn together in one place", list->n);
+}
+
+static void *array(size_t count, size_t size)
+{
+    return status_alloc(count > 0 ? count : 1, size);
+}
+
+int list_create(struct list **list, const struct list_def *def, int lanes)
+{
+    struct list *made = array(1, sizeof *made);
+    struct list_private *own = array(1, sizeof *own);
+    const size_t n = (size_t)def->from[KINDS];
+    const size_t groups = n / (size_t)lanes + KINDS;
+
+    *list = made;
+    if (!made || !own) {
+        free(own);
+        free(made);
+        *list = NULL;
+        return STATUS_FAILED;
+    }
+    *made = (struct list){ .def = *def, .lanes = lanes, .n = (int)n, .bad = -1, .own = own };
+    made->order = array(n, sizeof *made->order);
+    made->slot = array(n, sizeof *made->slot);
+    own->built = array(n * DIM, sizeof *own->built);
+    bool good = made->order && made->slot && own->built;
+    for (int d = 0; d < DIM; d++)
+        good = good && (own->place[d] = array(n + LIST_PAD, sizeof(double)));
+    made->group_slot = own->group_slot = array(groups, sizeof *own->group_slot);
+    made->group_kind = own->group_kind = array(groups, sizeof *own->group_kind);
+    made->segment_from = own->segment_from = array(groups + 1, sizeof *own->segment_from);
+    made->rows_before = own->rows_before = array(groups + 1, sizeof *own->rows_before);
+    if (good && own->group_slot && own->group_kind && own->segment_from && own->rows_before)
+        return STATUS_DONE;
+    list_free(list);
+    return STATUS_FAILED;
+}
+
+void list_free(struct list **list)
+{
+    if (!*list)
+        return;
+    struct list_private *own = (*list)->own;
+
+    for (int t = 0; t < own->stores; t++) {
+        free(own->store[t].j);
+        free(own->store[t].found);
+        free(own->store[t].near);
+    }
+    for (int kind = 0; kind < KINDS; kind++)
+        free(own->cells[kind].start);
+    for (int d = 0; d < DIM; d++)
+        free(own->place[d]);
+    free(own->store);
+    free(own->built);
+    free(own->group_slot);
+    free(own->group_kind);
+    free(own->segment_from);
+    free(own->rows_before);
+    free(own->segment);
+    free(own);
+    free((*list)->order);
+    free((*list)->slot);
+    free(*list);
+    *list = NULL;
+}
+
+/* One who moved far, was left out, or is nowhere: which of them? */
+static void look_closer(const struct list *list, int i, const double *x, struct check *c)
+{
+    for (int d = 0; d < DIM; d++)
+        if (!isfinite(x[d])) {
+            c->bad = i < c->bad ? i : c->bad;
+            return;
+        }
+    if (list->slot[i] >= 0 || list_inside(&list->def, x))
+        c->moved = true;
+}
+
+/* Displacements of the particles from..to-1 of one kind, x of the first; those
+ * left out have an infinite `built`, so they are always looked at. */
+static void check_range(const struct list *list, const double *x, int from, int to,
+                        struct check *c)
+{
+    const double *built = list->own->built + (size_t)DIM * (size_t)from;
+    const double limit = list->def.skin / 2;
+
+    for (int i = from; i < to; i++, x += DIM, built += DIM) {
+        double far = 0;
+
+        for (int d = 0; d < DIM; d++)
+            far += (x[d] - built[d]) * (x[d] - built[d]);
+        if (!(far <= limit * limit))
+            look_closer(list, i, x, c);
+    }
+}
+
+static struct check check(const struct list *list, const struct cloud *cloud)
+{
+    bool moved = false;
+    int bad = list->n;
+
+#pragma omp parallel if (list->n > WORTH_THREADS) reduction(|| : moved) reduction(min : bad)
+    {
+        struct check c = { false, list->n };
+        const long t = threads_me(), of = threads_all();
+
+        for (int kind = 0; kind < KINDS; kind++) {
+            const long first = list->def.from[kind], n = list->def.from[kind + 1] - first;
+            const int from = (int)(first + n * t / of), to = (int)(first + n * (t + 1) / of);
+
+            check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
+        }
+        moved = c.moved;
+        bad = c.bad;
+    }
+    return (struct check){ moved, bad };
+}
+
+bool list_stale(const struct list *list, const struct cloud *cloud)
+{
+    if (list->builds == 0)
+        return true;
+    const struct check c = check(list, cloud);
+    return c.moved || c.bad < list->n;
+}
+
+/* Before the first build everybody counts as left out. */
+static void forget(struct list *list)
+{
+    for (int i = 0; i < list->n; i++) {
+        list->slot[i] = -1;
+        for (int d = 0; d < DIM; d++)
+            list->own->built[(size_t)DIM * (size_t)i + (size_t)d] = INFINITY;
+    }
+}
+
+static void make_groups(struct list *list)
+{
+    struct list_private *own = list->own;
+
+    list->groups = 0;
+    for (int kind = 0; kind < KINDS; kind++) {
+        list->group_from[kind] = list->groups;
+        if (!list->def.acts[kind])
+            continue;
+        for (int s = list->start[kind]; s < list->start[kind + 1]; s += list->lanes) {
+            own->group_slot[list->groups] = s;
+            own->group_kind[list->groups++] = kind;
+        }
+    }
+    list->group_from[KINDS] = list->groups;
+}
+
+static int make_stores(struct list *list, int threads)
+{
+    struct list_private *own = list->own;
+    size_t room = (size_t)own->stores;
+
+    if (threads > own->stores) {
+        if (!list_grow((void **)&own->store, &room, (size_t)threads, sizeof *own->store))
+            return list_no_memory(list);
+        memset(own->store + own->stores, 0, (room - (size_t)own->stores) * sizeof *own->store);
+        own->stores = (int)room;
+    }
+    for (int t = 0; t < own->stores; t++) {
+        own->store[t].used = own->store[t].founds = 0;
+        own->store[t].failed = false;
+    }
+    return STATUS_DONE;
+}
+
+/* Now that the stores no longer move: segments in order of groups. */
+static int join(struct list *list)
+{
+    struct list_private *own = list->own;
+    size_t n = 0;
+
+    for (int t = 0; t < own->stores; t++) {
+        if (own->store[t].failed)
+            return list_no_memory(list);
+        n += own->store[t].founds;
+    }
+    if (!list_grow((void **)&own->segment, &own->segment_room, n, sizeof *own->segment))
+        return list_no_memory(list);
+    list->segment = own->segment;
+    n = 0;
+    for (int t = 0; t < own->stores; t++) {
+        const struct list_store *s = &own->store[t];
+
+        for (size_t k = 0; k < s->founds; k++)
+            own->segment[n++] = (struct list_segment){ s->found[k].partner, s->found[k].rows,
+                                                       s->j + s->found[k].at };
+    }
+    own->segment_from[0] = 0;
+    own->rows_before[0] = 0;
+    for (int g = 0; g < list->groups; g++) {
+        own->segment_from[g + 1] += own->segment_from[g];
+        own->rows_before[g + 1] += own->rows_before[g];
+    }
+    return STATUS_DONE;
+}
+
+static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
+{
+    TRY(cells_sort(list, cloud));
+    make_groups(list);
+    TRY(make_stores(list, threads_most()));
+#pragma omp parallel
+    {
+        const long t = threads_me(), of = threads_all();
+
+        rows(list, &list->own->store[t], (int)(list->groups * t / of),
+             (int)(list->groups * (t + 1) / of));
+    }
+    TRY(join(list));
+    list->builds++;
+    return STATUS_DONE;
+}
+
+int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
+{
+    if (list->builds == 0)
+        forget(list);
+    const struct check c = check(list, cloud);
+
+    list->bad = c.bad < list->n ? c.bad : -1;
+    if (list->bad >= 0)
+        return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
+                           "was too large, or a force is not finite", list->bad);
+    return c.moved || list->builds == 0 ? rebuild(list, cloud, rows) : STATUS_DONE;
+}
+
+/* Entries of the rows, padding and growth; positions, order and cells. */
+double list_bytes(long n, double neighbours)
+{
+    return (double)n * (1.25 * neighbours * sizeof(int) + (2.0 * DIM + 4) * sizeof(double)
+                        + 2 * sizeof(int));
+}

@@ -1,0 +1,93 @@
+/* list.h -- who is near whom.
+ *
+ *     TRY(engine->create(&list, &def));
+ *     TRY(engine->update(list, &cloud));    before every sum: cheap when fresh
+ *     for groups g, for segments s of g: rows of slots s->j
+ *     engine->free(&list);
+ *
+ * The list sorts everybody by kind and cell ("slots"), holds for each group of
+ * LANES owners the rows of their neighbours, and is rebuilt only when somebody
+ * moved so far that a pair may be missing: further than half the skin.  The
+ * order is made from positions and creation order alone (kind, then cell, then
+ * creation index), so a rebuild at given positions gives given bits.  A lane's
+ * neighbours stand in ascending order of slots, nobody is his own neighbour,
+ * and all pairs closer than support + skin at the last rebuild are there.
+ *
+ * Particles outside the box are left out: no slot, no cell, no pairs, until
+ * they come back in, which forces a rebuild.  Those who leave the box stay in
+ * the list until the next rebuild: whoever sums must mask them. */
+#ifndef SPACE_LIST_H
+#define SPACE_LIST_H
+
+#include "space/kinds.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct list_def {
+    int from[KINDS + 1];         /* creation order                           */
+    unsigned acts[KINDS];        /* partner kinds by owner kind, KIND_BITs   */
+    double support;              /* largest kernel support H           [m]   */
+    double skin;                 /* extra radius of the list           [m]   */
+    double low[DIM], high[DIM];  /* box outside of which nobody counts [m]   */
+};
+
+/* Rows of one group of owners against one kind of partner. */
+struct list_segment {
+    int partner;  /* enum kind                                               */
+    int rows;
+    const int *j; /* [rows][lanes] slots; `listed` where a lane has no more  */
+};
+
+struct list {
+    struct list_def def;
+    int lanes;             /* width of the rows                              */
+    int n;                 /* particles                                      */
+    int listed;            /* slots in use; slot `listed` is the dummy       */
+    int start[KINDS + 1];  /* kind k: slots start[k] .. start[k+1]-1         */
+    int *order;            /* [listed] creation index of a slot              */
+    int *slot;             /* [n] slot of a creation index, -1: left out     */
+    int groups;            /* groups of owners, all kinds                    */
+    int group_from[KINDS + 1]; /* owners of kind k: groups [k] .. [k+1]-1;
+                              none when def.acts[k] is 0                     */
+    const int *group_slot; /* [groups] first slot of a group: multiples of
+                              lanes after start[kind]; the last group of a
+                              kind may reach beyond start[kind + 1]          */
+    const int *group_kind; /* [groups] enum kind of its owners               */
+    const int *segment_from; /* [groups+1] into segment                      */
+    const long *rows_before; /* [groups+1] rows of all groups before: the work */
+    const struct list_segment *segment;
+    long builds;           /* rebuilds so far                                */
+    int bad;               /* particle whose position is not finite, or -1   */
+    struct list_private *own;
+};
+
+/* One implementation a lane width; the plan picks by the machine. */
+struct list_engine {
+    int lanes;
+    int (*create)(struct list **list, const struct list_def *def);
+    void (*free)(struct list **list); /* NULL is welcome */
+
+    /* Makes the list right for these positions: nothing when nobody moved more
+     * than the skin allows, else a rebuild.  0, or STATUS_FAILED with
+     * list->bad when a position is not finite. */
+    int (*update)(struct list *list, const struct cloud *cloud);
+
+    /* True when update() would rebuild or fail (the list is not touched). */
+    bool (*stale)(const struct list *list, const struct cloud *cloud);
+};
+extern const struct list_engine list_engine_lanes2, list_engine_lanes4;
+
+/* Inside the box? NaN is outside. */
+static inline bool list_inside(const struct list_def *def, const double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        if (!(x[d] >= def->low[d] && x[d] <= def->high[d]))
+            return false;
+    return true;
+}
+
+/* Bytes that a list for n owners with about `neighbours` entries each (skin
+ * included) will take. */
+double list_bytes(long n, double neighbours);
+
+#endif

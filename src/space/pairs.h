@@ -1,0 +1,75 @@
+/* pairs.h -- what a pair law sees: rows of neighbours, lanes wide.
+ *
+ * Row k holds the k-th neighbour of each of the LANES owners.  A law is a loop
+ * over rows that adds to its own sum; it is written symmetric in its two
+ * sides, so that both sides of a pair come out bitwise opposite in force. */
+#ifndef SPACE_PAIRS_H
+#define SPACE_PAIRS_H
+
+#include "space/kinds.h"
+#include "space/lanes.h"
+
+enum { PAIRS_ROWS = 64 }; /* rows of a block at most; more are sliced        */
+
+/* Rows a law asks for. */
+enum need {
+    NEED_X = 1 << 0,     /* x                                                */
+    NEED_V = 1 << 1,     /* v                                                */
+    NEED_RHO = 1 << 2,   /* rho                                              */
+    NEED_P2 = 1 << 3,    /* p2                                               */
+    NEED_MASS = 1 << 4,  /* m                                                */
+    NEED_IRHO = 1 << 5,  /* irho                                             */
+    NEED_R2 = 1 << 6,    /* r2                                               */
+    NEED_XV = 1 << 7,    /* xv                                               */
+    NEED_GRADW = 1 << 8, /* gw                                               */
+    NEED_W = 1 << 9      /* w                                                */
+};
+
+/* The owners' own values. */
+struct side {
+    lanes x[DIM], v[DIM]; /* position [m], velocity [m/s]                    */
+    lanes rho, p2;        /* density [kg/m^D], p/rho^2                       */
+    lanes m, irho;        /* mass [kg], 1/rho                                */
+};
+
+struct block {
+    int n;                     /* rows in use, <= PAIRS_ROWS                 */
+    lanes x[DIM][PAIRS_ROWS];  /* x_a - x_b                        [m]       */
+    lanes v[DIM][PAIRS_ROWS];  /* v_a - v_b                        [m/s]     */
+    lanes r2[PAIRS_ROWS];      /* r^2                              [m^2]     */
+    lanes xv[PAIRS_ROWS];      /* x . v                            [m^2/s]   */
+    lanes gw[PAIRS_ROWS];      /* m_a m_b W'(r)/r, 0 beyond the support      */
+    lanes w[PAIRS_ROWS];       /* m_a m_b W(r), 0 beyond the support         */
+    lanes rho[PAIRS_ROWS], p2[PAIRS_ROWS], m[PAIRS_ROWS], irho[PAIRS_ROWS]; /* of b */
+};
+
+/* What one law adds up for its owners. */
+struct sum {
+    lanes f[DIM]; /* force                                         [N, 2D: N/m] */
+    lanes drho;   /* own mass times rate of density     [kg * kg/m^D / s]       */
+};
+
+typedef void pairs_law(const void *self, const struct side *a, const struct block *b,
+                       struct sum *to);
+
+struct kernel_use; /* space/kernel.h */
+
+/* One law at work between two kinds. */
+struct pairs_work {
+    pairs_law *law;
+    const void *self;
+    const struct kernel_use *kernel;
+    int slot; /* row of the book it is accounted in                          */
+};
+
+enum { PAIRS_LAWS = 12 };
+
+/* Everything that acts on owners of one kind from partners of one kind, in the
+ * order in which sums are added; laws that share a kernel stand together. */
+struct pairs_table {
+    int n;
+    unsigned needs; /* NEED_ bits of all of them                             */
+    struct pairs_work work[PAIRS_LAWS];
+};
+
+#endif

@@ -1,0 +1,43 @@
+/* shape.h -- regions of space that a scene names, and their parameters. */
+#ifndef SPACE_SHAPE_H
+#define SPACE_SHAPE_H
+
+#include "base/param.h"
+#include "space/kinds.h"
+#include <stdbool.h>
+
+enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME };
+
+/* As a scene gives it (keys of shape_params); a frame is the shell of
+ * `layers` spacings around the domain, with the corners between two closed
+ * sides.  Vectors and radius that a scene did not give are NaN. */
+struct shape {
+    const char *type;           /* "box", "polygon", "disc" | "sphere", "frame" */
+    double from[3], to[3];      /* box: lowest and highest corner   [m]       */
+    struct param_points points; /* polygon: corners in turn         [m]       */
+    double centre[3], radius;   /* disc, sphere                     [m]       */
+    enum shape_type kind;       /* set by shape_check                         */
+    /* set by the caller for a frame */
+    double low[3], high[3];     /* the domain                       [m]       */
+    double thickness;           /* of the shell                     [m]       */
+    unsigned open;              /* sides left out, SHAPE_SIDE bits            */
+};
+
+/* Sides: left right bottom top in 2D, and front back in 3D; up is the last
+ * coordinate in 3D too: left/right are x, front/back y, bottom/top z. */
+extern const char *const shape_sides[];
+unsigned shape_side(int axis, bool high); /* bit as in shape_sides            */
+
+extern const struct param shape_params[]; /* type, from, to, points, centre, radius */
+extern const char *const shape_types[];   /* allowed in this dimension        */
+
+/* Sets kind; refuses what makes no sense (to below from, fewer than three
+ * corners, crossing edges, radius 0, a disc in 3D, keys of another type).
+ * path is the object ("wall.block"), where is "FILE:LINE". */
+int shape_check(struct shape *s, const char *path, const char *where);
+
+/* Half-open: a point on the border of two shapes is in one of them only. */
+bool shape_contains(const struct shape *s, const double *x);
+void shape_bounds(const struct shape *s, double *low, double *high); /* [DIM] */
+
+#endif

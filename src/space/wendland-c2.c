@@ -1,0 +1,62 @@
+/* wendland-c2.c -- the smoothing kernel that everybody gets by default.
+ *
+ *   w(q) = (1 - q)^4 (1 + 4 q),  sigma_2 = 7/pi,  sigma_3 = 21/(2 pi)         (K1)
+ *
+ * in q = r/H.  Its Fourier transform is positive, so particles do not pair.
+ * W'(r)/r = -20 sigma/H^(D+2) (1 - q)^3 needs no division by r.
+ * Wendland, Adv. Comput. Math. 4 (1995) 389-396; Dehnen, Aly, Mon. Not. R.
+ * Astron. Soc. 425 (2012) 1068-1082.  Checked in tests/unit/space.c. */
+#include "space/kernel.h"
+
+#include <math.h>
+
+static double shape(double q)
+{
+    const double t = 1 - q;
+
+    return t * t * t * t * (1 + 4 * q);
+}
+
+static double slope(double q)
+{
+    const double t = 1 - q;
+
+    return -20 * q * t * t * t;
+}
+
+static double curvature(double q)
+{
+    const double t = 1 - q;
+
+    return -20 * t * t * (1 - 4 * q);
+}
+
+static void gradient(double support, double scale, int n, const lanes *r2, lanes *g)
+{
+    const double inverse = 1 / support;
+    const double factor = -20 * scale * inverse * inverse;
+
+    for (int k = 0; k < n; k++) {
+        const lanes t = lanes_positive(1 - inverse * lanes_sqrt(r2[k]));
+        g[k] = factor * t * (t * t);
+    }
+}
+
+static void value(double support, double scale, int n, const lanes *r2, lanes *v)
+{
+    const double inverse = 1 / support;
+
+    for (int k = 0; k < n; k++) {
+        const lanes q = inverse * lanes_sqrt(r2[k]);
+        const lanes t = lanes_positive(1 - q);
+        v[k] = scale * (t * t) * (t * t) * (1 + 4 * q);
+    }
+}
+
+const struct kernel kernel_wendland_c2 = {
+    .name = "wendland-c2", .about = "smooth, no pairing of particles, cheap",
+    .source = "Wendland 1995; Dehnen, Aly 2012",
+    .sigma = { [2] = 7 / M_PI, [3] = 21 / (2 * M_PI) },
+    .w = shape, .dw = slope, .ddw = curvature,
+    .gradient = gradient, .value = value,
+};

@@ -1,0 +1,45 @@
+/* layout.h -- which numbers of y mean what.
+ *
+ * y = all positions, all velocities, everything else.  The layout is made from
+ * rows; who needs an offset asks each time, so that it may be remade. */
+#ifndef STATE_LAYOUT_H
+#define STATE_LAYOUT_H
+
+enum layout_class { LAYOUT_POSITION, LAYOUT_VELOCITY, LAYOUT_OTHER, LAYOUT_CLASSES };
+
+struct layout_row {
+    char name[48];
+    const char *unit;
+    enum layout_class what;
+    int n, components;   /* y holds [n][components], creation order          */
+    double scale;        /* error of size tol * scale is an error of size 1;
+                            0: a quadrature, which no error test sees        */
+    long offset;         /* set by layout_done()                             */
+};
+
+enum { LAYOUT_ROWS = 128 };
+
+struct layout {
+    int rows;
+    struct layout_row row[LAYOUT_ROWS];
+    long from[LAYOUT_CLASSES + 1]; /* class c: y[from[c]] .. y[from[c+1]-1]  */
+};
+
+/* Adds a row and returns its number; -1 (a failure is kept) when full, when the
+ * name is too long or a number makes no sense.  Start from a zeroed layout. */
+int layout_add(struct layout *l, enum layout_class what, const char *name, const char *unit,
+               int n, int components, double scale);
+
+/* Gives all rows their offsets. */
+void layout_done(struct layout *l);
+
+long layout_size(const struct layout *l);
+long layout_at(const struct layout *l, int row); /* offset of a row */
+
+/* Weight 1/(tol*scale) of every entry; quadratures get 1e-12. */
+void layout_weights(const struct layout *l, double tol, double *weight);
+
+/* Row that holds y[i], and which of its n things that is; NULL beyond y. */
+const struct layout_row *layout_find(const struct layout *l, long i, int *which);
+
+#endif

@@ -1,0 +1,9 @@
+/* memory.h -- how much memory this machine can give. */
+#ifndef STATE_MEMORY_H
+#define STATE_MEMORY_H
+
+/* Bytes free for programs: MemAvailable of a file like /proc/meminfo; where
+ * there is none, the free pages that sysconf() knows of; 0: nobody can tell. */
+double memory_available(const char *meminfo);
+
+#endif

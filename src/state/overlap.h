@@ -1,0 +1,11 @@
+/* overlap.h -- are particles of different objects too near each other. */
+#ifndef STATE_OVERLAP_H
+#define STATE_OVERLAP_H
+
+#include "state/fill.h"
+
+/* Refuses fluid nearer than 0.7 dx to another object; warns of walls that fill
+ * the same space.  item[k] is what object k was made from, dx [m]. */
+int overlap_check(const struct particles *p, const struct fill_item *item, double dx);
+
+#endif

@@ -1,0 +1,85 @@
+/* part.h -- the contract of a piece of physics: one file, one const struct at
+ * its end, one line in its room's table.
+ *
+ * A part's parameters are read into a struct of its own (`self`, `size` bytes)
+ * by its rows; prepare() then derives constants.  Members that are NULL are
+ * never called. */
+#ifndef STATE_PART_H
+#define STATE_PART_H
+
+#include "base/param.h"
+#include "state/layout.h"
+#include "state/particles.h"
+#include <stdbool.h>
+
+struct side;  /* space/pairs.h, lanes wide: only hot rooms look inside */
+struct block;
+struct sum;
+
+enum { /* fields */
+    FIELD_DENSITY = 1 << 0,
+    FIELD_PRESSURE = 1 << 1
+};
+
+enum { /* columns of a pair law's sum */
+    COLUMN_FORCE = 1 << 0,
+    COLUMN_DRHO = 1 << 1
+};
+
+/* The largest explicit step a part's physics allows: a method multiplies 1/rate
+ * by its own stability factor, which differs for waves and for decay. */
+struct limit {
+    double rate;    /* largest |eigenvalue| of the part [1/s]; 0: no limit    */
+    bool decay;     /* eigenvalues are real and negative, else imaginary      */
+    int where;      /* particle (creation order) or element that sets it      */
+    char part[64];  /* name of the part                                       */
+};
+
+struct energies {
+    double kinetic, potential, internal, elastic; /* [J, 2D: J/m] */
+};
+
+typedef void part_pairs(const void *self, const struct side *a, const struct block *b,
+                        struct sum *to);
+
+struct part {
+    const char *name, *about;
+    const char *equation; /* in plain characters, with its label              */
+    const char *source;
+    size_t size;
+    const struct param *params;
+
+    unsigned needs, provides; /* FIELD_ bits                                  */
+    unsigned rows;            /* NEED_ bits of pairs()                        */
+    unsigned columns;         /* COLUMN_ bits of pairs()                      */
+    unsigned acts[KINDS];     /* pairs(): partner kinds by owner kind         */
+    bool conservative;        /* its power only moves energy between kinetic
+                                 and internal: booked as pressure_defect      */
+
+    /* Adds rows to y; density_row[k] becomes the row that holds the density of
+     * kind k, for kinds whose density it evolves. */
+    int (*blocks)(void *self, const struct scales *s, const struct particles *p,
+                  struct layout *l, int density_row[KINDS]);
+
+    /* Derives constants from parameters; refuses what makes no sense. */
+    int (*prepare)(void *self, const struct scales *s);
+
+    /* Adds to the owners' own sum; written symmetric in its two sides. */
+    part_pairs *pairs;
+
+    /* Picks another law than pairs by what the parameters say, once. */
+    part_pairs *(*choose)(const void *self);
+
+    /* p [Pa] of n densities [kg/m^D] (parts that provide FIELD_PRESSURE). */
+    void (*pressure)(const void *self, int n, const double *rho, double *p);
+
+    /* Adds to the acceleration of the fluid, rate [n fluid][DIM] [m/s^2]. */
+    void (*field)(const void *self, const struct view *v, double (*rate)[DIM]);
+
+    void (*limit)(const void *self, const struct view *v, struct limit *out);
+
+    /* Adds what it stores. */
+    void (*energy)(const void *self, const struct view *v, struct energies *to);
+};
+
+#endif

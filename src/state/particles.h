@@ -1,0 +1,45 @@
+/* particles.h -- everybody in the tank, in creation order (for ever): fluid,
+ * walls, skins.  Only what does not evolve is held here; what evolves is in y. */
+#ifndef STATE_PARTICLES_H
+#define STATE_PARTICLES_H
+
+#include "space/kinds.h"
+#include "state/scales.h"
+
+/* A named thing of the scene that has particles: fluid, wall, beam, body. */
+struct object {
+    char name[64];   /* "tank", without the group                             */
+    enum kind kind;
+    int from, n;     /* creation order                                        */
+};
+
+struct particles {
+    const struct scales *scales;
+    int n, from[KINDS + 1];
+    double *m;            /* [n] mass                           [kg, 2D: kg/m] */
+    int *object_of;       /* [n] index into object                             */
+    unsigned char *dye;   /* [n] colour 0, 1, ...                              */
+    double (*x0)[DIM];    /* [n] position at t = 0              [m]            */
+    double (*x)[DIM];     /* [n] solids only: position now      [m]            */
+    double (*u)[DIM];     /* [n] solids only: velocity now      [m/s]          */
+    int objects;
+    struct object *object; /* [objects] in creation order                     */
+};
+
+/* Everybody at one moment: where to read x, u, rho of each kind. */
+struct view {
+    const struct particles *p;
+    double t;
+    const double *x[KINDS];   /* [count of kind][DIM] position   [m]           */
+    const double *u[KINDS];   /* [count of kind][DIM] velocity   [m/s]         */
+    const double *rho[KINDS]; /* [count of kind]      density    [kg/m^D]      */
+};
+
+static inline int particles_count(const struct particles *p, enum kind k)
+{
+    return p->from[k + 1] - p->from[k];
+}
+
+void particles_free(struct particles **p);
+
+#endif

@@ -1,0 +1,68 @@
+/* method.h -- a way of going through time: one file (or one row of a table),
+ * one const struct. */
+#ifndef TIME_METHOD_H
+#define TIME_METHOD_H
+
+#include "plan/plan.h"
+#include <stdbool.h>
+
+enum method_norm { METHOD_NORM_MAX, METHOD_NORM_P8, METHOD_NORM_WRMS };
+
+/* How a method is to run; method_def_default() first. */
+struct method_def {
+    double tol;           /* error per step in units of the layout's scales   */
+    enum method_norm norm;
+    double step;          /* CFL number of methods without error control
+                             (name@0.25); 0: the method's default             */
+    double h_first;       /* first step [s]; 0: the method chooses            */
+    double h_min;         /* a step below this is a collapse [s]              */
+};
+struct method_def method_def_default(void);
+
+enum method_limiter { METHOD_ERROR, METHOD_STABILITY, METHOD_OUTPUT };
+
+/* What one accepted step was. */
+struct method_step {
+    double t, h;                  /* time reached [s], length [s]             */
+    enum method_limiter limiter;  /* what kept h from being longer            */
+    char where[96];               /* "velocity of ... particle 17" (error) or
+                                     "pressure, particle 17" (stability)      */
+    long rejected;                /* since the start                          */
+};
+
+struct method {
+    const char *name;   /* "imex3", "leapfrog", or an ARKODE table's name     */
+    const char *about, *source;
+    bool adaptive;      /* has an error estimate (else `@` gives the step)    */
+
+    /* NULL, or why this method cannot serve the plan. */
+    const char *(*serves)(const struct plan *plan);
+
+    /* y [size] is copied.  def is copied. */
+    int (*create)(const struct method *m, const struct method_def *def, struct plan *plan,
+                  double t, const double *y, void **out);
+
+    /* One accepted step that does not pass t_stop (it may end exactly there).
+     * STATUS_FAILED when no step can be accepted; the message then says time,
+     * block, particle and the plan's refusal, and what to try. */
+    int (*step)(void *self, double t_stop, struct method_step *out);
+
+    /* y at t inside the last step (dense output of about the method's order);
+     * never asks for a right-hand side that could change later bits. */
+    int (*at)(void *self, double t, double *y);
+
+    const double *(*state)(const void *self);     /* y at the end of the last step */
+    int (*restart)(void *self, double t, const double *y); /* after an event  */
+    const char *(*table)(const void *self);       /* for run.json             */
+    void (*free)(void **self);
+};
+
+/* A method by name: "erk4", "imex3", "ARKODE_ZONNEVELD_5_3_4", "leapfrog@0.25"
+ * (the number goes to def->step).  STATUS_BAD_SCENE with the nearest name. */
+int method_find(const char *name, struct method_def *def, const struct method **out);
+extern const struct method *const method_table[]; /* NULL-ended, for `list`   */
+
+/* The name a scene gets that names none: by whether there is a stiff side. */
+const char *method_default(bool stiff);
+
+#endif
