@@ -4,12 +4,14 @@
 #include "cli/cli.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 int main(int argc, char **argv)
 {
     struct cli c;
     int dimension = 2, status = STATUS_DONE;
 
+    setenv("OMP_WAIT_POLICY", "passive", 0); /* read when the next program loads */
     cli_parse(argc, argv, &c);
     if (c.command == CLI_RUN || c.command == CLI_CHECK)
         status = cli_dimension(&c, &dimension);

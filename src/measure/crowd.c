@@ -153,10 +153,64 @@ void crowd_update(struct crowd *c, const struct view *v)
             c->start[c->cell[i] + 1]++;
     for (long i = 0; i < count; i++)
         c->start[i + 1] += c->start[i];
-    for (int i = c->p->n - 1; i >= 0; i--) /* fills each cell from its end */
+    for (int i = 0; i < c->p->n; i++)
         if (c->cell[i] != OUTSIDE)
-            c->order[--c->start[c->cell[i] + 1]] = i;
-    for (long i = 0; i < count; i++) /* start[i+1] is now where cell i begins */
-        c->start[i] = c->start[i + 1];
-    c->start[count] = c->p->n;
+            c->order[c->start[c->cell[i]]++] = i;
+    for (long i = count; i > 0; i--) /* each start has become the next one */
+        c->start[i] = c->start[i - 1];
+    c->start[0] = 0;
+}
+
+static const double *position(const struct crowd *c, int i)
+{
+    int k = KIND_FLUID;
+
+    while (i >= c->p->from[k + 1])
+        k++;
+    return c->view.x[k] + DIM * (long)(i - c->p->from[k]);
+}
+
+struct company {
+    int all, fluid;
+};
+
+static void count_cell(const struct crowd *c, const double *x, long cell, struct company *to)
+{
+    for (int m = c->start[cell]; m < c->start[cell + 1]; m++) {
+        const double *y = position(c, c->order[m]);
+        double r2 = 0;
+        for (int d = 0; d < DIM; d++)
+            r2 += (x[d] - y[d]) * (x[d] - y[d]);
+        to->all += r2 < c->reach2;
+        to->fluid += r2 < c->reach2 && c->order[m] < c->p->from[KIND_FLUID + 1];
+    }
+}
+
+/* Looks through the 3^D cells around x; counts x itself, too. */
+static struct company company(const struct crowd *c, const double *x)
+{
+    struct company found = { 0, 0 };
+    long from[3] = { 0, 0, 0 }, to[3] = { 0, 0, 0 };
+
+    for (int d = 0; d < DIM; d++) {
+        const long at = (long)((x[d] - c->low[d]) / c->size);
+        from[d] = at > 0 ? at - 1 : 0;
+        to[d] = at + 1 < c->cells[d] ? at + 1 : c->cells[d] - 1;
+    }
+    for (long i = from[0]; i <= to[0]; i++)
+        for (long j = from[1]; j <= to[1]; j++)
+            for (long k = from[2]; k <= to[2]; k++)
+                count_cell(c, x, DIM == 2 ? i * c->cells[1] + j
+                                          : (i * c->cells[1] + j) * c->cells[DIM - 1] + k, &found);
+    return found;
+}
+
+bool crowd_is_water(const struct crowd *c, int i)
+{
+    struct company found;
+
+    if (c->cell[i] == OUTSIDE)
+        return false;
+    found = company(c, position(c, i));
+    return found.all - 1 >= c->half && found.fluid - 1 >= c->quarter;
 }

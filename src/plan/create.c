@@ -173,14 +173,6 @@ static int make_bodies(struct plan *p)
     return STATUS_DONE;
 }
 
-static void frame_of(const struct plan *p, struct shape *s)
-{
-    memcpy(s->low, p->scales.low, sizeof s->low);
-    memcpy(s->high, p->scales.high, sizeof s->high);
-    s->thickness = ceil(p->in.kernel.support) * p->scales.dx;
-    s->open = p->in.domain.open | (p->in.domain.lid ? 0 : shape_side(DIM - 1, true));
-}
-
 static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DIM])
 {
     int n = 0, at = 0;
@@ -191,8 +183,7 @@ static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DI
         strcpy(item[n].name, p->in.fluid[i].name);
     }
     for (int i = 0; i < p->in.wall_count; i++, n++) {
-        struct input_wall *w = &p->in.wall[i];
-        frame_of(p, &w->set.shape);
+        const struct input_wall *w = &p->in.wall[i];
         item[n] = (struct fill_item){ .group = "wall", .where = w->where,
                                       .kind = w->set.slip ? KIND_WALL_SLIP : KIND_WALL,
                                       .shape = &w->set.shape };

@@ -6,6 +6,7 @@
 #include "pressure/pressure.h"
 #include "scene/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -168,6 +169,15 @@ static int read_fluids(struct scene *scene, struct input *in)
     return STATUS_DONE;
 }
 
+/* A frame goes around the domain, as thick as the kernel reaches. */
+static void frame_of(const struct input *in, struct shape *s)
+{
+    memcpy(s->low, in->domain.from, sizeof s->low);
+    memcpy(s->high, in->domain.to, sizeof s->high);
+    s->thickness = ceil(in->kernel.support) * in->set.spacing;
+    s->open = in->domain.open | (in->domain.lid ? 0 : shape_side(DIM - 1, true));
+}
+
 static int read_walls(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "wall");
@@ -187,6 +197,7 @@ static int read_walls(struct scene *scene, struct input *in)
                         (struct share[]){ { shape_params, &w->set.shape },
                                           { settings_wall_params, &w->set },
                                           { walls_motion_params, &w->motion } }, 3));
+        frame_of(in, &w->set.shape);
         TRY(shape_check(&w->set.shape, path, w->where));
     }
     return STATUS_DONE;

@@ -6,6 +6,7 @@
 #define PLAN_PLAN_H
 
 #include "state/layout.h"
+#include "state/limit.h"
 #include <stdbool.h>
 
 struct plan;
@@ -46,7 +47,6 @@ int plan_solve(struct plan *plan, double t, double gamma, const double *r, doubl
 /* Largest explicit step the physics allows: rates of waves and of decay [1/s],
  * with part and particle.  `stiff` says whether the implicit side is taken
  * explicitly too and so limits as well.  limit[0] is for waves, [1] for decay. */
-struct limit; /* state/part.h */
 void plan_limit(struct plan *plan, double t, const double *y, bool stiff, struct limit limit[2]);
 
 /* Error weights for a tolerance, constant during a run. */

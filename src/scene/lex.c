@@ -216,7 +216,7 @@ int scene_lex_line(struct scene_text *text, struct scene_place at, const char *l
     return scene_lex_put(text, "\n", 1);
 }
 
-int scene_lex_end(const struct scene_text *text)
+int scene_lex_end(struct scene_text *text)
 {
     const struct scene_level *level = &text->level[text->depth];
 
@@ -227,5 +227,5 @@ int scene_lex_end(const struct scene_text *text)
     if (scene_lex_awaits_value(text))
         return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
                            scene_place_text(text->place[text->lines - 1]), text->key, text->key);
-    return STATUS_DONE;
+    return scene_lex_put(text, "", 1); /* the zero at the end of a string */
 }

@@ -33,7 +33,7 @@ struct scene_level {      /* an open bracket */
 struct scene_text {
     struct scene_pool *pool;     /* for as long as the text is needed         */
     struct scene_pool *keep;     /* for as long as the scene: names of files  */
-    char *bytes;                 /* [n] what libconfig reads                  */
+    char *bytes;                 /* [n] what libconfig reads, ends with a 0   */
     int n, room;
     struct scene_place *place;   /* [lines] where each line of bytes is from  */
     int lines, places_room;
@@ -53,8 +53,8 @@ int scene_text_string(struct scene_text *text, const char *source);
 
 /* Adds one line (no newline in it). */
 int scene_lex_line(struct scene_text *text, struct scene_place at, const char *line);
-/* Refuses what is still open at the end of the last file. */
-int scene_lex_end(const struct scene_text *text);
+/* Refuses what is still open at the end of the last file, closes text->bytes. */
+int scene_lex_end(struct scene_text *text);
 
 struct scene_lex { /* a line on its way */
     struct scene_text *text;

@@ -125,18 +125,26 @@ static int add_key(struct scene_lex *l, const char *name)
     return STATUS_DONE;
 }
 
+static bool is_word(const char *s, int n, const char *word)
+{
+    return n == (int)strlen(word) && strncasecmp(s, word, (size_t)n) == 0;
+}
+
+static bool is_flag(const char *s, int n)
+{
+    return is_word(s, n, "true") || is_word(s, n, "false");
+}
+
 static int lex_key(struct scene_lex *l, int n)
 {
+    if (is_flag(l->s, n))
+        return status_fail(STATUS_BAD_SCENE, "%s: %.*s is a value and cannot be a name",
+                           scene_place_text(l->at), n, l->s);
     l->text->key = scene_pool_print(l->text->pool, "%.*s", n, l->s);
     if (!l->text->key)
         return STATUS_FAILED;
     TRY(add_key(l, l->text->key));
     return scene_lex_take(l, n, 'k');
-}
-
-static bool is_word(const char *s, int n, const char *word)
-{
-    return n == (int)strlen(word) && strncasecmp(s, word, (size_t)n) == 0;
 }
 
 /* A word where a value stands: only true and false go without quotes. */
@@ -151,7 +159,7 @@ static int lex_word(struct scene_lex *l, int n, const char *next)
     if (*next == '=')
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s = ... stands in a list, which holds values "
                            "only; settings with names stand in { }", where, n, l->s);
-    if (all == n && (is_word(l->s, n, "true") || is_word(l->s, n, "false")))
+    if (all == n && is_flag(l->s, n))
         return scene_lex_take(l, n, 'v');
     if (is_word(l->s, n, "yes") || is_word(l->s, n, "no") || is_word(l->s, n, "on") ||
         is_word(l->s, n, "off"))
@@ -168,6 +176,10 @@ int scene_token_name(struct scene_lex *l)
 
     if (scene_lex_awaits_value(l->text) || scene_lex_in_list(l->text))
         return lex_word(l, n, next);
+    if (l->s[n] & 0x80) { /* lex.c knows what is wrong with the letter that follows */
+        l->s += n;
+        return STATUS_DONE;
+    }
     if (*next == '=' || *next == ':')
         return lex_key(l, n);
     if (*next == '.')

@@ -9,7 +9,7 @@ void scene_write_number(double number, FILE *to)
 {
     char text[32];
 
-    for (int digits = 15; digits <= 17; digits++) {
+    for (int digits = 6; digits <= 17; digits++) {
         snprintf(text, sizeof text, "%.*g", digits, number);
         if (strtod(text, NULL) == number)
             break;

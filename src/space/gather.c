@@ -14,7 +14,7 @@
 #endif
 
 /* Fields at and at + 1 of the records of LANES slots. */
-static inline void pair_of_fields(const double *record, const int *j, int at, lanes *first,
+LANES_INLINE void pair_of_fields(const double *record, const int *j, int at, lanes *first,
                                   lanes *second)
 {
     const double *of[LANES];
@@ -39,7 +39,7 @@ static inline void pair_of_fields(const double *record, const int *j, int at, la
 }
 
 /* Everything that a record holds. */
-static inline void whole(const double *record, const int *j, struct side *s)
+LANES_INLINE void whole(const double *record, const int *j, struct side *s)
 {
     pair_of_fields(record, j, RECORD_X, &s->x[0], &s->x[1]);
     pair_of_fields(record, j, RECORD_V, &s->v[0], &s->v[1]);
@@ -52,7 +52,7 @@ static inline void whole(const double *record, const int *j, struct side *s)
 #endif
 }
 
-static inline lanes dot(const lanes *a, const lanes *b)
+LANES_INLINE lanes dot(const lanes *a, const lanes *b)
 {
     lanes sum = a[0] * b[0];
 
@@ -62,7 +62,7 @@ static inline lanes dot(const lanes *a, const lanes *b)
 }
 
 /* One row; `needs` is a constant, so what is not needed is not even loaded. */
-static inline void gather_row(const double *record, const int *j, const struct side *a,
+LANES_INLINE void gather_row(const double *record, const int *j, const struct side *a,
                               struct block *b, int k, unsigned needs)
 {
     struct side of;

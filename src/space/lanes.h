@@ -17,6 +17,10 @@ typedef long long lanes_mask __attribute__((vector_size(8 * LANES)));
 #define LANE_PASTE2(name, width) LANE_PASTE(name, width)
 #define LANE_NAME(name) LANE_PASTE2(name, LANES)
 
+/* For functions that are only fast with constant arguments: left to itself, the
+ * compiler stops copying them when they grow. */
+#define LANES_INLINE static inline __attribute__((always_inline))
+
 /* a where the mask is set, else 0 (also when a is not finite). */
 static inline lanes lanes_where(lanes_mask mask, lanes a)
 {

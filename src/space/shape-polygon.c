@@ -76,13 +76,6 @@ static bool edges_meet(const double *a, const double *b, const double *c, const 
         || (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
 }
 
-/* Does the outline turn straight back at b? */
-static bool folds_back(const double *a, const double *b, const double *c)
-{
-    return turn(a, b, c) == 0
-        && (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) < 0;
-}
-
 static int check_corners(const struct param_points *points, const char *path, const char *where)
 {
     const int n = points->n;
@@ -116,19 +109,6 @@ static int check_edges(const struct param_points *points, const char *path, cons
     return STATUS_DONE;
 }
 
-static int check_folds(const struct param_points *points, const char *path, const char *where)
-{
-    for (int i = 0; i < points->n; i++) {
-        const double *b = corner(points, i + 1);
-
-        if (folds_back(corner(points, i), b, corner(points, i + 2)))
-            return status_fail(STATUS_BAD_SCENE, "%s: %s: the outline turns straight back at corner"
-                               " %d (%g, %g) of points; check the order of the corners", where,
-                               path, (i + 1) % points->n + 1, b[0], b[1]);
-    }
-    return STATUS_DONE;
-}
-
 int shape_polygon_check(const struct param_points *points, const char *path,
                         const char *where)
 {
@@ -143,5 +123,5 @@ int shape_polygon_check(const struct param_points *points, const char *path,
     if (!(shape_polygon_area(points) > 1e-12 * (high[0] - low[0]) * (high[1] - low[1])))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: the points of this polygon enclose no area",
                            where, path);
-    return check_folds(points, path, where);
+    return STATUS_DONE;
 }

@@ -11,13 +11,15 @@
 
 enum { LAST = DIM - 1 }; /* the axis that points up */
 
-static const double reach = 1e6; /* largest coordinate a scene may use [m] */
+#define REACH 1e6 /* largest coordinate a scene may use [m] */
 
 #if DIM == 2
+#define BALL "disc"
 const char *const shape_sides[] = { "left", "right", "bottom", "top", NULL };
 const char *const shape_types[] = { "box", "polygon", "disc", "frame", NULL };
 static const char types_text[] = "box, polygon, disc or frame";
 #else
+#define BALL "sphere"
 const char *const shape_sides[] = { "left", "right", "bottom", "top", "front", "back", NULL };
 const char *const shape_types[] = { "box", "sphere", "frame", NULL };
 static const char types_text[] = "box, sphere or frame";
@@ -29,22 +31,22 @@ const struct param shape_params[] = {
     { .key = "type", .unit = "", .offset = PLACE(type), .type = PARAM_WORD, .words = shape_types,
       .about = "shape of the region; a frame is the shell around the domain" },
     { .key = "from", .unit = "m", .offset = PLACE(from), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -1e6, .max = 1e6,
+      .fallback = NAN, .min = -REACH, .max = REACH,
       .about = "lowest corner of a box, which needs it" },
     { .key = "to", .unit = "m", .offset = PLACE(to), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -1e6, .max = 1e6,
+      .fallback = NAN, .min = -REACH, .max = REACH,
       .about = "highest corner of a box, which needs it" },
 #if DIM == 2
     { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
-      .fallback = NAN, .min = -1e6, .max = 1e6,
+      .fallback = NAN, .min = -REACH, .max = REACH,
       .about = "corners of a polygon, in turn either way round; the last joins the first" },
 #endif
     { .key = "centre", .unit = "m", .offset = PLACE(centre), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -1e6, .max = 1e6,
-      .about = DIM == 2 ? "centre of a disc, which needs it" : "centre of a sphere, which needs it" },
+      .fallback = NAN, .min = -REACH, .max = REACH,
+      .about = "centre of a " BALL ", which needs it" },
     { .key = "radius", .unit = "m", .offset = PLACE(radius), .type = PARAM_NUMBER,
-      .fallback = NAN, .min = 0, .max = 1e6,
-      .about = DIM == 2 ? "radius of a disc, which needs it" : "radius of a sphere, which needs it" },
+      .fallback = NAN, .min = 0, .max = REACH,
+      .about = "radius of a " BALL ", which needs it" },
     { 0 },
 };
 
@@ -71,7 +73,7 @@ static bool gave_vector(const double *x)
 static bool is_vector(const double *x)
 {
     for (int d = 0; d < DIM; d++)
-        if (!(fabs(x[d]) <= reach))
+        if (!(fabs(x[d]) <= REACH))
             return false;
     return true;
 }
@@ -116,7 +118,7 @@ static int check_ball(const struct shape *s, const char *path, const char *where
     if (!is_vector(s->centre) || isnan(s->radius))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s needs centre and radius", where, path,
                            s->type);
-    if (!(s->radius > 0 && s->radius <= reach))
+    if (!(s->radius > 0 && s->radius <= REACH))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: radius is %g m, but a %s needs one above 0",
                            where, path, s->radius, s->type);
     return STATUS_DONE;
@@ -131,7 +133,7 @@ static int check_frame(const struct shape *s, const char *path, const char *wher
             return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame goes round the domain, but the"
                                " domain reaches from %g m to %g m along %c", where, path,
                                s->low[d], s->high[d], "xyz"[d]);
-    if (!(s->thickness > 0 && s->thickness <= reach))
+    if (!(s->thickness > 0 && s->thickness <= REACH))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame %g m thick holds nothing; it needs"
                            " one layer or more", where, path, s->thickness);
     if ((s->open & all) == all)

@@ -1,4 +1,6 @@
-/* overlap.c -- are particles of different objects too near each other.
+/* overlap.c -- are particles of different objects too near each other, or inside
+ * each other's shapes.  Distance alone does not tell: half a spacing off in all
+ * directions, one lattice passes between the sites of another.
  *
  * Particles are sorted into cells as wide as the distance in question, the
  * cells into buckets by their number modulo the buckets: near particles lie
@@ -32,7 +34,7 @@ static uint64_t bucket_of(const struct buckets *c, const double *x, const int *s
 }
 
 /* Counting sort: counts, ends of buckets, then members from the back. */
-static void sort(struct buckets *c, const struct particles *p)
+static void sort(const struct buckets *c, const struct particles *p)
 {
     const int here[3] = { 0 };
 
@@ -83,7 +85,8 @@ static void print_place(char *to, size_t room, const double *x)
     snprintf(to + used, room - used, ")");
 }
 
-static int refuse(const struct particles *p, const struct fill_item *item, int i, int j, double dx)
+static int refuse_near(const struct particles *p, const struct fill_item *item, int i, int j,
+                       double dx)
 {
     const struct fill_item *a = &item[p->object_of[i]], *b = &item[p->object_of[j]];
     char place[96];
@@ -94,6 +97,19 @@ static int refuse(const struct particles *p, const struct fill_item *item, int i
                        " near; move or shorten one of them so that their borders only touch",
                        a->where, a->group, a->name, b->group, b->name, b->where, place,
                        sqrt(distance2(p->x0[i], p->x0[j])), near_fluid, near_fluid * dx);
+}
+
+static int refuse_inside(const struct particles *p, const struct fill_item *item, int i, int k)
+{
+    const struct fill_item *a = &item[p->object_of[i]], *b = &item[k];
+    char place[96];
+
+    print_place(place, sizeof place, p->x0[i]);
+    return status_fail(STATUS_BAD_SCENE, "%s: %s.%s overlaps %s.%s (%s): a particle of %s.%s at"
+                       " %s m is inside; move or shorten one of them so that their borders only"
+                       " touch",
+                       a->where, a->group, a->name, b->group, b->name, b->where, a->group, a->name,
+                       place);
 }
 
 static void warn(const struct particles *p, const struct fill_item *item, int i, int j)
@@ -107,25 +123,55 @@ static void warn(const struct particles *p, const struct fill_item *item, int i,
                 place);
 }
 
-static int search(const struct buckets *c, const struct particles *p, const struct fill_item *item,
-                  double dx)
+static int check_distances(const struct buckets *c, const struct particles *p,
+                           const struct fill_item *item, double dx)
 {
-    const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
-
     for (int i = 0; i < p->from[KIND_FLUID + 1]; i++) {
         const int j = find_near(c, p, i, near_fluid * dx, ~0u);
 
         if (j >= 0)
-            return refuse(p, item, i, j, dx);
+            return refuse_near(p, item, i, j, dx);
     }
+    return STATUS_DONE;
+}
+
+static int check_insides(const struct particles *p, const struct fill_item *item)
+{
+    for (int i = 0; i < p->n; i++) {
+        const int own = p->object_of[i];
+
+        for (int k = 0; k < p->objects; k++) {
+            const bool fluid = item[k].kind == KIND_FLUID || item[own].kind == KIND_FLUID;
+
+            if (k != own && fluid && item[k].shape && shape_contains(item[k].shape, p->x0[i]))
+                return refuse_inside(p, item, i, k);
+        }
+    }
+    return STATUS_DONE;
+}
+
+static void check_walls(const struct buckets *c, const struct particles *p,
+                        const struct fill_item *item, double dx)
+{
+    const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
+
     for (int i = p->from[KIND_WALL]; i < p->from[KIND_WALL_SLIP + 1]; i++) {
         const int j = find_near(c, p, i, near_walls * dx, walls);
 
         if (j >= 0) {
             warn(p, item, i, j);
-            break;
+            return;
         }
     }
+}
+
+static int check(const struct buckets *c, const struct particles *p, const struct fill_item *item,
+                 double dx)
+{
+    sort(c, p);
+    TRY(check_distances(c, p, item, dx));
+    TRY(check_insides(p, item));
+    check_walls(c, p, item, dx);
     return STATUS_DONE;
 }
 
@@ -138,10 +184,8 @@ int overlap_check(const struct particles *p, const struct fill_item *item, doubl
         c.mask = 2 * c.mask + 1;
     c.start = status_alloc(c.mask + 2, sizeof *c.start);
     c.member = status_alloc(p->n, sizeof *c.member);
-    if (c.start && c.member) {
-        sort(&c, p);
-        code = search(&c, p, item, dx);
-    }
+    if (c.start && c.member)
+        code = check(&c, p, item, dx);
     free(c.start);
     free(c.member);
     return code;

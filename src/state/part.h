@@ -9,6 +9,7 @@
 
 #include "base/param.h"
 #include "state/layout.h"
+#include "state/limit.h"
 #include "state/particles.h"
 #include <stdbool.h>
 
@@ -24,15 +25,6 @@ enum { /* fields */
 enum { /* columns of a pair law's sum */
     COLUMN_FORCE = 1 << 0,
     COLUMN_DRHO = 1 << 1
-};
-
-/* The largest explicit step a part's physics allows: a method multiplies 1/rate
- * by its own stability factor, which differs for waves and for decay. */
-struct limit {
-    double rate;    /* largest |eigenvalue| of the part [1/s]; 0: no limit    */
-    bool decay;     /* eigenvalues are real and negative, else imaginary      */
-    int where;      /* particle (creation order) or element that sets it      */
-    char part[64];  /* name of the part                                       */
 };
 
 struct energies {

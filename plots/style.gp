@@ -1,0 +1,37 @@
+# style.gp -- what the other scripts share: the scene, colours, lines, and a way to find columns
+# by their names.  Colours after Okabe and Ito, told apart by colour-blind readers as well.
+#
+# A script is run in the folder figures/ of a run:  gnuplot forces.gp
+load 'constants.gp'
+set encoding utf8
+set datafile separator ','
+set datafile missing 'nan'
+
+array colour[7] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000']
+pick(i) = colour[1 + (i - 1) % 7]
+grey = '#8c8c8c'
+
+set border 3 lw 1.2 lc rgb '#404040'
+set tics nomirror out
+set grid lw 0.8 lc rgb '#dcdcdc'
+set key noenhanced
+per_depth = dim == 2 ? ' per metre of depth' : ''
+
+# `eval read_names` leaves the names of the columns of `table` in `names`, with blanks between, and
+# the number of rows in `rows`.  Above the rows stand two lines: units and names.
+read_names = "set datafile separator '\n'; \
+    stats table using (line = strcol(1), 0) every ::0::0 nooutput; \
+    set datafile separator ','; \
+    names = ''; \
+    do for [i = 1:strlen(line)] { names = names.(line[i:i] eq ',' ? ' ' : line[i:i]) }; \
+    stats table using 1 skip 2 nooutput; rows = STATS_records"
+
+# ends_in('left.fx', '.fx') is 1; stem('left.fx') is 'left'
+ends_in(word, end) = strlen(word) > strlen(end) && word[strlen(word) - strlen(end) + 1:*] eq end
+stem(word) = word[1:strstrt(word, '.') - 1]
+
+# `eval choose` leaves in `columns` the numbers of the columns whose names end in `end`.
+choose = "columns = ''; do for [i = 2:words(names)] { \
+    if (ends_in(word(names, i), end)) { columns = columns.' '.i } }"
+# `column_of(name)` is the number of a column, 0 when there is none.
+column_of(name) = sum [i = 1:words(names)] (word(names, i) eq name ? i : 0)

@@ -1,0 +1,149 @@
+/* beam-def.c -- a beam as a scene gives it: parameters, refusals, derived numbers.
+ *
+ *   EI = E b^3 / 12 per metre of width; with plane = "strain" / (1 - nu^2)   (BE3)
+ *
+ * A wide plate that bends about one axis only cannot narrow sideways, which makes
+ * it stiffer by 1/(1 - nu^2): Timoshenko and Woinowsky-Krieger, Theory of Plates
+ * and Shells, 1959, chapter 1. */
+#include "bodies/beam-def.h"
+
+#include "base/status.h"
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#define AT(member) .offset = offsetof(struct beam_def, member)
+
+static const char *const planes[] = { "none", "stress", "strain", NULL };
+static const char *const roots[] = { "clamped", "pinned", "free", NULL };
+static const char *const tips[] = { "free", "pinned", "clamped", NULL };
+
+const struct param beam_def_params[] = {
+    { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
+      .required = 1, .about = "position of the root (first node), on the axis" },
+    { .key = "angle", .unit = "deg", AT(angle), .fallback = 90, .min = -360, .max = 360,
+      .about = "direction of the axis from root to tip, counted from +x; 90 is upright" },
+    { .key = "length", .unit = "m", AT(length), .min = 1e-9, .max = 1e6, .required = 1,
+      .about = "from root to tip" },
+    { .key = "thickness", .unit = "m", AT(thickness), .min = 1e-9, .max = 1e6, .required = 1,
+      .about = "height of the section in stiffness and mass; the water feels the skin's layers" },
+    { .key = "E", .unit = "Pa", AT(E), .min = 1e-3, .max = 1e15, .required = 1,
+      .about = "Young's modulus" },
+    { .key = "nu", .unit = "", AT(nu), .fallback = 0.3, .min = 0, .max = 0.5,
+      .about = "Poisson's ratio; counts with plane = \"strain\" only" },
+    { .key = "plane", .unit = "", AT(plane), .type = PARAM_WORD, .words = planes,
+      .about = "strain: a wide plate, EI/(1 - nu^2); stress and none: a narrow strip, EI" },
+    { .key = "density", .unit = "kg/m^3", AT(density), .max = 1e6,
+      .about = "of the material; give this or mass, 0 is not given" },
+    { .key = "mass", .unit = "kg/m", AT(mass), .max = 1e9,
+      .about = "of the whole beam per metre of width; give this or density, 0 is not given" },
+    { .key = "elements", .unit = "", AT(elements), .fallback = 20, .min = 1, .max = 1000,
+      .type = PARAM_INTEGER, .about = "number of equal finite elements" },
+    { .key = "root", .unit = "", AT(root), .type = PARAM_WORD, .words = roots,
+      .about = "how the first end is held" },
+    { .key = "tip", .unit = "", AT(tip), .type = PARAM_WORD, .words = tips,
+      .about = "how the last end is held" },
+    { .key = "alpha", .unit = "1/s", AT(alpha), .max = 1e9,
+      .about = "damping by mass, D = alpha M + beta K; damps slow modes, ratio alpha/(2 omega)" },
+    { .key = "beta", .unit = "s", AT(beta), .max = 1e3,
+      .about = "damping by stiffness; damps fast modes, ratio beta omega/2" },
+    { .key = "damping_ratio", .unit = "", AT(damping_ratio), .max = 10,
+      .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha" },
+    { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,
+      .about = "layers of the skin; 0: as many as the kernel's support covers" },
+    { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
+      .about = "true: viscosity does not act on the skin" },
+    { .key = "tip_force", .unit = "N/m", AT(tip_force), .min = -1e12, .max = 1e12,
+      .about = "force across the tip from t = 0; positive to the left, looking from root to tip" },
+    { .key = "load", .unit = "N/m^2", AT(load), .min = -1e12, .max = 1e12,
+      .about = "uniform load across the beam from t = 0; positive as tip_force" },
+    { .key = "load_until", .unit = "s", AT(load_until), .max = 1e9,
+      .about = "when tip_force and load end and the beam swings freely; 0: never" },
+    { 0 },
+};
+
+static enum bending_end end_of(const char *word)
+{
+    if (strcmp(word, "clamped") == 0)
+        return BENDING_CLAMPED;
+    return strcmp(word, "pinned") == 0 ? BENDING_PINNED : BENDING_FREE;
+}
+
+static int check_mass(const struct beam_def *d, const char *path)
+{
+    if (d->density > 0 && d->mass > 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: both density = %g kg/m^3 and mass = %g kg/m are "
+                           "given, and density times thickness times length is %g kg/m; leave "
+                           "one of them out", path, d->density, d->mass,
+                           d->density * d->thickness * d->length);
+    if (!(d->density > 0 || d->mass > 0))
+        return status_fail(STATUS_BAD_SCENE, "%s: neither density nor mass is given, so the beam "
+                           "has no inertia; set density (kg/m^3, steel is 7850) or mass (of the "
+                           "whole beam, kg per metre of width)", path);
+    return STATUS_DONE;
+}
+
+static int check_ends(const struct beam_def *d, const char *path)
+{
+    const enum bending_end root = end_of(d->root), tip = end_of(d->tip);
+
+    if (root == BENDING_FREE && tip == BENDING_FREE)
+        return status_fail(STATUS_BAD_SCENE, "%s: root and tip are both free: the beam could drift "
+                           "along its own axis, a motion for which its elements have no degree of "
+                           "freedom, and no support takes the load along the axis; clamp or pin "
+                           "one end (root = \"clamped\")", path);
+    if (root == BENDING_CLAMPED && tip == BENDING_CLAMPED && d->elements == 1)
+        return status_fail(STATUS_BAD_SCENE, "%s: elements = 1 between two clamped ends leaves "
+                           "nothing that can move; set elements = 2 or more", path);
+    if (tip != BENDING_FREE && d->tip_force != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: tip_force = %g N/m pushes a tip that is %s and "
+                           "cannot give way; set tip = \"free\", or use load", path,
+                           d->tip_force, d->tip);
+    return STATUS_DONE;
+}
+
+int beam_def_check(const struct beam_def *d, const char *path)
+{
+    TRY(check_mass(d, path));
+    TRY(check_ends(d, path));
+    if (d->thickness > d->length)
+        return status_fail(STATUS_BAD_SCENE, "%s: thickness = %g m is more than length = %g m: "
+                           "that is a block, not a beam; are the two exchanged?", path,
+                           d->thickness, d->length);
+    if (d->load_until > 0 && d->tip_force == 0 && d->load == 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: load_until = %g s ends a load that is not there; "
+                           "set tip_force or load, or leave load_until out", path, d->load_until);
+    if (d->length < 5 * d->thickness)
+        status_warn("%s: length / thickness = %.2g: this beam has no shear, so that it bends too "
+                    "little by 3 %% and more when it is that stocky", path,
+                    d->length / d->thickness);
+    return STATUS_DONE;
+}
+
+struct bending_def beam_def_bending(const struct beam_def *d)
+{
+    const double wide = strcmp(d->plane, "strain") == 0 ? 1 - d->nu * d->nu : 1;
+    struct bending_def b = {
+        .elements = d->elements, .length = d->length,
+        .EI = d->E * pow(d->thickness, 3) / 12 / wide,
+        .mu = d->mass > 0 ? d->mass / d->length : d->density * d->thickness,
+        .alpha = d->alpha, .beta = d->beta,
+        .root = end_of(d->root), .tip = end_of(d->tip),
+    };
+
+    b.alpha += 2 * d->damping_ratio * bending_first(&b);
+    return b;
+}
+
+void beam_def_axes(const struct beam_def *d, double *along, double *across)
+{
+    const double turns = round(d->angle / 90), rest = (d->angle - 90 * turns) * M_PI / 180;
+    const int quarter = ((int)turns % 4 + 4) % 4;
+    const double c = cos(rest), s = sin(rest);
+    const double e[4][2] = { { c, s }, { -s, c }, { -c, -s }, { s, -c } };
+
+    along[0] = e[quarter][0];
+    along[1] = e[quarter][1];
+    across[0] = -along[1];
+    across[1] = along[0];
+}

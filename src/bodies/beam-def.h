@@ -1,0 +1,38 @@
+/* beam-def.h -- a beam as a scene gives it, and what follows from that. */
+#ifndef BODIES_BEAM_DEF_H
+#define BODIES_BEAM_DEF_H
+
+#include "base/param.h"
+#include "bodies/bending.h"
+
+struct beam_def {
+    double at[3];              /* root                                   [m]  */
+    double angle;              /* of the axis, root to tip, from +x      [deg] */
+    double length, thickness;  /* [m]                                         */
+    double E, nu;              /* [Pa], [1]                                   */
+    const char *plane;         /* "none", "stress", "strain"                  */
+    double density, mass;      /* [kg/m^3], [kg, 2D: kg/m]; 0: not given      */
+    int elements;
+    const char *root, *tip;    /* "clamped", "pinned", "free"                 */
+    double alpha, beta;        /* Rayleigh damping [1/s], [s]                 */
+    double damping_ratio;      /* of the first mode, adds to alpha            */
+    int layers;                /* of the skin; 0: as many as the kernel needs */
+    bool slip;
+    double tip_force;          /* across [N, 2D: N/m]                         */
+    double load;               /* across, per length [N/m, 2D: N/m^2]         */
+    double load_until;         /* [s]; 0: for ever                            */
+};
+
+extern const struct param beam_def_params[];
+
+/* Refuses (BAD_SCENE) what cannot stand; path is "beam.NAME". */
+int beam_def_check(const struct beam_def *d, const char *path);
+
+/* EI, mass per length, ends and damping, of a def that passed the check. */
+struct bending_def beam_def_bending(const struct beam_def *d);
+
+/* Unit vectors along the axis and across it (turned by +90 degrees), exact at
+ * multiples of 90 degrees. */
+void beam_def_axes(const struct beam_def *d, double *along, double *across);
+
+#endif

@@ -1,0 +1,48 @@
+/* beam-skin.h -- points that the water meets, carried by a bending beam.
+ *
+ * A point at s along the axis and eta beside it moves with the section there,
+ *
+ *   x = at + s e + eta n + w(s) n - eta theta(s) e                           (BE2)
+ *
+ * for small rotations; e points along the axis, n is e turned by +90 degrees.
+ * Forces go back by the transpose of the same numbers, so that the work of the
+ * forces on the points is the work on the beam, to rounding. */
+#ifndef BODIES_BEAM_SKIN_H
+#define BODIES_BEAM_SKIN_H
+
+#include "space/kinds.h"
+
+struct beam_skin_def {
+    double at[DIM], along[DIM], normal[DIM]; /* root [m], e, n               */
+    double length;                           /* [m]                          */
+    double spacing;                          /* dx; 0: no points      [m]    */
+    int elements, layers;
+};
+
+struct beam_skin_point {
+    int first;                  /* first of the element's degrees of freedom */
+    double eta;                 /* beside the axis, along n           [m]    */
+    double rest[DIM];           /* where it is when the beam is straight [m] */
+    double shape[4], slope[4];  /* of w and of theta                         */
+};
+
+struct beam_skin {
+    struct beam_skin_def def;
+    int points;
+    struct beam_skin_point *point;
+};
+
+/* Rows along the axis at (j + 1/2) spacings, the spacing fitted to the length;
+ * layers centred on the axis.  Free with beam_skin_free(&s). */
+int beam_skin_create(const struct beam_skin_def *def, struct beam_skin **out);
+void beam_skin_free(struct beam_skin **s); /* NULL is welcome */
+
+/* x, u [points][DIM] from deflections and rotations q and their rates v. */
+void beam_skin_move(const struct beam_skin *s, const double *q, const double *v,
+                    double (*x)[DIM], double (*u)[DIM]);
+
+/* Adds N^T force to f; force [points][DIM].  Returns the sum along the axis,
+ * which bends nothing. */
+double beam_skin_load(const struct beam_skin *s, const double (*force)[DIM], double *f);
+
+#endif

@@ -1,0 +1,261 @@
+/* beam.c -- an elastic beam in the water: Euler-Bernoulli, finite elements.
+ *
+ *   M w'' + D w' + K w = F,  D = alpha M + beta K                  (39)-(43), (BE1)-(BE3)
+ *
+ * F is the transpose of the skin's motion applied to the forces on its points,
+ * plus weight and prescribed loads.  M^-1 F is explicit; w' = v and
+ * v' = -M^-1 (K w + D v) are stiff and implicit.  Loads along the axis bend
+ * nothing: they go to the support.  Small deflections only: the tip of a beam
+ * that bends by a tenth of its length really draws back by 0.6 % of it, here by 0.
+ *
+ * Toth 2012 (seed 000), section 4, with consistent M instead of (44), Rayleigh D
+ * instead of (45), and one monolithic ODE instead of (46), (47).
+ * Checked in tests/unit/beam.c. */
+#include "base/status.h"
+#include "bodies/beam-make.h"
+#include "bodies/element.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static enum kind beam_skin_kind(const struct body *b)
+{
+    return b->skin_kind;
+}
+
+static int beam_skin(const struct body *b, double (*x)[DIM])
+{
+    for (int i = 0; x && i < b->skin->points; i++)
+        memcpy(x[i], b->skin->point[i].rest, sizeof x[i]);
+    return b->skin->points;
+}
+
+/* Four rows; rotations weigh as the deflection over one element, so that the step
+ * does not depend on the number of elements (NUMERICS, Q3). */
+static int beam_rows(struct body *b, struct layout *l)
+{
+    static const struct {
+        const char *name, *unit;
+        enum layout_class what;
+    } row[BEAM_ROWS] = { { "w", "m", LAYOUT_POSITION }, { "theta", "rad", LAYOUT_POSITION },
+                         { "w_rate", "m/s", LAYOUT_VELOCITY },
+                         { "theta_rate", "rad/s", LAYOUT_VELOCITY } };
+    const double scale[BEAM_ROWS] = { b->thickness, b->thickness / b->bending->l, b->speed,
+                                      b->speed / b->bending->l };
+
+    for (int i = 0; i < BEAM_ROWS; i++) {
+        char name[48];
+        snprintf(name, sizeof name, "%.36s.%s", b->path, row[i].name);
+        b->row[i] = layout_add(l, row[i].what, name, row[i].unit, b->bending->def.elements + 1, 1,
+                               scale[i]);
+        if (b->row[i] < 0)
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+/* Entry of y that holds degree of freedom i of q (rate: of v). */
+static long place(const struct body *b, const struct layout *l, int i, bool rate)
+{
+    return layout_at(l, b->row[(rate ? BEAM_ROW_W_RATE : BEAM_ROW_W) + i % 2]) + i / 2;
+}
+
+/* y to q and v; held degrees of freedom are 0 whatever y says. */
+static void gather(const struct body *b, const struct layout *l, const double *y)
+{
+    for (int i = 0; i < b->bending->dofs; i++) {
+        const bool held = bending_held(b->bending, i);
+        b->vec.q[i] = held ? 0 : y[place(b, l, i, false)];
+        b->vec.v[i] = held ? 0 : y[place(b, l, i, true)];
+    }
+}
+
+static void beam_start(const struct body *b, const struct layout *l, double *y)
+{
+    for (int i = 0; i < b->bending->dofs; i++)
+        y[place(b, l, i, false)] = y[place(b, l, i, true)] = 0;
+}
+
+static void beam_move(const struct body *b, const struct layout *l, double t, const double *y,
+                      double (*x)[DIM], double (*u)[DIM])
+{
+    (void)t;
+    gather(b, l, y);
+    beam_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
+}
+
+static double dot(int n, const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (int i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+static bool is_pushed(const struct body *b, double t)
+{
+    return t < b->load_until;
+}
+
+/* All vectors at (t, y).  Returns the force of the water along the axis. */
+static double balance(const struct body *b, const struct layout *l, double t, const double *y,
+                      const double (*force)[DIM])
+{
+    const struct beam_vectors *w = &b->vec;
+    const int n = b->bending->dofs;
+    double axial;
+
+    gather(b, l, y);
+    for (int i = 0; i < n; i++)
+        w->force[i] = w->weight[i] + (is_pushed(b, t) ? w->pushed[i] : 0);
+    axial = beam_skin_load(b->skin, force, w->force);
+    memcpy(w->given, w->force, (size_t)n * sizeof *w->given);
+    bending_accelerate(b->bending, w->given);
+    bending_resist(b->bending, w->q, w->v, w->resist);
+    memcpy(w->rate, w->resist, (size_t)n * sizeof *w->rate);
+    bending_accelerate(b->bending, w->rate);
+    for (int i = 0; i < n; i++)
+        w->rate[i] = w->given[i] - w->rate[i];
+    band_multiply(b->bending->mass, w->rate, w->inertia);
+    return axial;
+}
+
+/* The supports give what momentum needs beyond the loads: across, 1 . (M v' - F),
+ * where the drag of alpha counts as theirs (it holds on to the ground); along the
+ * axis, where nothing moves, the opposite of the loads. */
+static void beam_load(struct body *b, const struct layout *l, double t, const double *y,
+                      const double (*force)[DIM], double *ydot, struct body_load *out)
+{
+    const struct beam_vectors *w = &b->vec;
+    const int n = b->bending->dofs;
+    const double axial = balance(b, l, t, y, force);
+    double across = 0;
+
+    for (int i = 0; i < n; i++) {
+        ydot[place(b, l, i, false)] = 0;
+        ydot[place(b, l, i, true)] = w->given[i];
+    }
+    for (int i = 0; i < n; i += 2)
+        across += w->inertia[i] - w->force[i];
+    out->damping = bending_damping(b->bending, w->v);
+    out->driven = is_pushed(b, t) ? dot(n, w->pushed, w->v) : 0;
+    for (int d = 0; d < DIM; d++)
+        out->support[d] = across * b->normal[d] - (axial + b->gravity_along) * b->along[d];
+}
+
+static void beam_stiff(const struct body *b, const struct layout *l, double t, const double *y,
+                       double *ydot)
+{
+    const struct beam_vectors *w = &b->vec;
+
+    (void)t;
+    gather(b, l, y);
+    bending_resist(b->bending, w->q, w->v, w->resist);
+    bending_accelerate(b->bending, w->resist);
+    for (int i = 0; i < b->bending->dofs; i++) {
+        ydot[place(b, l, i, false)] += w->v[i];
+        ydot[place(b, l, i, true)] -= w->resist[i];
+    }
+}
+
+static int beam_solve(struct body *b, const struct layout *l, double t, double gamma,
+                      const double *r, double *z)
+{
+    const struct beam_vectors *w = &b->vec;
+    const int n = b->bending->dofs;
+
+    (void)t;
+    for (int i = 0; i < n; i++) {
+        w->q[i] = r[place(b, l, i, false)];
+        w->v[i] = r[place(b, l, i, true)];
+    }
+    TRY(bending_solve(b->bending, gamma, w->q, w->v));
+    for (int i = 0; i < n; i++) {
+        z[place(b, l, i, false)] = w->q[i];
+        z[place(b, l, i, true)] = w->v[i];
+    }
+    return STATUS_DONE;
+}
+
+/* A mode of frequency omega and damping 2 d = alpha + beta omega^2 has eigenvalues of
+ * size omega while it swings, and d + sqrt(d^2 - omega^2) when it only creeps back.
+ * The fastest mode sits at the end that is held least. */
+static void beam_limit(const struct body *b, struct limit *out)
+{
+    const struct bending_def *s = &b->bending->def;
+    const double omega = b->bending->fastest;
+    const double d = 0.5 * (s->alpha + s->beta * omega * omega);
+
+    out->decay = d > omega;
+    out->rate = out->decay ? d + sqrt(d * d - omega * omega) : omega;
+    if (s->root == s->tip)
+        out->where = s->elements / 2;
+    else
+        out->where = s->tip > s->root ? s->elements - 1 : 0;
+    snprintf(out->part, sizeof out->part, "%s", b->path);
+}
+
+static void beam_energy(const struct body *b, const struct layout *l, const double *y,
+                        struct energies *to)
+{
+    gather(b, l, y);
+    to->kinetic += bending_kinetic(b->bending, b->vec.v);
+    to->elastic += bending_elastic(b->bending, b->vec.q);
+    to->potential += b->rest_potential - dot(b->bending->dofs, b->vec.weight, b->vec.q);
+}
+
+/* Adds to p [DIM]. */
+static void beam_momentum(const struct body *b, const struct layout *l, const double *y, double *p)
+{
+    double across = 0;
+
+    gather(b, l, y);
+    band_multiply(b->bending->mass, b->vec.v, b->vec.inertia);
+    for (int i = 0; i < b->bending->dofs; i += 2)
+        across += b->vec.inertia[i];
+    for (int d = 0; d < DIM; d++)
+        p[d] += across * b->normal[d];
+}
+
+static double beam_weight(const struct body *b)
+{
+    return b->mass;
+}
+
+/* What the support at the root feels: force across (positive along n, as loads are)
+ * and moment (positive counter-clockwise), so that a cantilever at rest under a tip
+ * force P shows P and P L. */
+static void beam_show(const struct body *b, const struct layout *l, double t, const double *y,
+                      const double (*force)[DIM], struct body_view *out)
+{
+    const struct beam_vectors *w = &b->vec;
+    const struct bending *s = b->bending;
+    const int middle = (s->def.elements - 1) / 2, tip = s->dofs - 2;
+    double shape[4], slope[4], across = 0;
+
+    balance(b, l, t, y, force);
+    element_shape(0.5 * s->def.elements - middle, s->l, shape, slope);
+    for (int k = 0; k < 4; k++)
+        across += shape[k] * w->q[2 * middle + k];
+    for (int d = 0; d < DIM; d++) {
+        out->tip[d] = w->q[tip] * b->normal[d];
+        out->mid[d] = across * b->normal[d];
+    }
+    out->tip_angle = w->q[tip + 1];
+    out->root_force = bending_held(s, 0) ? w->force[0] - w->inertia[0] - w->resist[0] : 0;
+    out->root_moment = bending_held(s, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
+}
+
+const struct body_kind bodies_beam = {
+    .name = "beam", .about = "elastic beam or plate strip that bends a little (2D)",
+    .equation = "M w'' + D w' + K w = F, D = alpha M + beta K, EI = E b^3/12 (plane strain: "
+                "/(1 - nu^2))  (39)-(43)",
+    .source = "Toth 2012, section 4, with consistent mass and Rayleigh damping",
+    .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
+    .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,
+    .stiff = beam_stiff, .solve = beam_solve, .limit = beam_limit, .energy = beam_energy,
+    .momentum = beam_momentum, .weight = beam_weight, .show = beam_show,
+};

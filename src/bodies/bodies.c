@@ -1,0 +1,7 @@
+/* bodies.c -- the table of bodies, a line each. */
+#include "bodies/bodies.h"
+
+const struct body_kind *const bodies_table[] = {
+    &bodies_beam,
+    NULL,
+};

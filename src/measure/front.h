@@ -1,0 +1,19 @@
+/* front.h -- how far the water has come, and how high it still stands. */
+#ifndef MEASURE_FRONT_H
+#define MEASURE_FRONT_H
+
+#include "measure/crowd.h"
+
+struct front {
+    double x;      /* foremost particle of the water: largest first coordinate [m],
+                      NAN when there is no water                                 */
+    double height; /* highest particle of the water within the support of the
+                      domain's low-x side: above the domain's lowest point [m],
+                      0 when there is none                                       */
+};
+
+/* At the moment of the last crowd_update().  Positions are those of particles,
+ * half a spacing short of the surface.  Up is y in 2D and z in 3D. */
+void front_find(const struct crowd *c, struct front *out);
+
+#endif

@@ -1,0 +1,22 @@
+/* probe.h -- what a gauge at one point would read. */
+#ifndef MEASURE_PROBE_H
+#define MEASURE_PROBE_H
+
+#include "measure/crowd.h"
+
+/* Pressure at x [Pa]: mean of the fluid within the support H, weighted by
+ * w(q) = (1-q)^4 (1+4q), q = r/H (Shepard's interpolation).  p [count of fluid].
+ * 0 when no fluid is near.  Exact for a linear field where particles lie around
+ * x evenly; at a wall it reads the fluid some 0.3 H away from it. */
+double probe_pressure(const struct view *v, const double *p, const double *x);
+
+/* Velocity at x, u [DIM] [m/s], by the same mean. */
+void probe_velocity(const struct view *v, const double *x, double *u);
+
+/* Height of the water above the domain's lowest point [m]: its highest particle
+ * whose horizontal distance from x is within the support, counting only the
+ * first `axes` coordinates (1: a gauge across the whole depth of a 3D tank;
+ * DIM - 1: a column). 0 when there is none. */
+double probe_height(const struct crowd *c, const double *x, int axes);
+
+#endif

@@ -1,0 +1,37 @@
+/* figures.h -- draws the figures of a run (or comparison) with gnuplot.
+ *
+ * Each script says in comment lines at its top what it wants:
+ *
+ *     # needs: front.csv figures/constants.gp      (in the run's directory)
+ *     # reference: B01a_martin_moyce_1952_front_n2_2.csv
+ *
+ * A script whose needs are there (a .csv: with at least one row) is copied to
+ * RUN/figures/ together with its reference data and drawn there, NAME.gp making
+ * NAME.png; scripts without `needs` (style.gp) are for others to load.  So each
+ * figure can be changed and redrawn by hand: cd RUN/figures && gnuplot front.gp */
+#ifndef OUTPUT_FIGURES_H
+#define OUTPUT_FIGURES_H
+
+/* What scripts are told of a scene, as gnuplot variables of the same names. */
+struct figures_constants {
+    const char *title;
+    int dim;
+    double a, n2;        /* width of the fluid at t = 0 [m], its height / width;
+                            NAN: there is none                                   */
+    double g;            /* size of gravity                              [m/s^2] */
+    double until;        /* [s]                                                  */
+    double low[3], high[3]; /* domain: low_x, low_y, low_z, high_x, ...  [m]     */
+    double dx;           /* spacing                                      [m]     */
+    double rho0, c0;     /* [kg/m^3], [m/s]                                      */
+    double E0;           /* energy at t = 0                     [J, 2D: J/m]     */
+};
+
+/* Writes RUN/figures/constants.gp. */
+int figures_constants(const char *run, const struct figures_constants *c);
+
+/* Draws all that can be drawn and prints the name of each figure.  Scripts that
+ * gnuplot refuses do not keep the others from being drawn, but make STATUS_IO in
+ * the end; so does a missing gnuplot. */
+int figures_draw(const char *run, const char *scripts, const char *reference);
+
+#endif

@@ -1,0 +1,109 @@
+/* check.c -- what a run would be and cost, without running it. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "state/part.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void print_parts(const struct run *r)
+{
+    const char *path;
+
+    puts("parts:");
+    for (int i = 0; i < plan_parts(r->plan); i++) {
+        const struct part *part = plan_part(r->plan, i, &path);
+        printf("  %-32s %s\n", path, part->about);
+    }
+    for (int i = 0; i < plan_bodies(r->plan); i++)
+        printf("  body %-27s implicit\n", plan_body_name(r->plan, i));
+}
+
+static void print_state(const struct run *r)
+{
+    const struct layout *l = plan_layout(r->plan);
+
+    printf("state: %ld numbers\n", plan_size(r->plan));
+    for (int i = 0; i < l->rows; i++)
+        printf("  %-32s %8d x %d  [%s], error scale %g\n", l->row[i].name, l->row[i].n,
+               l->row[i].components, l->row[i].unit, l->row[i].scale);
+}
+
+static void print_particles(const struct run *r)
+{
+    const struct particles *all = plan_particles(r->plan);
+    const struct scales *s = plan_scales(r->plan);
+
+    printf("particles: %d\n", all->n);
+    for (int i = 0; i < all->objects; i++)
+        printf("  %-32s %8d\n", all->object[i].name, all->object[i].n);
+    if (s->fluid)
+        printf("spacing %g m, support %g m, mass %g kg%s\n"
+               "sound %g m/s, reference speed %g m/s, Mach %.3g%s\n",
+               s->dx, s->support, s->mass, DIM == 2 ? " per metre" : "", s->c0, s->speed,
+               s->speed / s->c0,
+               s->speed > 0.11 * s->c0 ? ": more than 0.1, the fluid is noticeably compressible"
+                                       : "");
+}
+
+/* Seconds of CPU time of one right-hand side, measured (list made before). */
+static int time_rhs(struct run *r, double *seconds)
+{
+    double *ydot = status_alloc(plan_size(r->plan), sizeof *ydot), start;
+    int status = ydot ? STATUS_DONE : STATUS_FAILED, n = 0;
+
+    if (ydot && plan_rhs(r->plan, PLAN_ALL, 0, r->y, ydot) != STATUS_DONE)
+        status = status_fail(STATUS_FAILED, "the first right-hand side cannot answer: %s",
+                             plan_refusal(r->plan));
+    start = run_cpu();
+    while (status == STATUS_DONE && n < 50 && (n < 3 || run_cpu() - start < 0.2)) {
+        plan_rhs(r->plan, PLAN_ALL, 0, r->y, ydot);
+        n++;
+    }
+    *seconds = n ? (run_cpu() - start) / n : 0;
+    free(ydot);
+    return status;
+}
+
+/* Steps near the stability limit, as all runs of violent flow are; about 0.55
+ * spacings of sound travel in a right-hand side (measured with the default). */
+static void print_cost(struct run *r, double seconds)
+{
+    struct limit limit[2];
+    double rhs;
+
+    plan_limit(r->plan, 0, r->y, false, limit);
+    printf("fastest wave %g 1/s (%s), fastest decay %g 1/s (%s)\n", limit[0].rate, limit[0].part,
+           limit[1].rate, limit[1].part);
+    printf("method %s, tolerance %g\n", r->method->name, r->def.tol);
+    if (limit[0].rate > 0) {
+        rhs = r->until * limit[0].rate / (SCALES_WAVE * 0.75);
+        printf("expected for %g s: about %.0f right-hand sides of %.3g ms, %.3g CPU s\n", r->until,
+               rhs, 1e3 * seconds, 1.3 * rhs * seconds);
+    }
+    printf("memory: about %.3g MB, %.0f bytes a particle\n", plan_bytes(r->plan) / 1e6,
+           plan_particles(r->plan)->n ? plan_bytes(r->plan) / plan_particles(r->plan)->n : 0.0);
+}
+
+int run_check(const struct run_order *order)
+{
+    struct run r;
+    double seconds = 0;
+    int status = run_prepare(&r, order);
+
+    if (status == STATUS_DONE) {
+        plan_start(r.plan, r.y);
+        status = time_rhs(&r, &seconds);
+    }
+    if (status == STATUS_DONE) {
+        printf("%s\n", plan_settings(r.plan)->title);
+        print_particles(&r);
+        print_parts(&r);
+        print_state(&r);
+        print_cost(&r, seconds);
+    }
+    run_release(&r);
+    return status;
+}

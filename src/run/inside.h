@@ -1,0 +1,45 @@
+/* inside.h -- a run as the files of this room see it. */
+#ifndef RUN_INSIDE_H
+#define RUN_INSIDE_H
+
+#include "plan/observe.h"
+#include "run/outputs.h"
+#include "run/run.h"
+#include "time/method.h"
+
+enum { RUN_PATH = 3900 };
+
+/* What is counted while it goes. */
+struct run_tally {
+    long steps, limited[3];  /* by enum method_limiter                        */
+    long rejected;
+    double density[2];       /* least and largest of the fluid [kg/m^3]       */
+    double t;                /* reached [s]                                   */
+};
+
+struct run {
+    char directory[RUN_PATH];
+    struct scene *scene;
+    struct plan *plan;
+    const struct method *method;
+    struct method_def def;
+    void *self;              /* of the method                                 */
+    double *y;               /* [size] interpolated state                     */
+    struct outputs *outputs;
+    struct run_tally tally;
+    double until;
+    double clock_start;      /* [s]                                           */
+    char table[96];
+};
+
+/* Reads the scene, makes the plan and finds the method; writes nothing. */
+int run_prepare(struct run *r, const struct run_order *order);
+void run_release(struct run *r);
+
+/* run.json; status as in base/status.h. */
+int run_report(const struct run *r, int status, const char *message, const double *y);
+
+double run_clock(void);     /* [s] wall                                       */
+double run_cpu(void);       /* [s] user and system, this process              */
+
+#endif

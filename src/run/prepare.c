@@ -1,0 +1,115 @@
+/* prepare.c -- from a path to a plan with a method; nothing is written. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+double run_clock(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+double run_cpu(void)
+{
+    struct rusage u;
+
+    getrusage(RUSAGE_SELF, &u);
+    return u.ru_utime.tv_sec + u.ru_stime.tv_sec
+         + 1e-6 * (u.ru_utime.tv_usec + u.ru_stime.tv_usec);
+}
+
+/* "path/dam-break.scene" becomes "dam-break". */
+static void choose_directory(struct run *r, const struct run_order *order)
+{
+    const char *slash = strrchr(order->scene, '/');
+    char *dot;
+
+    if (order->directory) {
+        snprintf(r->directory, sizeof r->directory, "%s", order->directory);
+        return;
+    }
+    snprintf(r->directory, sizeof r->directory, "%s", slash ? slash + 1 : order->scene);
+    dot = strrchr(r->directory, '.');
+    if (dot && strcmp(dot, ".scene") == 0)
+        *dot = '\0';
+    else
+        strncat(r->directory, ".run", sizeof r->directory - strlen(r->directory) - 1);
+}
+
+static enum method_norm norm_of(const char *word)
+{
+    return strcmp(word, "p8") == 0 ? METHOD_NORM_P8
+         : strcmp(word, "wrms") == 0 ? METHOD_NORM_WRMS
+                                     : METHOD_NORM_MAX;
+}
+
+static int find_method(struct run *r)
+{
+    const struct settings *s = plan_settings(r->plan);
+    const char *name = s->method[0] ? s->method : method_default(plan_stiff(r->plan));
+    const char *reason;
+
+    r->def = method_def_default();
+    r->def.tol = s->tol;
+    r->def.norm = norm_of(s->norm);
+    TRY(method_find(name, &r->def, &r->method));
+    reason = r->method->serves ? r->method->serves(r->plan) : NULL;
+    if (reason)
+        return status_fail(STATUS_BAD_SCENE, "method %s cannot serve this scene: %s", name,
+                           reason);
+    return STATUS_DONE;
+}
+
+static void compute_defaults(struct run *r)
+{
+    const struct settings_output *o = plan_output(r->plan);
+
+    r->until = plan_settings(r->plan)->until;
+    if (isnan(o->interval))
+        scene_computed(r->scene, "output", "interval", r->until / 500);
+    if (isnan(o->fields))
+        scene_computed(r->scene, "output", "fields", r->until / 50);
+}
+
+int run_prepare(struct run *r, const struct run_order *order)
+{
+    *r = (struct run){ .clock_start = run_clock() };
+#ifdef _OPENMP
+    if (order->threads > 0)
+        omp_set_num_threads(order->threads);
+#endif
+    choose_directory(r, order);
+    TRY(scene_read(order->scene, &r->scene));
+    for (int i = 0; i < order->overrides; i++)
+        TRY(scene_override(r->scene, order->override[i]));
+    TRY(plan_create(r->scene, &r->plan));
+    TRY(find_method(r));
+    compute_defaults(r);
+    r->tally.density[0] = HUGE_VAL;
+    r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
+    return r->y ? STATUS_DONE : STATUS_FAILED;
+}
+
+void run_release(struct run *r)
+{
+    if (r->self)
+        r->method->free(&r->self);
+    outputs_close(&r->outputs);
+    plan_free(&r->plan);
+    scene_free(&r->scene);
+    free(r->y);
+    r->y = NULL;
+}

@@ -1,0 +1,118 @@
+/* report.c -- run.json: how a run ended and what it took. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+#include "output/hash.h"
+#include "output/json.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <string.h>
+#include <sys/resource.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#ifndef PACKAGE_VERSION
+#define PACKAGE_VERSION "unknown"
+#endif
+
+static int threads(void)
+{
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+static long peak_kb(void)
+{
+    struct rusage u;
+
+    getrusage(RUSAGE_SELF, &u);
+    return u.ru_maxrss;
+}
+
+static void write_what(struct json *j, const struct run *r, int status, const char *message)
+{
+    static const char *const words[] = { "done", "failed", "failed", "stopped", "failed" };
+    const struct settings *s = plan_settings(r->plan);
+
+    json_text(j, "status", words[status]);
+    json_text(j, "message", message);
+    json_text(j, "scene", scene_path(r->scene));
+    json_text(j, "version", PACKAGE_VERSION);
+    json_integer(j, "dimension", DIM);
+    json_text(j, "method", r->method->name);
+    json_text(j, "table", r->table);
+    json_text(j, "norm", s->norm);
+    json_number(j, "tol", s->tol);
+    json_integer(j, "threads", threads());
+    json_number(j, "t_end", r->tally.t);
+}
+
+static void write_sizes(struct json *j, const struct run *r)
+{
+    const struct particles *all = plan_particles(r->plan);
+
+    json_object(j, "particles");
+    json_integer(j, "fluid", particles_count(all, KIND_FLUID));
+    json_integer(j, "wall", particles_count(all, KIND_WALL) + particles_count(all, KIND_WALL_SLIP));
+    json_integer(j, "skin", particles_count(all, KIND_SKIN) + particles_count(all, KIND_SKIN_SLIP));
+    json_end(j);
+    json_integer(j, "state_size", plan_size(r->plan));
+}
+
+static void write_work(struct json *j, const struct run *r)
+{
+    const struct plan_counts *c = plan_counts(r->plan);
+
+    json_integer(j, "steps", r->tally.steps);
+    json_integer(j, "rejected", r->tally.rejected);
+    json_integer(j, "rhs_explicit", c->rhs_explicit);
+    json_integer(j, "rhs_implicit", c->rhs_implicit);
+    json_integer(j, "solves", c->solves);
+    json_integer(j, "pair_passes", c->rhs_explicit);
+    json_integer(j, "rebuilds", c->rebuilds);
+    json_integer(j, "refused", c->refused);
+    json_number(j, "cpu_s", run_cpu());
+    json_number(j, "wall_s", run_clock() - r->clock_start);
+    json_number(j, "mean_step", r->tally.steps ? r->tally.t / r->tally.steps : 0);
+    json_object(j, "limited_by");
+    json_integer(j, "error", r->tally.limited[METHOD_ERROR]);
+    json_integer(j, "stability", r->tally.limited[METHOD_STABILITY]);
+    json_integer(j, "output", r->tally.limited[METHOD_OUTPUT]);
+    json_end(j);
+}
+
+static void write_books(struct json *j, const struct run *r, const double *y)
+{
+    char hash[HASH_TEXT];
+
+    json_integer(j, "escaped", plan_escaped(r->plan, r->tally.t, y));
+    json_number(j, "energy_initial", outputs_energy_initial(r->outputs));
+    json_number(j, "energy_defect", outputs_defect(r->outputs));
+    json_number(j, "energy_defect_max", outputs_defect_max(r->outputs));
+    json_number(j, "momentum_defect", outputs_momentum_defect(r->outputs));
+    json_number(j, "density_min", r->tally.density[1] > 0 ? r->tally.density[0] : NAN);
+    json_number(j, "density_max", r->tally.density[1] > 0 ? r->tally.density[1] : NAN);
+    json_integer(j, "peak_rss_kb", peak_kb());
+    json_text(j, "state_hash",
+              hash_text(hash_bytes(HASH_START, y, plan_size(r->plan) * sizeof *y), hash));
+}
+
+int run_report(const struct run *r, int status, const char *message, const double *y)
+{
+    char path[ASIDE_PATH];
+    struct json *j;
+
+    TRY(aside_join(path, r->directory, "run.json"));
+    TRY(json_open(&j, path));
+    write_what(j, r, status, message);
+    write_sizes(j, r);
+    write_work(j, r);
+    write_books(j, r, y);
+    return json_close(&j);
+}

@@ -1,0 +1,199 @@
+/* run.c -- one run: a sequence of accepted steps with outputs in between.
+ *
+ * Outputs are read off the method's dense output, so their times shift no step. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+#include "output/figures.h"
+#include "output/progress.h"
+#include "run/stop.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Times k * every (k = 0, 1, ...) of one kind of output. */
+struct ticks {
+    double every; /* [s] */
+    long next;
+    int (*write)(struct outputs *o, struct plan *plan, double t, const double *y);
+};
+
+enum { TICKS = 3 };
+
+static const char *const limiters[] = { "error", "stability", "output" };
+
+static void make_ticks(const struct run *r, struct ticks tick[TICKS])
+{
+    const struct settings_output *o = plan_output(r->plan);
+
+    tick[0] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval, 0, outputs_rows };
+    tick[1] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields, 0, outputs_field };
+    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : HUGE_VAL, 0,
+                              outputs_snapshot };
+    if (o->snapshots == 0)
+        tick[2].next = 1;
+}
+
+/* Every output that is due in (.., t]; at t itself the state is exact. */
+static int write_due(struct run *r, struct ticks tick[TICKS], double t)
+{
+    const double *end = r->method->state(r->self);
+    const double slack = 1e-9 * r->until;
+
+    for (int i = 0; i < TICKS; i++)
+        for (; tick[i].next * tick[i].every <= t + slack
+               && tick[i].next * tick[i].every <= r->until + slack; tick[i].next++) {
+            const double due = fmin(tick[i].next * tick[i].every, t);
+            if (due < t)
+                TRY(r->method->at(r->self, due, r->y));
+            TRY(tick[i].write(r->outputs, r->plan, due, due < t ? r->y : end));
+        }
+    return STATUS_DONE;
+}
+
+static void keep_density(struct run *r, double t, const double *y)
+{
+    struct view v;
+    int n;
+
+    plan_view(r->plan, t, y, &v);
+    n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
+    for (int i = 0; i < n; i++) {
+        r->tally.density[0] = fmin(r->tally.density[0], v.rho[KIND_FLUID][i]);
+        r->tally.density[1] = fmax(r->tally.density[1], v.rho[KIND_FLUID][i]);
+    }
+}
+
+static int one_step(struct run *r, struct progress *progress)
+{
+    struct method_step step;
+
+    TRY(r->method->step(r->self, r->until, &step));
+    r->tally.t = step.t;
+    r->tally.steps++;
+    r->tally.limited[step.limiter]++;
+    r->tally.rejected = step.rejected;
+    keep_density(r, step.t, r->method->state(r->self));
+    progress_step(progress, step.t, step.h, limiters[step.limiter]);
+    return outputs_step(r->outputs, &step);
+}
+
+static int go(struct run *r, struct progress *progress)
+{
+    struct ticks tick[TICKS];
+
+    make_ticks(r, tick);
+    TRY(write_due(r, tick, 0));
+    while (r->tally.t < r->until) {
+        TRY(one_step(r, progress));
+        TRY(write_due(r, tick, r->tally.t));
+        if (stop_asked() && r->tally.t < r->until)
+            return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; all "
+                               "files are complete up to there", stop_asked(), r->tally.t,
+                               r->until);
+    }
+    return STATUS_DONE;
+}
+
+static int write_used(const struct run *r)
+{
+    char path[ASIDE_PATH];
+    struct aside file;
+    int status;
+
+    TRY(aside_join(path, r->directory, "scene.used"));
+    TRY(aside_open(&file, path));
+    status = scene_write_used(r->scene, file.to);
+    TRY(aside_close(&file));
+    return status;
+}
+
+/* Extent of the fluid at the start along one axis [m], NAN without fluid. */
+static double extent(const struct particles *all, int axis)
+{
+    double low = HUGE_VAL, high = -HUGE_VAL;
+
+    for (int i = 0; i < particles_count(all, KIND_FLUID); i++) {
+        low = fmin(low, all->x0[i][axis]);
+        high = fmax(high, all->x0[i][axis]);
+    }
+    return high >= low ? high - low + all->scales->dx : NAN;
+}
+
+static int write_constants(const struct run *r)
+{
+    const struct particles *all = plan_particles(r->plan);
+    const struct scales *s = plan_scales(r->plan);
+    struct figures_constants c = {
+        .title = plan_settings(r->plan)->title, .dim = DIM,
+        .a = extent(all, 0), .n2 = extent(all, DIM - 1) / extent(all, 0),
+        .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
+        .until = r->until, .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
+        .E0 = outputs_energy_initial(r->outputs),
+    };
+
+    memcpy(c.low, s->low, sizeof c.low);
+    memcpy(c.high, s->high, sizeof c.high);
+    return figures_constants(r->directory, &c);
+}
+
+static int start(struct run *r)
+{
+    plan_start(r->plan, r->y);
+    TRY(r->method->create(r->method, &r->def, r->plan, 0, r->y, &r->self));
+    snprintf(r->table, sizeof r->table, "%s", r->method->table ? r->method->table(r->self) : "");
+    TRY(outputs_open(&r->outputs, r->plan, r->directory));
+    keep_density(r, 0, r->y);
+    return write_used(r);
+}
+
+/* The last row of a run that ended early: where it ended. */
+static void write_end(struct run *r)
+{
+    const double *y = r->method->state(r->self);
+
+    if (r->tally.t > outputs_sheet(r->outputs)->t)
+        outputs_rows(r->outputs, r->plan, r->tally.t, y);
+}
+
+int run_scene(const struct run_order *order)
+{
+    struct progress progress;
+    char message[1024] = "";
+    struct run r;
+    int status, last;
+
+    status = run_prepare(&r, order);
+    if (status == STATUS_DONE)
+        status = start(&r);
+    if (status != STATUS_DONE || !r.outputs) {
+        run_release(&r);
+        return status;
+    }
+    stop_listen();
+    progress_start(&progress, stderr, 0, r.until, order->quiet);
+    status = go(&r, &progress);
+    progress_end(&progress, r.tally.t);
+    if (status != STATUS_DONE) {
+        snprintf(message, sizeof message, "%s", status_message());
+        write_end(&r);
+    }
+    last = write_constants(&r);
+    if (status == STATUS_DONE)
+        status = last;
+    last = run_report(&r, status, message, r.method->state(r.self));
+    if (status == STATUS_DONE)
+        status = last;
+    last = outputs_close(&r.outputs);
+    if (status == STATUS_DONE)
+        status = last;
+    run_release(&r);
+    if (message[0]) {
+        status_clear();
+        status_fail(status, "%s", message);
+    }
+    return status;
+}

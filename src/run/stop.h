@@ -1,0 +1,8 @@
+/* stop.h -- SIGINT and SIGTERM ask a run to end with complete files. */
+#ifndef RUN_STOP_H
+#define RUN_STOP_H
+
+void stop_listen(void); /* from now on signals are only noted; a second one kills */
+int stop_asked(void);   /* the signal that came, 0: none                          */
+
+#endif

@@ -1,0 +1,332 @@
+/* shape.c -- tests of the shapes of src/space: what they refuse, what is inside. */
+#include "base/status.h"
+#include "space/shape.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+
+#define MISSING { NAN, NAN, NAN }
+
+/* As the reader of scenes leaves a shape of which only the type is given. */
+static struct shape given(const char *type)
+{
+    return (struct shape){ .type = type, .from = MISSING, .to = MISSING, .centre = MISSING,
+                           .radius = NAN, .high = { 1, 1, 1 }, .thickness = 0.1 };
+}
+
+static void assert_refused(struct shape s, const char *text)
+{
+    status_clear();
+    assert_int_equal(shape_check(&s, "wall.block", "a.scene:7"), STATUS_BAD_SCENE);
+    if (!strstr(status_message(), text))
+        fail_msg("\"%s\" does not say \"%s\"", status_message(), text);
+    assert_non_null(strstr(status_message(), "a.scene:7: wall.block: "));
+    status_clear();
+}
+
+static void assert_accepted(struct shape *s)
+{
+    status_clear();
+    if (shape_check(s, "wall.block", "a.scene:7"))
+        fail_msg("%s", status_message());
+}
+
+static struct shape box(const double *from, const double *to)
+{
+    struct shape s = given("box");
+
+    memcpy(s.from, from, DIM * sizeof *from);
+    memcpy(s.to, to, DIM * sizeof *to);
+    assert_accepted(&s);
+    return s;
+}
+
+static struct shape ball(double x, double y, double z, double radius)
+{
+    struct shape s = given(DIM == 2 ? "disc" : "sphere");
+    const double centre[3] = { x, y, z };
+
+    memcpy(s.centre, centre, DIM * sizeof *centre);
+    s.radius = radius;
+    return s;
+}
+
+/* Points of the shape among n^DIM at the centres of cells of [0,1]^DIM. */
+static long inside(const struct shape *s, int n)
+{
+    long count = 0;
+
+    for (int k = 0; k < (DIM == 2 ? 1 : n); k++)
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++) {
+                const double x[3] = { (i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n };
+
+                count += shape_contains(s, x);
+            }
+    return count;
+}
+
+static void sides_have_the_bits_of_their_names(void **state)
+{
+    const char *const names[3][2] = { { "left", "right" },
+                                      { DIM == 2 ? "bottom" : "front", DIM == 2 ? "top" : "back" },
+                                      { "bottom", "top" } };
+    unsigned all = 0;
+
+    (void)state;
+    for (int axis = 0; axis < DIM; axis++)
+        for (int high = 0; high < 2; high++) {
+            const unsigned bit = shape_side(axis, high);
+
+            assert_string_equal(shape_sides[__builtin_ctz(bit)], names[axis][high]);
+            all |= bit;
+        }
+    assert_int_equal(all, (1 << 2 * DIM) - 1);
+    assert_null(shape_sides[2 * DIM]);
+}
+
+static void parameters_describe_themselves(void **state)
+{
+    (void)state;
+    assert_string_equal(shape_params[0].key, "type");
+    assert_ptr_equal(shape_params[0].words, shape_types);
+    for (const struct param *row = shape_params + 1; row->key; row++) {
+        assert_string_equal(row->unit, "m");
+        assert_true(isnan(row->fallback));
+        assert_true(row->min < row->max);
+        assert_true(strlen(row->about) > 10);
+    }
+}
+
+static void missing_keys_are_named(void **state)
+{
+    struct shape s = given(DIM == 2 ? "disc" : "sphere");
+
+    (void)state;
+    assert_refused(s, DIM == 2 ? "a disc needs centre and radius"
+                               : "a sphere needs centre and radius");
+    s.radius = 1;
+    assert_refused(s, "needs centre and radius");
+    assert_refused(given("box"), "a box needs from and to");
+    s = given("box");
+    s.from[0] = s.from[1] = s.from[2] = 0;
+    assert_refused(s, "a box needs from and to");
+    s = given("frame");
+    s.thickness = 0;
+    assert_refused(s, "it needs one layer or more");
+}
+
+static void senseless_values_are_refused(void **state)
+{
+    struct shape s = given("box");
+
+    (void)state;
+    for (int d = 0; d < 3; d++) {
+        s.from[d] = 1;
+        s.to[d] = 2;
+    }
+    s.to[1] = 1;
+    assert_refused(s, "along y from is 1 m and to is 1 m");
+    s.to[1] = INFINITY;
+    assert_refused(s, "a box needs from and to");
+    assert_refused(ball(0, 0, 0, 0), "needs one above 0");
+    assert_refused(ball(0, 0, 0, -1), "needs one above 0");
+    s = given("frame");
+    s.open = (1 << 2 * DIM) - 1;
+    assert_refused(s, "every side of this frame is open");
+    s = given("frame");
+    s.high[1] = 0;
+    assert_refused(s, "from 0 m to 0 m along y");
+}
+
+static void unknown_types_are_refused(void **state)
+{
+    (void)state;
+    assert_refused(given("cone"), "there is no type \"cone\"");
+    assert_refused(given(NULL), "there is no type \"\"");
+    assert_refused(given(DIM == 2 ? "sphere" : "disc"),
+                   DIM == 2 ? "one of box, polygon, disc or frame" : "one of box, sphere or frame");
+}
+
+static void keys_of_other_types_are_refused(void **state)
+{
+    struct shape s = ball(0, 0, 0, 1);
+
+    (void)state;
+    s.to[0] = s.to[1] = s.to[2] = 1;
+    assert_refused(s, "takes no to; leave it out");
+    s = given("box");
+    s.radius = 1;
+    assert_refused(s, "a box takes no radius");
+    s = given("frame");
+    s.from[0] = s.from[1] = s.from[2] = 1;
+    assert_refused(s, "a frame takes no from");
+    s = given("box");
+    s.points.n = 3;
+    assert_refused(s, "a box takes no points");
+}
+
+static void boxes_share_no_point_of_their_border(void **state)
+{
+    const double from[3] = { 0, 0, 0 }, to[3] = { 0.5, 1, 1 }, from2[3] = { 0.5, 0, 0 },
+                 to2[3] = { 1, 1, 1 };
+    const struct shape a = box(from, to), b = box(from2, to2);
+
+    (void)state;
+    for (int i = 0; i <= 4; i++)
+        for (int j = 0; j <= 4; j++) {
+            const double x[3] = { 0.25 * i, 0.25 * j, 0.5 };
+
+            assert_int_equal(shape_contains(&a, x) + shape_contains(&b, x), i < 4 && j < 4);
+        }
+}
+
+static void a_ball_holds_its_volume(void **state)
+{
+    struct shape s = ball(0.5, 0.45, 0.55, 0.4);
+    const int n = DIM == 2 ? 1000 : 100;
+    const double volume = DIM == 2 ? M_PI * 0.16 : 4 * M_PI / 3 * 0.064;
+    double low[3], high[3];
+
+    (void)state;
+    assert_accepted(&s);
+    assert_true(fabs(inside(&s, n) / pow(n, DIM) / volume - 1) < (DIM == 2 ? 1e-3 : 5e-3));
+    shape_bounds(&s, low, high);
+    for (int d = 0; d < DIM; d++)
+        assert_true(low[d] == s.centre[d] - 0.4 && high[d] == s.centre[d] + 0.4);
+}
+
+/* Domain 1/2 wide in the middle of the cube, shell of 1/8: cells of 1/16. */
+static void a_frame_holds_the_shell_for_all_open_sides(void **state)
+{
+    (void)state;
+    for (unsigned open = 0; open < (1u << 2 * DIM) - 1; open++) {
+        struct shape s = given("frame");
+        long outer = 1, inner = 1;
+
+        s.thickness = 0.125;
+        s.open = open;
+        for (int d = 0; d < DIM; d++) {
+            s.low[d] = 0.25;
+            s.high[d] = 0.75;
+            inner *= 8;
+            outer *= 8 + 2 * !(open & shape_side(d, false)) + 2 * !(open & shape_side(d, true));
+        }
+        assert_accepted(&s);
+        assert_int_equal(inside(&s, 16), outer - inner);
+    }
+}
+
+/* With the top open the side walls end at the domain's top. */
+static void an_open_side_takes_its_corners_with_it(void **state)
+{
+    struct shape s = given("frame");
+    double x[3] = { -0.05, 0.5, 0.5 }, corner[3] = { -0.05, -0.05, -0.05 };
+
+    (void)state;
+    s.open = shape_side(DIM - 1, true);
+    assert_accepted(&s);
+    assert_true(shape_contains(&s, corner));
+    x[DIM - 1] = 0.999;
+    assert_true(shape_contains(&s, x));
+    x[DIM - 1] = 1;
+    assert_false(shape_contains(&s, x));
+}
+
+#if DIM == 2
+static struct shape polygon(int n, double (*x)[3])
+{
+    struct shape s = given("polygon");
+
+    s.points = (struct param_points){ n, x };
+    return s;
+}
+
+static void bad_polygons_are_refused(void **state)
+{
+    double bow[][3] = { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 2 } };
+    double flat[][3] = { { 0, 0 }, { 1, 1 }, { 2, 2 } };
+    double closed[][3] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 } };
+    double spike[][3] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 1, 0.5 }, { 0, 1 } };
+    double touch[][3] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 }, { 0, 1 } };
+    double blank[][3] = { { 0, 0 }, { 1, 0 }, { 1, NAN } };
+
+    (void)state;
+    assert_refused(given("polygon"), "a polygon needs points, three corners or more; 0 given");
+    assert_refused(polygon(2, bow), "three corners or more; 2 given");
+    assert_refused(polygon(4, bow), "the edge from corner 1 to 2 crosses or touches the edge from"
+                                    " corner 3 to 4");
+    assert_refused(polygon(3, flat), "enclose no area");
+    assert_refused(polygon(4, closed), "corners 4 and 1 of points are both (0, 0)");
+    assert_refused(polygon(5, spike), "touches");
+    assert_refused(polygon(5, touch), "touches");
+    assert_refused(polygon(3, blank), "corner 3 of points is not a number");
+}
+
+/* A dent makes it non-convex; the area is summed edge by edge. */
+static void a_polygon_holds_its_area_either_way_round(void **state)
+{
+    double left[][3] = { { 0.1, 0.1 }, { 0.9, 0.1 }, { 0.9, 0.9 }, { 0.5, 0.3 }, { 0.1, 0.6 } };
+    double right[5][3];
+    double low[2], high[2], area = 0;
+
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        memcpy(right[i], left[4 - i], sizeof *left);
+        area += 0.5 * (left[i][0] * left[(i + 1) % 5][1] - left[(i + 1) % 5][0] * left[i][1]);
+    }
+    struct shape a = polygon(5, left), b = polygon(5, right);
+    assert_accepted(&a);
+    assert_accepted(&b);
+    assert_true(fabs(inside(&a, 1000) * 1e-6 / area - 1) < 1e-3);
+    assert_int_equal(inside(&a, 1000), inside(&b, 1000));
+    shape_bounds(&a, low, high);
+    assert_true(low[0] == 0.1 && low[1] == 0.1 && high[0] == 0.9 && high[1] == 0.9);
+}
+
+/* Two triangles make the unit square; the diagonal passes through lattice points. */
+static void polygons_share_no_point_of_their_border(void **state)
+{
+    double lower[][3] = { { 0, 0 }, { 1, 0 }, { 1, 1 } };
+    double upper[][3] = { { 1, 1 }, { 0, 1 }, { 0, 0 } };
+    struct shape a = polygon(3, lower), b = polygon(3, upper);
+
+    (void)state;
+    assert_accepted(&a);
+    assert_accepted(&b);
+    for (int i = 0; i <= 30; i++)
+        for (int j = 0; j <= 30; j++) {
+            const double x[2] = { i / 30.0, j / 30.0 };
+
+            assert_int_equal(shape_contains(&a, x) + shape_contains(&b, x), i < 30 && j < 30);
+        }
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sides_have_the_bits_of_their_names),
+        cmocka_unit_test(parameters_describe_themselves),
+        cmocka_unit_test(missing_keys_are_named),
+        cmocka_unit_test(senseless_values_are_refused),
+        cmocka_unit_test(unknown_types_are_refused),
+        cmocka_unit_test(keys_of_other_types_are_refused),
+        cmocka_unit_test(boxes_share_no_point_of_their_border),
+        cmocka_unit_test(a_ball_holds_its_volume),
+        cmocka_unit_test(a_frame_holds_the_shell_for_all_open_sides),
+        cmocka_unit_test(an_open_side_takes_its_corners_with_it),
+#if DIM == 2
+        cmocka_unit_test(bad_polygons_are_refused),
+        cmocka_unit_test(a_polygon_holds_its_area_either_way_round),
+        cmocka_unit_test(polygons_share_no_point_of_their_border),
+#endif
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
