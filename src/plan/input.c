@@ -125,6 +125,7 @@ static int check_objects(const struct scene_node *group, const char *name)
     if (group && !scene_is_group(group))
         return status_fail(STATUS_BAD_SCENE, "%s: %s must be a group of named objects: "
                            "%s = { NAME = { ... } }", scene_where(group), name, name);
+    TRY(scene_check_named(group));
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
         if (!scene_is_group(node))

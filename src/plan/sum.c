@@ -95,7 +95,7 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
 
             if (w->kernel != kernel) {
                 kernel = w->kernel;
-                gather_kernel(table->needs, kernel, a, b);
+                gather_kernel(table->needs, kernel, b);
             }
             w->law(w->self, a, b, &part[w->slot]);
         }

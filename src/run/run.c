@@ -62,8 +62,11 @@ static void keep_density(struct run *r, double t, const double *y)
     plan_view(r->plan, t, y, &v);
     n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
     for (int i = 0; i < n; i++) {
-        r->tally.density[0] = fmin(r->tally.density[0], v.rho[KIND_FLUID][i]);
-        r->tally.density[1] = fmax(r->tally.density[1], v.rho[KIND_FLUID][i]);
+        const double rho = v.rho[KIND_FLUID][i];
+        if (rho < r->tally.density[0])
+            r->tally.density[0] = rho;
+        if (rho > r->tally.density[1])
+            r->tally.density[1] = rho;
     }
 }
 

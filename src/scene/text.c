@@ -98,7 +98,6 @@ static const char *skip_blanks(const char *s)
     return s;
 }
 
-/* Answers whether the line is an @include; what it says goes to name. */
 static bool is_include(const char *line)
 {
     return strncmp(skip_blanks(line), "@include", strlen("@include")) == 0;

@@ -30,30 +30,31 @@ static double curvature(double q)
 }
 
 /* Both branches are computed; the outer one divides by q >= 1/2 only. */
-static void gradient(double support, double scale, int n, const lanes *r2, lanes *g)
+static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
+                     lanes *g)
 {
     const double inverse = 1 / support;
     const double factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
-        const lanes q = inverse * lanes_sqrt(r2[k]);
+        const lanes q = inverse * r[k];
         const lanes_mask inner = (lanes_mask)(q < 0.5);
         const lanes t = lanes_positive(1 - q);
         const lanes far = -6 * t * t / (0.5 + lanes_positive(q - 0.5));
-        g[k] = factor * (lanes_where(inner, 18 * q - 12) + lanes_where(~inner, far));
+        g[k] = factor * m[k] * (lanes_where(inner, 18 * q - 12) + lanes_where(~inner, far));
     }
 }
 
-static void value(double support, double scale, int n, const lanes *r2, lanes *v)
+static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
     const double inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
-        const lanes q = inverse * lanes_sqrt(r2[k]);
+        const lanes q = inverse * r[k];
         const lanes_mask inner = (lanes_mask)(q < 0.5);
         const lanes t = lanes_positive(1 - q);
-        v[k] = scale * (lanes_where(inner, 1 - 6 * q * q * t)
-                        + lanes_where(~inner, 2 * t * t * t));
+        w[k] = scale * m[k] * (lanes_where(inner, 1 - 6 * q * q * t)
+                               + lanes_where(~inner, 2 * t * t * t));
     }
 }
 

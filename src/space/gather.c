@@ -13,42 +13,43 @@
 #include <immintrin.h>
 #endif
 
-/* Fields at and at + 1 of the records of LANES slots. */
-LANES_INLINE void pair_of_fields(const double *record, const int *j, int at, lanes *first,
-                                  lanes *second)
+/* Two fields of the LANES records `of`.  Integer unpacks have twice as many
+ * ports as those of doubles. */
+LANES_INLINE void pair_of_fields(const double *const of[LANES], int at, lanes *first,
+                                 lanes *second)
 {
-    const double *of[LANES];
-
-    for (int l = 0; l < LANES; l++)
-        of[l] = record + (size_t)j[l] * RECORD + at;
 #if LANES == 4
-    const __m256d e = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0])),
-                                           _mm_load_pd(of[2]), 1);
-    const __m256d o = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[1])),
-                                           _mm_load_pd(of[3]), 1);
-    *first = (lanes)_mm256_unpacklo_pd(e, o);
-    *second = (lanes)_mm256_unpackhi_pd(e, o);
+    const __m256d e = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + at)),
+                                           _mm_load_pd(of[2] + at), 1);
+    const __m256d o = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[1] + at)),
+                                           _mm_load_pd(of[3] + at), 1);
+    *first = (lanes)_mm256_unpacklo_epi64((__m256i)e, (__m256i)o);
+    *second = (lanes)_mm256_unpackhi_epi64((__m256i)e, (__m256i)o);
 #else
     lanes a, b;
 
-    memcpy(&a, of[0], sizeof a);
-    memcpy(&b, of[1], sizeof b);
+    memcpy(&a, of[0] + at, sizeof a);
+    memcpy(&b, of[1] + at, sizeof b);
     *first = __builtin_shufflevector(a, b, 0, 2);
     *second = __builtin_shufflevector(a, b, 1, 3);
 #endif
 }
 
-/* Everything that a record holds. */
+/* Everything that the records of LANES slots hold. */
 LANES_INLINE void whole(const double *record, const int *j, struct side *s)
 {
-    pair_of_fields(record, j, RECORD_X, &s->x[0], &s->x[1]);
-    pair_of_fields(record, j, RECORD_V, &s->v[0], &s->v[1]);
-    pair_of_fields(record, j, RECORD_M, &s->m, &s->irho);
+    const double *of[LANES];
+
+    for (int l = 0; l < LANES; l++)
+        of[l] = record + (size_t)(unsigned)j[l] * RECORD;
+    pair_of_fields(of, RECORD_X, &s->x[0], &s->x[1]);
+    pair_of_fields(of, RECORD_V, &s->v[0], &s->v[1]);
+    pair_of_fields(of, RECORD_M, &s->m, &s->irho);
 #if DIM == 2
-    pair_of_fields(record, j, RECORD_RHO, &s->rho, &s->p2);
+    pair_of_fields(of, RECORD_RHO, &s->rho, &s->p2);
 #else
-    pair_of_fields(record, j, RECORD_Z, &s->x[2], &s->rho);
-    pair_of_fields(record, j, RECORD_VZ, &s->v[2], &s->p2);
+    pair_of_fields(of, RECORD_Z, &s->x[2], &s->rho);
+    pair_of_fields(of, RECORD_VZ, &s->v[2], &s->p2);
 #endif
 }
 
@@ -61,27 +62,34 @@ LANES_INLINE lanes dot(const lanes *a, const lanes *b)
     return sum;
 }
 
-/* One row; `needs` is a constant, so what is not needed is not even loaded. */
+/* One row; `needs` is a constant, so what is not needed is not even loaded.
+ * The root is taken here because here it hides behind the loads. */
 LANES_INLINE void gather_row(const double *record, const int *j, const struct side *a,
-                              struct block *b, int k, unsigned needs)
+                             struct block *b, int k, unsigned needs)
 {
     struct side of;
     lanes x[DIM], v[DIM];
 
     whole(record, j, &of);
     gather_separation(a->x, of.x, x);
-    b->r2[k] = dot(x, x);
-    b->m[k] = of.m;
-    for (int d = 0; d < DIM; d++)
+    const lanes r2 = dot(x, x);
+    b->r2[k] = r2;
+    b->r[k] = lanes_sqrt(r2);
+    b->mm[k] = a->m * of.m;
+    for (int d = 0; d < DIM; d++) {
         b->x[d][k] = x[d];
-    if (needs & NEED_V) {
-        for (int d = 0; d < DIM; d++)
-            b->v[d][k] = v[d] = a->v[d] - of.v[d];
-        b->xv[k] = dot(x, v);
+        v[d] = a->v[d] - of.v[d];
+        if (needs & NEED_V)
+            b->v[d][k] = v[d];
     }
+    if (needs & NEED_XV)
+        b->xv[k] = dot(x, v);
     if (needs & NEED_RHO) {
         b->rho[k] = of.rho;
         b->p2[k] = of.p2;
+    }
+    if (needs & NEED_IRHO) {
+        b->m[k] = of.m;
         b->irho[k] = of.irho;
     }
 }
@@ -95,18 +103,23 @@ LANES_INLINE void gather_row(const double *record, const int *j, const struct si
     }
 
 GATHER(gather_place, 0)
-GATHER(gather_motion, NEED_V)
-GATHER(gather_matter, NEED_RHO)
-GATHER(gather_all, NEED_V | NEED_RHO)
+GATHER(gather_place_rho, NEED_RHO)
+GATHER(gather_approach, NEED_XV)
+GATHER(gather_approach_rho, NEED_XV | NEED_RHO)
+GATHER(gather_motion_rho, NEED_XV | NEED_RHO | NEED_V)
+GATHER(gather_all, NEED_XV | NEED_RHO | NEED_V | NEED_IRHO)
 
 gather_rows *gather_choose(unsigned needs)
 {
-    const bool motion = needs & (NEED_V | NEED_XV);
-    const bool matter = needs & (NEED_RHO | NEED_P2 | NEED_IRHO);
+    const bool rho = needs & (NEED_RHO | NEED_P2);
 
-    if (motion)
-        return matter ? gather_all : gather_motion;
-    return matter ? gather_matter : gather_place;
+    if (needs & (NEED_MASS | NEED_IRHO))
+        return gather_all;
+    if (needs & NEED_V)
+        return gather_motion_rho;
+    if (needs & NEED_XV)
+        return rho ? gather_approach_rho : gather_approach;
+    return rho ? gather_place_rho : gather_place;
 }
 
 void gather_side(const double *record, int first, int end, int dummy, struct side *a)
@@ -122,22 +135,10 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
                 a->x[d][l] = -a->x[d][l];
 }
 
-/* m_a m_b first, so that both sides of a pair get the same bits. */
-static void times_masses(int n, lanes m, const lanes *of, lanes *g)
+void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b)
 {
-    for (int k = 0; k < n; k++)
-        g[k] = m * of[k] * g[k];
-}
-
-void gather_kernel(unsigned needs, const struct kernel_use *use, const struct side *a,
-                   struct block *b)
-{
-    if (needs & NEED_GRADW) {
-        use->kernel->gradient(use->support, use->scale, b->n, b->r2, b->gw);
-        times_masses(b->n, a->m, b->m, b->gw);
-    }
-    if (needs & NEED_W) {
-        use->kernel->value(use->support, use->scale, b->n, b->r2, b->w);
-        times_masses(b->n, a->m, b->m, b->w);
-    }
+    if (needs & NEED_GRADW)
+        use->kernel->gradient(use->support, use->scale, b->n, b->r, b->mm, b->gw);
+    if (needs & NEED_W)
+        use->kernel->value(use->support, use->scale, b->n, b->r, b->mm, b->w);
 }

@@ -21,8 +21,7 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
 
 /* Fills gw and w, whichever are needed, by this kernel. */
 #define gather_kernel LANE_NAME(gather_kernel)
-void gather_kernel(unsigned needs, const struct kernel_use *use, const struct side *a,
-                   struct block *b);
+void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b);
 
 /* x = x_a - x_b: the one place where the separation of a pair is formed. */
 static inline void gather_separation(const lanes *a, const lanes *b, lanes *x)

@@ -8,6 +8,9 @@
 
 #include "space/lanes.h"
 
+typedef void kernel_rows(double support, double scale, int n, const lanes *r, const lanes *m,
+                         lanes *to);
+
 struct kernel {
     const char *name, *about, *source;
     double sigma[4]; /* [D] normalisation in 2D and 3D, 0 where undefined    */
@@ -17,10 +20,10 @@ struct kernel {
     double (*dw)(double q);
     double (*ddw)(double q);
 
-    /* g[k] = W'(r)/r [m^-(D+2)] and v[k] = W(r) [m^-D] for n rows of r^2
-     * [m^2]; exactly 0 from r = H on, finite at r = 0.  scale = sigma_D/H^D. */
-    void (*gradient)(double support, double scale, int n, const lanes *r2, lanes *g);
-    void (*value)(double support, double scale, int n, const lanes *r2, lanes *v);
+    /* g[k] = m[k] W'(r)/r [of m, m^-(D+2)] and w[k] = m[k] W(r) [of m, m^-D]
+     * for n rows of r [m]; exactly 0 from r = H on, finite at r = 0.
+     * scale = sigma_D/H^D. */
+    kernel_rows *gradient, *value;
 };
 
 /* A kernel as a scene uses it. */

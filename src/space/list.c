@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORTH_THREADS = 20000 }; /* particles whose check repays waking them  */
+/* Particles whose check and whose rebuilding repay waking the threads. */
+enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 1000 };
 
 struct check {
     bool moved;
@@ -137,7 +138,7 @@ static struct check check(const struct list *list, const struct cloud *cloud)
     bool moved = false;
     int bad = list->n;
 
-#pragma omp parallel if (list->n > WORTH_THREADS) reduction(|| : moved) reduction(min : bad)
+#pragma omp parallel if (list->n > WORTH_CHECKING) reduction(|| : moved) reduction(min : bad)
     {
         struct check c = { false, list->n };
         const long t = threads_me(), of = threads_all();
@@ -243,7 +244,7 @@ static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows
     TRY(cells_sort(list, cloud));
     make_groups(list);
     TRY(make_stores(list, threads_most()));
-#pragma omp parallel
+#pragma omp parallel if (list->listed > WORTH_BUILDING)
     {
         const long t = threads_me(), of = threads_all();
 

@@ -11,7 +11,7 @@
 
 enum { PAIRS_ROWS = 64 }; /* rows of a block at most; more are sliced        */
 
-/* Rows a law asks for. */
+/* Rows a law asks for; r and mm are there for everybody. */
 enum need {
     NEED_X = 1 << 0,     /* x                                                */
     NEED_V = 1 << 1,     /* v                                                */
@@ -37,6 +37,8 @@ struct block {
     lanes x[DIM][PAIRS_ROWS];  /* x_a - x_b                        [m]       */
     lanes v[DIM][PAIRS_ROWS];  /* v_a - v_b                        [m/s]     */
     lanes r2[PAIRS_ROWS];      /* r^2                              [m^2]     */
+    lanes r[PAIRS_ROWS];       /* r, always there                  [m]       */
+    lanes mm[PAIRS_ROWS];      /* m_a m_b, always there            [kg^2]    */
     lanes xv[PAIRS_ROWS];      /* x . v                            [m^2/s]   */
     lanes gw[PAIRS_ROWS];      /* m_a m_b W'(r)/r, 0 beyond the support      */
     lanes w[PAIRS_ROWS];       /* m_a m_b W(r), 0 beyond the support         */

@@ -16,7 +16,7 @@
 #include <immintrin.h>
 #endif
 
-enum { WIDE = 2 * LANES, HITS = 1 << WIDE };
+enum { WIDE = 2 * LANES, HITS = 1 << WIDE, CHUNKS = 128 };
 _Static_assert((int)WIDE <= (int)LIST_PAD, "places are read WIDE at a time");
 
 typedef float floats __attribute__((vector_size(4 * WIDE)));
@@ -25,15 +25,23 @@ typedef int quad __attribute__((vector_size(16), may_alias));
 
 static const double WIDER = 1 + 1e-6;
 
+/* Work on one group.  Candidates are collected in chunks of WIDE slots in turn;
+ * then every owner is compared with all of them. */
 struct scan {
-    const ints *hit;           /* [HITS] the set bits of a mask in turn      */
     const double *const *place;
     double reach;              /* [m]                                        */
+    int group, owners;         /* first slot, lanes in use                   */
     double origin[DIM];        /* subtracted from everybody [m]              */
     float own[LANES][DIM];     /* owners, after that                         */
-    int group, owners;         /* first slot, lanes in use                   */
+    int first, last;           /* lanes that look for neighbours now         */
+    int chunks;
+    int slot[CHUNKS];          /* first slot of each chunk                   */
+    int self[LANES];           /* the owner among the candidates, or -1      */
+    float x[DIM][(CHUNKS + 1) * WIDE];
+    unsigned char hits[CHUNKS][LANES];
     int *near[LANES];          /* neighbours so far                          */
     int count[LANES];
+    ints hit[HITS];            /* the set bits of a mask in turn             */
 };
 
 /* Bit l of the answer: lane l is below the bound. */
@@ -87,56 +95,108 @@ static inline int bits(unsigned mask)
 #endif
 }
 
-/* Candidates from..to-1 for lanes first..last; WIDE at most, and never oneself,
- * when among is set: the owners themselves may be among them. */
-static inline void scan_slots(struct scan *s, int from, int to, int first, int last, bool among)
+static inline floats floats_at(const float *x)
+{
+    floats f;
+
+    memcpy(&f, x, sizeof f);
+    return f;
+}
+
+/* Compares all lanes with all chunks: hits; an owner does not hit himself. */
+static inline void compare(struct scan *s)
 {
     const float bound = (float)(s->reach * s->reach);
-    int *to_near[LANES];
 
-    for (int l = first; l <= last; l++)
-        to_near[l] = s->near[l] + s->count[l];
-    for (int j = from; j < to; j += WIDE) {
-        const unsigned valid = to - j < WIDE ? (1u << (to - j)) - 1 : HITS - 1;
+    for (int c = 0; c < s->chunks; c++) {
         floats x[DIM];
 
         for (int d = 0; d < DIM; d++)
-            x[d] = offsets(s->place[d] + j, s->origin[d]);
-        for (int l = first; l <= last; l++) {
+            x[d] = floats_at(s->x[d] + c * WIDE);
+        for (int l = 0; l < LANES; l++) {
             floats r2 = { 0 };
 
             for (int d = 0; d < DIM; d++)
                 r2 += (x[d] - s->own[l][d]) * (x[d] - s->own[l][d]);
-            unsigned hits = below(r2, bound) & valid;
-            if (among) /* bit group + l - j, which may be negative */
-                hits &= ~(1u << (WIDE + s->group + l - j) >> WIDE);
-            const ints slots = s->hit[hits] + j;
-            memcpy(to_near[l], &slots, sizeof slots);
-            to_near[l] += bits(hits);
+            s->hits[c][l] = (unsigned char)below(r2, bound);
         }
     }
-    for (int l = first; l <= last; l++)
-        s->count[l] = (int)(to_near[l] - s->near[l]);
+    for (int l = 0; l < LANES; l++)
+        if (s->self[l] >= 0)
+            s->hits[s->self[l] / WIDE][l] &= (unsigned char)~(1u << s->self[l] % WIDE);
 }
 
-/* A run of slots; the stretch that holds the owners themselves is apart. */
-static inline void scan_run(struct scan *s, int from, int to, int first, int last)
+/* Appends what lanes first..last hit to their neighbours. */
+static inline void compress(struct scan *s, int first, int last)
 {
-    const int a = from > s->group ? from : s->group;
-    const int b = a + WIDE < to ? a + WIDE : to;
+    int *to[LANES];
 
-    if (a >= to || a >= s->group + LANES) {
-        scan_slots(s, from, to, first, last, false);
-        return;
+    for (int l = first; l <= last; l++)
+        to[l] = s->near[l] + s->count[l];
+    for (int c = 0; c < s->chunks; c++)
+        for (int l = first; l <= last; l++) {
+            const unsigned hits = s->hits[c][l];
+            const ints slots = s->hit[hits] + s->slot[c];
+
+            memcpy(to[l], &slots, sizeof slots);
+            to[l] += bits(hits);
+        }
+    for (int l = first; l <= last; l++)
+        s->count[l] = (int)(to[l] - s->near[l]);
+}
+
+/* Done with the candidates collected so far. */
+static void flush(struct scan *s)
+{
+    compare(s);
+    if (s->first == 0 && s->last == LANES - 1)
+        compress(s, 0, LANES - 1);
+    else
+        compress(s, s->first, s->last);
+    for (int l = 0; l < LANES; l++)
+        s->self[l] = -1;
+    s->chunks = 0;
+}
+
+/* Collects a run of at most CHUNKS * WIDE slots; what its last chunk has too
+ * many of is put out of reach. */
+static inline void collect(struct scan *s, int from, int to)
+{
+    const floats out_of_reach = (floats){ 0 } + 1e30f;
+    const int base = s->chunks * WIDE, n = to - from;
+
+    for (int k = 0; k < n; k += WIDE)
+        s->slot[s->chunks++] = from + k;
+    for (int d = 0; d < DIM; d++) {
+        const double *place = s->place[d] + from, origin = s->origin[d];
+        float *x = s->x[d] + base;
+
+        for (int k = 0; k < n; k += WIDE) {
+            const floats chunk = offsets(place + k, origin);
+            memcpy(x + k, &chunk, sizeof chunk);
+        }
     }
-    scan_slots(s, from, a, first, last, false);
-    scan_slots(s, a, b, first, last, true);
-    scan_slots(s, b, to, first, last, false);
+    memcpy(s->x[0] + base + n, &out_of_reach, sizeof out_of_reach);
+    if (from >= s->group + LANES || to <= s->group)
+        return;
+    for (int l = 0; l < LANES; l++)
+        if (s->group + l >= from && s->group + l < to)
+            s->self[l] = base + s->group + l - from;
+}
+
+static inline void scan_run(struct scan *s, int from, int to)
+{
+    for (; to - from > CHUNKS * WIDE; from += CHUNKS * WIDE) {
+        flush(s);
+        collect(s, from, from + CHUNKS * WIDE);
+    }
+    if (s->chunks + (to - from + WIDE - 1) / WIDE > CHUNKS)
+        flush(s);
+    collect(s, from, to);
 }
 
 /* Everybody in the window, in ascending slots. */
-static inline void scan_window(struct scan *s, const struct cells *c, const struct cells_window *w,
-                               int first, int last)
+static void scan_window(struct scan *s, const struct cells *c, const struct cells_window *w)
 {
     const int more = w->high[0] - w->low[0] + 1;
 #if DIM == 3
@@ -152,19 +212,21 @@ static inline void scan_window(struct scan *s, const struct cells *c, const stru
             const int *start = c->start + cells_first(c, w, row + y);
 
             if (start[0] < start[more])
-                scan_run(s, start[0], start[more], first, last);
+                scan_run(s, start[0], start[more]);
         }
     }
+    if (s->chunks > 0)
+        flush(s);
 }
 
-/* The box of lanes first..last, widened by the reach. */
-static void box_of(const struct scan *s, int first, int last, double *low, double *high)
+/* The box of the lanes that look, widened by the reach. */
+static void box_of(const struct scan *s, double *low, double *high)
 {
     for (int d = 0; d < DIM; d++) {
         const double *x = s->place[d] + s->group;
 
-        low[d] = high[d] = x[first];
-        for (int l = first + 1; l <= last; l++) {
+        low[d] = high[d] = x[s->first];
+        for (int l = s->first + 1; l <= s->last; l++) {
             low[d] = x[l] < low[d] ? x[l] : low[d];
             high[d] = x[l] > high[d] ? x[l] : high[d];
         }
@@ -191,10 +253,11 @@ static void scan_apart(struct scan *s, const struct cells *c)
         double low[DIM], high[DIM];
         struct cells_window w;
 
+        s->first = s->last = l;
         set_origin(s, l);
-        box_of(s, l, l, low, high);
+        box_of(s, low, high);
         if (cells_window(c, low, high, &w))
-            scan_window(s, c, &w, l, l);
+            scan_window(s, c, &w);
     }
     set_origin(s, 0);
 }
@@ -204,14 +267,21 @@ static void scan_together(struct scan *s, const struct cells *c)
     double low[DIM], high[DIM];
     struct cells_window w;
 
-    box_of(s, 0, s->owners - 1, low, high);
+    s->first = 0;
+    s->last = s->owners - 1;
+    box_of(s, low, high);
     for (int d = 0; d < DIM; d++)
         if (high[d] - low[d] > 3 * s->reach) {
             scan_apart(s, c);
             return;
         }
     if (cells_window(c, low, high, &w))
-        scan_window(s, c, &w, 0, LANES - 1);
+        scan_window(s, c, &w);
+}
+
+static inline void store(int *to, quad four)
+{
+    memcpy(to, &four, sizeof four);
 }
 
 /* Four neighbours of each lane to four rows. */
@@ -224,16 +294,29 @@ static inline void transpose(int *const near[LANES], int k, int *to)
     const quad bd = __builtin_shufflevector(b, d, 0, 4, 1, 5);
     const quad ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7);
     const quad bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
-    const quad rows[4] = { __builtin_shufflevector(ac, bd, 0, 4, 1, 5),
-                           __builtin_shufflevector(ac, bd, 2, 6, 3, 7),
-                           __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5),
-                           __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7) };
+
+    store(to, __builtin_shufflevector(ac, bd, 0, 4, 1, 5));
+    store(to + 4, __builtin_shufflevector(ac, bd, 2, 6, 3, 7));
+    store(to + 8, __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5));
+    store(to + 12, __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7));
 #else
     const quad a = *(const quad *)(near[0] + k), b = *(const quad *)(near[1] + k);
-    const quad rows[2] = { __builtin_shufflevector(a, b, 0, 4, 1, 5),
-                           __builtin_shufflevector(a, b, 2, 6, 3, 7) };
+
+    store(to, __builtin_shufflevector(a, b, 0, 4, 1, 5));
+    store(to + 4, __builtin_shufflevector(a, b, 2, 6, 3, 7));
 #endif
-    memcpy(to, rows, sizeof rows);
+}
+
+/* Pads a lane's n neighbours to the longest; WIDE at a time, so that the usual
+ * case has no loop to mispredict. */
+static inline void pad(int *near, int n, int rows, int dummy)
+{
+    const ints dummies = (ints){ 0 } + dummy;
+
+    do {
+        memcpy(near + n, &dummies, sizeof dummies);
+        n += WIDE;
+    } while (n < rows);
 }
 
 /* Pads the lanes to the longest and appends the rows. */
@@ -253,8 +336,7 @@ static int append(struct list_store *store, struct scan *s, int partner, int dum
         return 0;
     }
     for (int l = 0; l < LANES; l++)
-        for (int k = l < s->owners ? s->count[l] : 0; k < rows; k++)
-            s->near[l][k] = dummy;
+        pad(s->near[l], l < s->owners ? s->count[l] : 0, rows, dummy);
     for (int k = 0; k < rows; k += 4)
         transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
@@ -300,21 +382,22 @@ static void make_hits(ints *hit)
 /* Rows of the groups from..to-1. */
 static void find_all(struct list *list, struct list_store *store, int from, int to)
 {
-    ints hit[HITS];
-    const size_t room = ((size_t)list->listed + WIDE + 3) / 4 * 4;
-    struct scan s = {
-        .hit = hit,
-        .place = (const double *const *)list->own->place,
-        .reach = (list->def.support + list->def.skin) * WIDER,
-    };
+    const size_t room = ((size_t)list->listed + 2 * WIDE + 3) / 4 * 4;
+    struct scan s;
 
     if (!list_grow((void **)&store->near, &store->near_room, LANES * room, sizeof(int))) {
         store->failed = true;
         return;
     }
-    for (int l = 0; l < LANES; l++)
+    s.place = (const double *const *)list->own->place;
+    s.reach = (list->def.support + list->def.skin) * WIDER;
+    s.chunks = 0;
+    memset(s.x, 0, sizeof s.x);
+    for (int l = 0; l < LANES; l++) {
         s.near[l] = store->near + (size_t)l * room;
-    make_hits(hit);
+        s.self[l] = -1;
+    }
+    make_hits(s.hit);
     for (int g = from; g < to && !store->failed; g++)
         find_rows(list, store, &s, g);
 }

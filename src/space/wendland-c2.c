@@ -31,25 +31,26 @@ static double curvature(double q)
     return -20 * t * t * (1 - 4 * q);
 }
 
-static void gradient(double support, double scale, int n, const lanes *r2, lanes *g)
+static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
+                     lanes *g)
 {
     const double inverse = 1 / support;
     const double factor = -20 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
-        const lanes t = lanes_positive(1 - inverse * lanes_sqrt(r2[k]));
-        g[k] = factor * t * (t * t);
+        const lanes t = lanes_positive(1 - inverse * r[k]);
+        g[k] = factor * m[k] * t * (t * t);
     }
 }
 
-static void value(double support, double scale, int n, const lanes *r2, lanes *v)
+static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
     const double inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
-        const lanes q = inverse * lanes_sqrt(r2[k]);
+        const lanes q = inverse * r[k];
         const lanes t = lanes_positive(1 - q);
-        v[k] = scale * (t * t) * (t * t) * (1 + 4 * q);
+        w[k] = scale * m[k] * (t * t) * (t * t) * (1 + 4 * q);
     }
 }
 

@@ -342,6 +342,7 @@ static void the_nearest_word_is_near(void **state)
     (void)state;
     assert_string_equal(scene_nearest("viscocity", names), "viscosity");
     assert_string_equal(scene_nearest("vsicosity", names), "viscosity");
+    assert_string_equal(scene_nearest("0c", names), "c0");
     assert_string_equal(scene_nearest("RHO0", names), "rho0");
     assert_string_equal(scene_nearest("e", names), "E");
     assert_string_equal(scene_nearest("dens", names), "density");
@@ -430,6 +431,24 @@ static void huge_and_deep_scenes_do_not_crash(void **state)
     write_bytes("t.scene", bytes, 9 * 20000);
     check_refused(NULL, "more than 10000 settings in one group");
     free(bytes);
+}
+
+static void long_lists_are_kept_whole(void **state)
+{
+    char text[20000] = "eos = { outline = ( [0, 0.5]";
+    size_t n = strlen(text);
+    struct scene *scene;
+    struct tank tank;
+
+    (void)state;
+    for (int i = 1; i < 1000; i++)
+        n += (size_t)snprintf(text + n, sizeof text - n, ", [%d, 0.5]\n", i);
+    snprintf(text + n, sizeof text - n, ") };");
+    scene = loaded(text, NULL, &tank);
+    assert_int_equal(tank.eos.outline.n, 1000);
+    for (int i = 0; i < 1000; i++)
+        assert_true(tank.eos.outline.x[i][0] == i && tank.eos.outline.x[i][1] == 0.5);
+    scene_free(&scene);
 }
 
 /* --- includes ------------------------------------------------------------------------- */
@@ -546,13 +565,35 @@ static void a_name_left_out_means_all_of_that_kind(void **state)
     static const char two[] = "beam = { a = { E = 1 }; b = { } }; eos = { c0 = 1 }; until = 1";
     struct tank tank;
     struct scene *scene = loaded(two, "beam.E=7", &tank);
+    const struct scene_node *beam;
 
     (void)state;
     assert_true(tank.modulus[0] == 7 && tank.modulus[1] == 7);
     assert_int_equal(scene_override(scene, "beam.b.E=8"), STATUS_DONE);
     assert_int_equal(scene_override(scene, "beam.c={ E = 9 }"), STATUS_DONE);
     assert_int_equal(fill(scene, &tank), STATUS_DONE);
+    beam = scene_child(scene_root(scene), "beam");
+    assert_int_equal(scene_line(scene_child(scene_child(beam, "c"), "E")), 0);
     assert_true(tank.modulus[0] == 7 && tank.modulus[1] == 8 && tank.modulus[2] == 9);
+    scene_free(&scene);
+}
+
+static void a_name_left_out_reaches_groups_in_groups(void **state)
+{
+    const struct scene_node *beam;
+    struct scene *scene;
+
+    (void)state;
+    write_file("t.scene", "beam = { a = { end = { k = 1 } }; b = { } };");
+    assert_int_equal(scene_read(in_directory("t.scene"), &scene), STATUS_DONE);
+    assert_int_equal(scene_override(scene, "beam.end.k=2"), STATUS_DONE);
+    assert_int_equal(scene_override(scene, "beam.load.k=2"), STATUS_DONE); /* none has it */
+    beam = scene_child(scene_root(scene), "beam");
+    assert_string_equal(scene_where(scene_child(scene_child(scene_at(beam, 0), "end"), "k")),
+                        "command line");
+    assert_non_null(scene_child(scene_child(scene_at(beam, 1), "end"), "k"));
+    assert_int_equal(scene_count(beam), 3);
+    assert_non_null(scene_child(scene_child(beam, "load"), "k"));
     scene_free(&scene);
 }
 
@@ -563,6 +604,7 @@ static void overrides_that_fit_nothing_are_refused(void **state)
             "has none");
     refused("until = 1; beam = { a = { } }", "beam.F=7", "command line: unknown key beam.a.F");
     refused("until = 1", "utnil=7", "command line: unknown key utnil; did you mean until?");
+    refused("beam = { a = { } }", "utnil=7", "command line: unknown key utnil; did you mean");
     refused("until = 1", "until=soon", "command line: until = \"soon\" is a text, but a number in "
             "s is expected");
     refused("until = 1", "until=-1", "command line: until = -1 s lies outside");
@@ -774,11 +816,13 @@ int main(void)
         cmocka_unit_test(names_given_twice_are_refused_with_both_places),
         cmocka_unit_test(files_that_are_no_scenes_are_refused),
         cmocka_unit_test(huge_and_deep_scenes_do_not_crash),
+        cmocka_unit_test(long_lists_are_kept_whole),
         cmocka_unit_test(includes_are_looked_for_beside_the_file_that_asks),
         cmocka_unit_test(includes_that_cannot_be_are_refused),
         cmocka_unit_test(overrides_set_values_of_every_kind),
         cmocka_unit_test(what_does_not_parse_is_a_text),
         cmocka_unit_test(a_name_left_out_means_all_of_that_kind),
+        cmocka_unit_test(a_name_left_out_reaches_groups_in_groups),
         cmocka_unit_test(overrides_that_fit_nothing_are_refused),
         cmocka_unit_test(scene_used_read_again_gives_the_same_bits),
         cmocka_unit_test(scene_used_says_unit_and_origin_of_each_value),

@@ -60,32 +60,32 @@ void kernel_derivatives_agree(void **state)
     }
 }
 
-/* Rows of r^2 give W and W'/r of single distances; r = 0 is finite. */
+/* Rows of r give W and W'/r of single distances; r = 0 is finite. */
 void kernel_rows_agree(void **state)
 {
     enum { ROWS = 50 };
-    lanes r2[ROWS], g[ROWS], v[ROWS];
+    lanes rows[ROWS], m[ROWS], g[ROWS], v[ROWS];
 
     (void)state;
     for (int k = 0; k < ROWS; k++)
         for (int l = 0; l < LANES; l++) {
-            const double r = H * (k + 0.5 * l) / (ROWS - 5);
-            r2[k][l] = r * r;
+            rows[k][l] = H * (k + 0.5 * l) / (ROWS - 5);
+            m[k][l] = 2 + k;
         }
     for (int i = 0; kernel_table[i]; i++) {
         const struct kernel_use use = kernel_use_make(kernel_table[i], H, DIM);
 
-        use.kernel->gradient(H, use.scale, ROWS, r2, g);
-        use.kernel->value(H, use.scale, ROWS, r2, v);
+        use.kernel->gradient(H, use.scale, ROWS, rows, m, g);
+        use.kernel->value(H, use.scale, ROWS, rows, m, v);
         for (int k = 0; k < ROWS; k++)
             for (int l = 0; l < LANES; l++) {
-                const double r = sqrt(r2[k][l]), w = kernel_w(&use, r);
-                const double slope = r > 0 ? kernel_gradient(&use, r) / r
-                                           : use.scale / (H * H) * use.kernel->ddw(0);
+                const double r = rows[k][l], w = m[k][l] * kernel_w(&use, r);
+                const double slope = m[k][l] * (r > 0 ? kernel_gradient(&use, r) / r
+                                                : use.scale / (H * H) * use.kernel->ddw(0));
 
-                check(fabs(v[k][l] - w) <= 1e-13 * use.scale, "%s: W(%g) = %g, not %g",
+                check(fabs(v[k][l] - w) <= 1e-13 * m[k][l] * use.scale, "%s: W(%g) = %g, not %g",
                       use.kernel->name, r, v[k][l], w);
-                check(fabs(g[k][l] - slope) <= 1e-12 * use.scale / (H * H),
+                check(fabs(g[k][l] - slope) <= 1e-12 * m[k][l] * use.scale / (H * H),
                       "%s: W'(r)/r at %g = %g, not %g", use.kernel->name, r, g[k][l], slope);
             }
     }
@@ -95,16 +95,17 @@ void kernel_rows_agree(void **state)
 void kernel_ends_at_support(void **state)
 {
     const double far[] = { 1, 1 + 1e-15, 1.5, 1e30 };
-    lanes r2[2], g[2], v[2];
+    lanes r[2], m[2], g[2], v[2];
 
     (void)state;
     for (int k = 0; k < 4; k++)
-        r2[k / LANES][k % LANES] = 1.0 * far[k] * far[k];
+        r[k / LANES][k % LANES] = far[k];
+    m[0] = m[1] = lanes_all(1);
     for (int i = 0; kernel_table[i]; i++) {
         const struct kernel_use use = kernel_use_make(kernel_table[i], 1, DIM);
 
-        use.kernel->gradient(1, use.scale, 2, r2, g);
-        use.kernel->value(1, use.scale, 2, r2, v);
+        use.kernel->gradient(1, use.scale, 2, r, m, g);
+        use.kernel->value(1, use.scale, 2, r, m, v);
         for (int k = 0; k < 4; k++) {
             check(g[k / LANES][k % LANES] == 0 && v[k / LANES][k % LANES] == 0,
                   "%s is not 0 at %g H", use.kernel->name, far[k]);

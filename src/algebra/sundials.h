@@ -1,0 +1,62 @@
+/* sundials.h -- the one place that knows which SUNDIALS this is (6.4.1 to 7.x).
+ *
+ * The rest of the program is written against the common names of 7.1 and later
+ * (ARKodeEvolve ...); for older ones they are mapped to ARKStep's here.  SUNDIALS
+ * never prints: what it complains of is kept for our own message. */
+#ifndef ALGEBRA_SUNDIALS_H
+#define ALGEBRA_SUNDIALS_H
+
+#include <arkode/arkode_arkstep.h>
+#include <sundials/sundials_config.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_nonlinearsolver.h>
+#include <sundials/sundials_nvector.h>
+
+#define SUNDIALS_AT_LEAST(major, minor) \
+    (SUNDIALS_VERSION_MAJOR > (major) || \
+     (SUNDIALS_VERSION_MAJOR == (major) && SUNDIALS_VERSION_MINOR >= (minor)))
+
+#if !SUNDIALS_AT_LEAST(7, 1)
+#define ARKodeEvolve                  ARKStepEvolve
+#define ARKodeFree                    ARKStepFree
+#define ARKodeGetLastStep             ARKStepGetLastStep
+#define ARKodeGetNonlinearSystemData  ARKStepGetNonlinearSystemData
+#define ARKodeGetNumStepAttempts      ARKStepGetNumStepAttempts
+#define ARKodeSetCFLFraction          ARKStepSetCFLFraction
+#define ARKodeSetDeduceImplicitRhs    ARKStepSetDeduceImplicitRhs
+#define ARKodeSetErrorBias            ARKStepSetErrorBias
+#define ARKodeSetFixedStepBounds      ARKStepSetFixedStepBounds
+#define ARKodeSetInitStep             ARKStepSetInitStep
+#define ARKodeSetInterpolantDegree    ARKStepSetInterpolantDegree
+#define ARKodeSetInterpolantType      ARKStepSetInterpolantType
+#define ARKodeSetMaxEFailGrowth       ARKStepSetMaxEFailGrowth
+#define ARKodeSetMaxErrTestFails      ARKStepSetMaxErrTestFails
+#define ARKodeSetMaxFirstGrowth       ARKStepSetMaxFirstGrowth
+#define ARKodeSetMaxGrowth            ARKStepSetMaxGrowth
+#define ARKodeSetMaxHnilWarns         ARKStepSetMaxHnilWarns
+#define ARKodeSetMaxNumSteps          ARKStepSetMaxNumSteps
+#define ARKodeSetMinReduction         ARKStepSetMinReduction
+#define ARKodeSetMinStep              ARKStepSetMinStep
+#define ARKodeSetNonlinearSolver      ARKStepSetNonlinearSolver
+#define ARKodeSetPredictorMethod      ARKStepSetPredictorMethod
+#define ARKodeSetSafetyFactor         ARKStepSetSafetyFactor
+#define ARKodeSetSmallNumEFails       ARKStepSetSmallNumEFails
+#define ARKodeSetStabilityFn          ARKStepSetStabilityFn
+#define ARKodeSetStopTime             ARKStepSetStopTime
+#define ARKodeSetUserData             ARKStepSetUserData
+#define ARKodeWFtolerances            ARKStepWFtolerances
+#endif
+
+/* A context of its own for each integrator; STATUS_FAILED when there is none. */
+int sundials_open(SUNContext *out);
+void sundials_close(SUNContext *context); /* NULL is welcome */
+
+/* Redirects what an integrator complains of (6.x: to be called for each; 7.x
+ * has it from its context, and this does nothing). */
+int sundials_listen(void *arkode);
+
+/* The last complaint of any integrator since sundials_forget(), "" if none. */
+const char *sundials_complaint(void);
+void sundials_forget(void);
+
+#endif

@@ -1,0 +1,156 @@
+/* beam.h -- a beam on a bench of its own: layout, state and forces for tests. */
+#ifndef TESTS_UNIT_BEAM_H
+#define TESTS_UNIT_BEAM_H
+
+#include "base/status.h"
+#include "bodies/beam-make.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+enum { BENCH_DOFS = 256, BENCH_Y = 2 * BENCH_DOFS + 16, BENCH_SKIN = 600 };
+
+struct bench {
+    struct beam_def def;
+    struct scales scales;
+    struct body *body;
+    struct layout layout;
+    int skin;
+    long size;
+    double y[BENCH_Y], ydot[BENCH_Y];
+    double force[BENCH_SKIN][DIM];
+    struct body_load load;
+};
+
+static inline void check_close(double found, double expected, double tolerance, const char *what)
+{
+    if (!(fabs(found - expected) <= tolerance))
+        fail_msg("%s: found %.17g, expected %.17g within %g", what, found, expected, tolerance);
+}
+
+static inline double noise(unsigned *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (*seed >> 8) / 8388608.0 - 1;
+}
+
+/* Defaults of the rows, as a scene would fill them. */
+static inline void fill_defaults(const struct param *rows, void *into)
+{
+    for (const struct param *r = rows; r->key; r++) {
+        char *to = (char *)into + r->offset;
+        if (r->type == PARAM_NUMBER)
+            *(double *)(void *)to = r->fallback;
+        else if (r->type == PARAM_INTEGER)
+            *(int *)(void *)to = (int)r->fallback;
+        else if (r->type == PARAM_FLAG)
+            *(bool *)(void *)to = r->fallback != 0;
+        else if (r->type == PARAM_WORD)
+            *(const char **)(void *)to = r->words[0];
+    }
+}
+
+/* A plain cantilever in a world with water and no gravity. */
+static inline void bench_defaults(struct bench *b)
+{
+    memset(b, 0, sizeof *b);
+    fill_defaults(bodies_beam.params, &b->def);
+    b->def.at[0] = 0.3;
+    b->def.at[1] = 0.1;
+    b->def.length = 0.2;
+    b->def.thickness = 0.01;
+    b->def.E = 2e6;
+    b->def.density = 1200;
+    b->def.elements = 8;
+    b->scales = (struct scales){ .dimension = DIM, .dx = 0.01, .support = 0.03, .hs = 0.015,
+                                 .rho0 = 1000, .c0 = 20, .speed = 2, .fluid = true };
+}
+
+static inline void bench_make(struct bench *b)
+{
+    status_clear();
+    if (bodies_beam.create(&b->def, &b->scales, "it", "beam.it", &b->body))
+        fail_msg("%s", status_message());
+    layout_add(&b->layout, LAYOUT_POSITION, "others", "m", 3, 1, 1);
+    assert_int_equal(bodies_beam.rows(b->body, &b->layout), STATUS_DONE);
+    layout_add(&b->layout, LAYOUT_VELOCITY, "others", "m/s", 3, 1, 1);
+    layout_done(&b->layout);
+    b->size = layout_size(&b->layout);
+    b->skin = bodies_beam.skin(b->body, NULL);
+    assert_true(b->size <= BENCH_Y && b->skin <= BENCH_SKIN);
+    bodies_beam.start(b->body, &b->layout, b->y);
+}
+
+static inline void bench_free(struct bench *b)
+{
+    bodies_beam.free(&b->body);
+    assert_null(b->body);
+}
+
+static inline int bench_dofs(const struct bench *b)
+{
+    return 2 * (b->def.elements + 1);
+}
+
+/* Entry of y that holds degree of freedom i (w, theta, w, ...), or its rate. */
+static inline long bench_at(const struct bench *b, int i, bool rate)
+{
+    return layout_at(&b->layout, 1 + (rate ? 2 : 0) + i % 2) + i / 2;
+}
+
+/* Some bent, moving state with forces all over the skin. */
+static inline void bench_shake(struct bench *b, unsigned seed)
+{
+    for (int i = 0; i < bench_dofs(b); i++)
+        if (!bending_held(b->body->bending, i)) {
+            const double size = i % 2 ? 0.1 : 0.003;
+            b->y[bench_at(b, i, false)] = size * noise(&seed);
+            b->y[bench_at(b, i, true)] = 10 * size * noise(&seed);
+        }
+    for (int i = 0; i < b->skin; i++)
+        for (int d = 0; d < DIM; d++)
+            b->force[i][d] = 5 * noise(&seed);
+}
+
+static inline void bench_load(struct bench *b, double t)
+{
+    bodies_beam.load(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, b->ydot,
+                     &b->load);
+}
+
+/* ydot of both sides. */
+static inline void bench_rates(struct bench *b, double t)
+{
+    memset(b->ydot, 0, sizeof b->ydot);
+    bench_load(b, t);
+    bodies_beam.stiff(b->body, &b->layout, t, b->y, b->ydot);
+}
+
+static inline void bench_show(struct bench *b, double t, struct body_view *view)
+{
+    bodies_beam.show(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, view);
+}
+
+/* Puts the beam where its loads hold it at rest: one implicit step so long that
+ * inertia is nothing, z = gamma f_E + gamma f_I(z), whose rates are dropped. */
+static inline void bench_settle(struct bench *b, double t)
+{
+    const double gamma = 1e9 / b->body->bending->fastest * bench_dofs(b) * bench_dofs(b);
+    double r[BENCH_Y] = {0};
+
+    memset(b->ydot, 0, sizeof b->ydot);
+    bench_load(b, t);
+    for (int i = 0; i < bench_dofs(b); i++)
+        r[bench_at(b, i, true)] = gamma * b->ydot[bench_at(b, i, true)];
+    assert_int_equal(bodies_beam.solve(b->body, &b->layout, t, gamma, r, b->y), STATUS_DONE);
+    for (int i = 0; i < bench_dofs(b); i++)
+        b->y[bench_at(b, i, true)] = 0;
+}
+
+#endif

@@ -1,0 +1,219 @@
+/* vector.c -- our vector operations: right, NaN-safe, and the same bits on any
+ * number of threads. */
+#include "algebra/vector.h"
+#include "base/status.h"
+
+#include <float.h>
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+enum { LONG = 70003 }; /* several threads, and a last block that is not full */
+
+static SUNContext context;
+
+static void use_threads(int n)
+{
+#ifdef _OPENMP
+    omp_set_num_threads(n);
+#else
+    (void)n;
+#endif
+}
+
+static double noise(unsigned *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (double)*seed / UINT32_MAX - 0.5;
+}
+
+static N_Vector noisy(long n, enum vector_norm norm, unsigned seed)
+{
+    N_Vector v = vector_create(n, norm, context);
+
+    assert_non_null(v);
+    for (long i = 0; i < n; i++)
+        vector_data(v)[i] = noise(&seed);
+    return v;
+}
+
+static void near(double got, double want, double tolerance)
+{
+    if (!(fabs(got - want) <= tolerance * (fabs(want) + DBL_MIN)))
+        fail_msg("%.17g instead of %.17g", got, want);
+}
+
+static void new_vectors_are_zero_and_clones_keep_the_norm(void **state)
+{
+    N_Vector v = vector_create(5, VECTOR_NORM_MAX, context), c = N_VClone(v), w = N_VClone(c);
+
+    (void)state;
+    assert_int_equal(N_VGetLength(c), 5);
+    assert_int_equal(vector_largest(v), -1);
+    N_VConst(2, w);
+    for (int i = 0; i < 5; i++)
+        assert_true(vector_data(c)[i] == 0);
+    vector_data(c)[3] = -7;
+    near(N_VWrmsNorm(c, w), 14, 0);
+    assert_int_equal(vector_largest(v), 3);
+    N_VDestroy(v);
+    near(N_VWrmsNorm(c, w), 14, 0); /* what clones share outlives the first */
+    N_VDestroy(c);
+    N_VDestroy(w);
+}
+
+static void norms_are_what_they_say(void **state)
+{
+    const double v[4] = { 1, -3, 0, 2 }, w[4] = { 1, 1, 5, 0.5 };
+    const double want[] = { 3, pow((1 + 6561 + 0 + 1) / 4.0, 0.125), sqrt((1 + 9 + 0 + 1) / 4.0) };
+
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        N_Vector a = vector_create(4, (enum vector_norm)k, context), b = N_VClone(a);
+        memcpy(vector_data(a), v, sizeof v);
+        memcpy(vector_data(b), w, sizeof w);
+        near(N_VWrmsNorm(a, b), want[k], 1e-15);
+        assert_int_equal(vector_largest(a), 1);
+        N_VDestroy(a);
+        N_VDestroy(b);
+    }
+}
+
+/* Also where the weight is that of a quadrature. */
+static void norms_see_what_is_not_finite(void **state)
+{
+    const double bad[3] = { NAN, INFINITY, -INFINITY };
+    const long at[4] = { 0, 1023, 40000, LONG - 1 };
+
+    (void)state;
+    for (int k = 0; k < 12 * 3; k++) {
+        N_Vector v = noisy(LONG, (enum vector_norm)(k / 12), 1), w = N_VClone(v);
+        const long i = at[k % 4];
+        N_VConst(1, w);
+        vector_data(w)[i] = 1e-12;
+        vector_data(v)[i] = bad[k / 4 % 3];
+        assert_true(N_VWrmsNorm(v, w) == VECTOR_NOT_FINITE);
+        assert_int_equal(vector_largest(v), i);
+        assert_int_equal(vector_first_bad(LONG, vector_data(v)), i);
+        vector_data(v)[i] = 1e6; /* but finite: it does not matter */
+        assert_true(N_VWrmsNorm(v, w) <= 0.5);
+        assert_int_equal(vector_first_bad(LONG, vector_data(v)), -1);
+        N_VDestroy(v);
+        N_VDestroy(w);
+    }
+}
+
+static void combinations_equal_the_serial_ones(void **state)
+{
+    const double c[5] = { 1, 0.25, 0, -3, 1e-3 };
+    N_Vector x[5], z;
+
+    (void)state;
+    for (int k = 0; k < 5; k++)
+        x[k] = noisy(2500, VECTOR_NORM_MAX, 7u + (unsigned)k);
+    z = N_VClone(x[0]);
+    assert_int_equal(N_VLinearCombination(5, (double *)c, x, z), 0);
+    for (int i = 0; i < 2500; i++) {
+        double want = 0;
+        for (int k = 0; k < 5; k++)
+            want += c[k] * vector_data(x[k])[i];
+        if (!(fabs(vector_data(z)[i] - want) < 1e-15))
+            fail_msg("entry %d", i);
+    }
+    vector_data(x[2])[9] = NAN; /* its coefficient is zero: it is left out */
+    assert_int_equal(N_VLinearCombination(5, (double *)c, x, x[0]), 0); /* in place */
+    assert_memory_equal(vector_data(x[0]), vector_data(z), 2500 * sizeof(double));
+    N_VLinearSum(2, z, -1, z, x[1]);
+    N_VScale(1, z, x[2]);
+    N_VScale(-2, z, x[3]);
+    for (int i = 0; i < 2500; i++)
+        if (vector_data(x[1])[i] != vector_data(z)[i] || vector_data(x[2])[i] != vector_data(z)[i]
+            || vector_data(x[3])[i] != -2 * vector_data(z)[i])
+            fail_msg("entry %d", i);
+    for (int k = 0; k < 5; k++)
+        N_VDestroy(x[k]);
+    N_VDestroy(z);
+}
+
+/* y + (a + b) with the small terms first: a last stage and the step's result
+ * then have the same bits where the method says they are the same number. */
+static void the_first_term_is_added_last(void **state)
+{
+    const double x0 = 1, x1 = 1e-16, x2 = 1e-16, c[3] = { 1, 1, 1 };
+    const double *const x[3] = { &x0, &x1, &x2 };
+    double sum;
+
+    (void)state;
+    vector_combine(3, c, x, 1, &sum);
+    assert_true(sum == 1 + 2e-16 && sum > 1);
+}
+
+static void bits_do_not_depend_on_threads(void **state)
+{
+    static const int threads[] = { 1, 2, 3, 4 };
+    double first[4] = { 0 };
+    N_Vector sum = NULL;
+
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        double got[4];
+        use_threads(threads[k]);
+        for (int norm = 0; norm < 3; norm++) {
+            N_Vector v = noisy(LONG, (enum vector_norm)norm, 3), w = noisy(LONG, 0, 4);
+            got[norm] = N_VWrmsNorm(v, w);
+            N_VLinearSum(0.3, v, 0.7, w, w);
+            got[3] = (double)vector_largest(v);
+            if (norm == 2 && !sum) {
+                sum = w;
+                w = N_VClone(v);
+            } else if (norm == 2) {
+                assert_memory_equal(vector_data(w), vector_data(sum), LONG * sizeof(double));
+            }
+            N_VDestroy(v);
+            N_VDestroy(w);
+        }
+        if (k == 0)
+            memcpy(first, got, sizeof got);
+        assert_memory_equal(first, got, sizeof got);
+    }
+    N_VDestroy(sum);
+    use_threads(1);
+}
+
+static int open_context(void **state)
+{
+    (void)state;
+    return sundials_open(&context);
+}
+
+static int close_context(void **state)
+{
+    (void)state;
+    sundials_close(&context);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(new_vectors_are_zero_and_clones_keep_the_norm),
+        cmocka_unit_test(norms_are_what_they_say),
+        cmocka_unit_test(norms_see_what_is_not_finite),
+        cmocka_unit_test(combinations_equal_the_serial_ones),
+        cmocka_unit_test(the_first_term_is_added_last),
+        cmocka_unit_test(bits_do_not_depend_on_threads),
+    };
+
+    return cmocka_run_group_tests(tests, open_context, close_context);
+}
