@@ -47,6 +47,13 @@
 #define ARKodeWFtolerances            ARKStepWFtolerances
 #endif
 
+/* We interpolate ourselves: the least that this version can be asked to keep. */
+#ifdef ARK_INTERP_NONE
+#define SUNDIALS_INTERPOLANT ARK_INTERP_NONE
+#else
+#define SUNDIALS_INTERPOLANT ARK_INTERP_LAGRANGE
+#endif
+
 /* A context of its own for each integrator; STATUS_FAILED when there is none. */
 int sundials_open(SUNContext *out);
 void sundials_close(SUNContext *context); /* NULL is welcome */

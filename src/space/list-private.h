@@ -5,7 +5,7 @@
 #include "space/cells.h"
 #include "space/list.h"
 
-enum { LIST_PAD = 8 }; /* places may be read this far beyond the last slot   */
+enum { LIST_PAD = 32 }; /* places may be read this far beyond the last slot   */
 
 /* The rows one thread made; what a thread needs to make them. */
 struct list_store {

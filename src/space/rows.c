@@ -16,8 +16,9 @@
 #include <immintrin.h>
 #endif
 
-enum { WIDE = 2 * LANES, HITS = 1 << WIDE, CHUNKS = 128 };
-_Static_assert((int)WIDE <= (int)LIST_PAD, "places are read WIDE at a time");
+enum { WIDE = 2 * LANES, HITS = 1 << WIDE, CHUNKS = 128, BLOCK = 4,
+       NOWHERE = CHUNKS * WIDE };
+_Static_assert(BLOCK * WIDE <= (int)LIST_PAD, "places are read a block at a time");
 
 typedef float floats __attribute__((vector_size(4 * WIDE)));
 typedef int ints __attribute__((vector_size(4 * WIDE)));
@@ -35,13 +36,14 @@ struct scan {
     float own[LANES][DIM];     /* owners, after that                         */
     int first, last;           /* lanes that look for neighbours now         */
     int chunks;
-    int slot[CHUNKS];          /* first slot of each chunk                   */
-    int self[LANES];           /* the owner among the candidates, or -1      */
-    float x[DIM][(CHUNKS + 1) * WIDE];
-    unsigned char hits[CHUNKS][LANES];
+    int self[LANES];           /* owner among the candidates, else NOWHERE   */
+    int slot[CHUNKS + BLOCK];  /* first slot of each chunk                   */
+    float x[DIM][(CHUNKS + BLOCK) * WIDE];
+    unsigned char hits[CHUNKS + 1][LANES];
     int *near[LANES];          /* neighbours so far                          */
     int count[LANES];
     ints hit[HITS];            /* the set bits of a mask in turn             */
+    ints count_up;             /* 0, 1, 2, ...                               */
 };
 
 /* Bit l of the answer: lane l is below the bound. */
@@ -122,8 +124,7 @@ static inline void compare(struct scan *s)
         }
     }
     for (int l = 0; l < LANES; l++)
-        if (s->self[l] >= 0)
-            s->hits[s->self[l] / WIDE][l] &= (unsigned char)~(1u << s->self[l] % WIDE);
+        s->hits[s->self[l] / WIDE][l] &= (unsigned char)~(1u << s->self[l] % WIDE);
 }
 
 /* Appends what lanes first..last hit to their neighbours. */
@@ -154,29 +155,30 @@ static void flush(struct scan *s)
     else
         compress(s, s->first, s->last);
     for (int l = 0; l < LANES; l++)
-        s->self[l] = -1;
+        s->self[l] = NOWHERE;
     s->chunks = 0;
 }
 
-/* Collects a run of at most CHUNKS * WIDE slots; what its last chunk has too
- * many of is put out of reach. */
+/* Collects a run of at most CHUNKS * WIDE slots, BLOCK chunks at a time without
+ * asking whether they are all needed: a mispredicted branch costs more.  What
+ * the last chunk has too many of is made NaN, which is near nobody. */
 static inline void collect(struct scan *s, int from, int to)
 {
-    const floats out_of_reach = (floats){ 0 } + 1e30f;
     const int base = s->chunks * WIDE, n = to - from;
 
-    for (int k = 0; k < n; k += WIDE)
-        s->slot[s->chunks++] = from + k;
-    for (int d = 0; d < DIM; d++) {
-        const double *place = s->place[d] + from, origin = s->origin[d];
-        float *x = s->x[d] + base;
+    for (int k = 0; k < n; k += BLOCK * WIDE)
+        for (int c = 0; c < BLOCK; c++) {
+            const int at = k + c * WIDE;
+            const ints surplus = s->count_up >= n - at;
 
-        for (int k = 0; k < n; k += WIDE) {
-            const floats chunk = offsets(place + k, origin);
-            memcpy(x + k, &chunk, sizeof chunk);
+            s->slot[s->chunks + k / WIDE + c] = from + at;
+            for (int d = 0; d < DIM; d++) {
+                const floats x = offsets(s->place[d] + from + at, s->origin[d]);
+                const ints or_nan = (ints)x | surplus;
+                memcpy(s->x[d] + base + at, &or_nan, sizeof or_nan);
+            }
         }
-    }
-    memcpy(s->x[0] + base + n, &out_of_reach, sizeof out_of_reach);
+    s->chunks += (n + WIDE - 1) / WIDE;
     if (from >= s->group + LANES || to <= s->group)
         return;
     for (int l = 0; l < LANES; l++)
@@ -395,9 +397,10 @@ static void find_all(struct list *list, struct list_store *store, int from, int 
     memset(s.x, 0, sizeof s.x);
     for (int l = 0; l < LANES; l++) {
         s.near[l] = store->near + (size_t)l * room;
-        s.self[l] = -1;
+        s.self[l] = NOWHERE;
     }
     make_hits(s.hit);
+    s.count_up = s.hit[HITS - 1];
     for (int g = from; g < to && !store->failed; g++)
         find_rows(list, store, &s, g);
 }

@@ -124,6 +124,14 @@ static inline void bench_load(struct bench *b, double t)
                      &b->load);
 }
 
+static inline double bench_energy(const struct bench *b, const double *y)
+{
+    struct energies e = {0};
+
+    bodies_beam.energy(b->body, &b->layout, y, &e);
+    return e.kinetic + e.potential + e.internal + e.elastic;
+}
+
 /* ydot of both sides. */
 static inline void bench_rates(struct bench *b, double t)
 {

@@ -1,0 +1,98 @@
+/* arkode-dense.c -- y inside the last step.
+ *
+ * Entries that are not stiff: the Hermite interpolant of the last step's ends
+ * (error h^4), or of the last two steps' for methods of order 5 and more (h^6).
+ * f at the newest end is the next step's first stage, taken early and handed to
+ * it, so dense output costs nothing and does not change a later bit.
+ *
+ * Stiff entries: there f holds small errors times large frequencies, so the
+ * Lagrange interpolant of up to four ends of steps is taken (error h^4). */
+#include "time/arkode.h"
+
+#include "base/status.h"
+#include "time/dense.h"
+#include <math.h>
+#include <string.h>
+
+void arkode_remember(struct arkode *a)
+{
+    const double *y = vector_data(a->node[0].y);
+    double *to = a->past[ARKODE_PAST - 1];
+
+    if (a->stiff == 0)
+        return;
+    for (int k = ARKODE_PAST - 1; k > 0; k--) {
+        a->past[k] = a->past[k - 1];
+        a->past_t[k] = a->past_t[k - 1];
+    }
+    a->past[0] = to;
+    a->past_t[0] = a->node[0].t;
+    a->pasts += a->pasts < ARKODE_PAST;
+    for (int k = 0; k < a->ranges; k++) {
+        const long size = a->range[k][1] - a->range[k][0];
+        memcpy(to, y + a->range[k][0], (size_t)size * sizeof *to);
+        to += size;
+    }
+}
+
+static void stiff_at(const struct arkode *a, double t, double *y)
+{
+    const int nodes = dense_nodes(a->pasts, a->past_t);
+    double weight[ARKODE_PAST];
+    long j = 0;
+
+    dense_lagrange(nodes, a->past_t, t, weight);
+    for (int k = 0; k < a->ranges; k++)
+        for (long i = a->range[k][0]; i < a->range[k][1]; i++, j++) {
+            y[i] = 0;
+            for (int m = 0; m < nodes; m++)
+                y[i] += weight[m] * a->past[m][j];
+        }
+}
+
+/* A straight line: only when f refuses at the newest end, and the run is to fail. */
+static void line_at(const struct arkode *a, double s, double *y)
+{
+    const double c[2] = { s, 1 - s };
+    const double *const x[2] = { vector_data(a->node[0].y), vector_data(a->node[1].y) };
+
+    vector_combine(2, c, x, a->n, y);
+}
+
+static void hermite_at(const struct arkode *a, double t, double *y)
+{
+    double time[ARKODE_NODES], c[2 * ARKODE_NODES];
+    const double *x[2 * ARKODE_NODES];
+    int nodes;
+
+    for (int k = 0; k < a->known; k++)
+        time[k] = a->node[k].t;
+    nodes = dense_nodes(a->known, time);
+    dense_hermite(nodes, time, t, c, c + nodes);
+    for (int k = 0; k < nodes; k++) {
+        x[k] = vector_data(a->node[k].y);
+        x[nodes + k] = a->node[k].f;
+    }
+    vector_combine(2 * nodes, c, x, a->n, y);
+}
+
+int arkode_at(void *self, double t, double *y)
+{
+    struct arkode *a = self;
+    const struct arkode_node *now = &a->node[0], *old = &a->node[1];
+
+    if (t == now->t || (a->known > 1 && t == old->t)) {
+        vector_copy(a->n, vector_data(t == now->t ? now->y : old->y), y);
+        return STATUS_DONE;
+    }
+    if (a->known < 2 || !(t > old->t && t < now->t))
+        return status_fail(STATUS_FAILED, "the state at t = %.9g s was asked for, which does not "
+                                          "lie in the last step (to %.9g s)", t, now->t);
+    if (arkode_rates(a) == STATUS_DONE)
+        hermite_at(a, t, y);
+    else
+        line_at(a, (t - old->t) / (now->t - old->t), y);
+    if (a->stiff > 0)
+        stiff_at(a, t, y);
+    return STATUS_DONE;
+}

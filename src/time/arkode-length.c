@@ -1,0 +1,120 @@
+/* arkode-length.c -- how long a step may be, and what kept it from being longer:
+ * the error estimate or the bound of stability. */
+#include "time/arkode.h"
+
+#include "base/status.h"
+#include "time/stability.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double safety = 0.95; /* of the stability bound */
+
+static double longest(double factor, const struct limit *limit)
+{
+    return limit->rate > 0 ? safety * factor / limit->rate : HUGE_VAL;
+}
+
+/* Largest stable step at (t, y): HUGE_VAL if the plan knows none. */
+double arkode_bound(struct arkode *a, double t, const double *y)
+{
+    struct limit limit[2];
+    double wave, decay;
+
+    plan_limit(a->plan, t, y, !a->imex && plan_stiff(a->plan), limit);
+    wave = longest(a->wave, &limit[0]);
+    decay = longest(a->decay, &limit[1]);
+    a->bound_limit = limit[decay < wave];
+    a->bound = fmin(wave, decay);
+    return a->bound;
+}
+
+/* ARKStep asks after every attempt: the error norm was taken just before. */
+int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunrealtype h3,
+                 sunrealtype e1, sunrealtype e2, sunrealtype e3, int q, int p, sunrealtype *next,
+                 void *self)
+{
+    struct arkode *a = self;
+    struct arkode_choice *c = &a->choice[0];
+
+    (void)t, (void)h2, (void)h3, (void)e2, (void)e3, (void)q, (void)p;
+    a->choice[1] = *c;
+    a->accepted = e1 <= 1;
+    a->rejected += !a->accepted;
+    *next = control_next(&a->control, h1, e1 * a->row->control->accept);
+    *c = (struct arkode_choice){ .h = *next, .limiter = METHOD_ERROR,
+                                 .entry = vector_largest(y) };
+    if (!a->accepted)
+        memcpy(c->refusal, a->refusal, sizeof c->refusal);
+    a->refusal[0] = '\0';
+    return 0;
+}
+
+/* ARKStep asks right after arkode_adapt(); 0 means that there is no bound. */
+int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
+{
+    struct arkode *a = self;
+    struct arkode_choice *c = &a->choice[0];
+
+    if (a->accepted)
+        arkode_bound(a, t, vector_data(y));
+    *h = a->bound < HUGE_VAL ? a->bound : 0;
+    if (a->bound < c->h) {
+        c->h = a->bound;
+        c->limiter = METHOD_STABILITY;
+        c->limit = a->bound_limit;
+    }
+    return 0;
+}
+
+/* Without a bound: a step along f that changes y by as much as an error may. */
+static int cautious(struct arkode *a, double t_stop, double *h)
+{
+    const struct arkode_node *now = &a->node[0];
+    double most = 0;
+
+    if (arkode_rates(a) != STATUS_DONE)
+        return status_fail(STATUS_FAILED,
+                           "%s cannot start at t = %g s: the right-hand side has no answer there "
+                           "(%s); look for particles that overlap or start outside the domain",
+                           a->row->method.name, now->t, a->refusal);
+    for (long i = 0; i < a->n; i++)
+        most = fmax(most, fabs(now->f[i] * a->weight[i]));
+    *h = most > 0 ? fmin(1 / most, t_stop - now->t) : (t_stop - now->t) / 100;
+    return STATUS_DONE;
+}
+
+/* The first step, 0.3 of the bound: a controller of low gain comes from there to
+ * the error it aims at within a few steps. */
+int arkode_first(struct arkode *a, double t_stop, double *h)
+{
+    const struct arkode_node *now = &a->node[0];
+    const double bound = arkode_bound(a, now->t, vector_data(now->y));
+
+    a->choice[0] = (struct arkode_choice){ .limiter = METHOD_STABILITY, .entry = -1,
+                                           .limit = a->bound_limit };
+    if (a->def.h_first > 0)
+        *h = fmin(a->def.h_first, bound);
+    else if (bound < HUGE_VAL)
+        *h = 0.3 * bound;
+    else
+        TRY(cautious(a, t_stop, h));
+    if (!(*h < bound) || !(bound < HUGE_VAL) || a->def.h_first > 0)
+        a->choice[0].limiter = *h < bound ? METHOD_ERROR : METHOD_STABILITY;
+    a->choice[0].h = *h;
+    return STATUS_DONE;
+}
+
+void arkode_where(const struct arkode *a, const struct arkode_choice *c, char where[96])
+{
+    if (c->limiter == METHOD_OUTPUT)
+        snprintf(where, 96, "end of the segment");
+    else if (c->limiter == METHOD_STABILITY && c->limit.where >= 0)
+        snprintf(where, 96, "%s, particle %d", c->limit.part, c->limit.where);
+    else if (c->limiter == METHOD_STABILITY)
+        snprintf(where, 96, "%s", c->limit.part);
+    else if (c->refusal[0])
+        snprintf(where, 96, "refused: %.80s", c->refusal);
+    else
+        snprintf(where, 96, "%.95s", c->entry >= 0 ? plan_entry(a->plan, c->entry) : "first step");
+}

@@ -1,0 +1,119 @@
+/* arkode.h -- what the files of the ARKStep methods share.
+ *
+ * SUNDIALS' ARKStep takes the steps; ours are the tables, the controller, the
+ * norm, the stability bound, the implicit solve and the dense output.  Explicit
+ * methods always go through ARKStep too: ERKStep of 6.4.1 loses order for tables
+ * whose last stage stands at the end of the step but is not its result. */
+#ifndef TIME_ARKODE_H
+#define TIME_ARKODE_H
+
+#include "algebra/vector.h"
+#include "state/part.h"
+#include "time/control.h"
+#include "time/method.h"
+#include "time/tableau.h"
+
+/* One method: `method` comes first, so that its create() finds the row. */
+struct arkode_row {
+    struct method method;
+    const char *erk, *dirk;            /* SUNDIALS' names; dirk only for IMEX pairs */
+    const struct tableau *own;         /* instead of erk                       */
+    int order;                         /* that the tables must have            */
+    const struct control_row *control;
+};
+extern const struct arkode_row arkode_rows[];
+extern const int arkode_row_count;
+
+/* What decided on the length of a step. */
+struct arkode_choice {
+    double h;                     /* the length decided on [s]                 */
+    enum method_limiter limiter;
+    long entry;                   /* of the largest error, -1: none known yet  */
+    struct limit limit;           /* of the stability bound                    */
+    char refusal[96];             /* "" unless f refused to answer             */
+};
+
+enum {
+    ARKODE_NODES = 3,   /* ends of steps kept for dense output                 */
+    ARKODE_PAST = 4,    /* the same for the stiff entries                      */
+    ARKODE_RANGES = 64  /* ranges of stiff entries                             */
+};
+
+struct arkode {
+    const struct arkode_row *row;
+    struct method_def def;
+    struct plan *plan;
+    long n;                      /* entries of y                               */
+    bool imex;                   /* the stiff side is taken implicitly         */
+    char tables[96];             /* their names, for run.json                  */
+    struct tableau table;        /* the explicit one                           */
+    double wave, decay;          /* its stability factors                      */
+
+    SUNContext context;
+    void *ark;
+    SUNNonlinearSolver solver;
+    bool launched;               /* ARKStep stands at node[0]                  */
+
+    double *weight;              /* [n] of error tests                         */
+    const double *weighted;      /* vector that holds them already             */
+    struct control control;
+    struct arkode_choice choice[2]; /* for the step to come, for the last one  */
+    double bound;                /* largest stable step [s]                    */
+    struct limit bound_limit;
+    double natural;              /* last step that no t_stop cut short [s]     */
+    bool accepted;               /* by the last error test                     */
+    long rejected;
+    char refusal[96];            /* of f since the last error test             */
+
+    struct arkode_node {
+        double t;
+        N_Vector y;
+        double *f;               /* [n] explicit side of f(t, y)               */
+        bool has_f;
+    } node[ARKODE_NODES];        /* [0] is the newest                          */
+    int nodes, known;            /* as many as there is room for; as are filled */
+
+    int stage;                   /* right-hand sides of this attempt so far    */
+    double last_t;               /* of the last stage, with first-same-as-last */
+    double *last_y;              /* [n]                                        */
+    const double *last_f;        /* [n] lent by ARKStep                        */
+
+    int ranges;                  /* of stiff entries                           */
+    long range[ARKODE_RANGES][2];
+    long stiff;                  /* how many entries they hold                 */
+    double *right, *z;           /* [n] of which the solve touches the ranges  */
+    double *past[ARKODE_PAST];   /* [stiff] at ends of steps, newest first     */
+    double past_t[ARKODE_PAST];
+    int pasts;
+};
+
+/* arkode-create.c */
+int arkode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+                  double t, const double *y, void **out);
+void arkode_free(void **out);
+
+/* arkode-rates.c: f for ARKStep, with what is known already not asked again. */
+int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self);
+int arkode_implicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self);
+int arkode_rates(struct arkode *a);         /* fills node[0].f; 0 or a refusal */
+void arkode_reuse_last_stage(struct arkode *a);
+SUNNonlinearSolver arkode_solver(struct arkode *a);
+
+/* arkode-length.c: how long a step may be, and why. */
+int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunrealtype h3,
+                 sunrealtype e1, sunrealtype e2, sunrealtype e3, int q, int p, sunrealtype *next,
+                 void *self);
+int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self);
+double arkode_bound(struct arkode *a, double t, const double *y);
+int arkode_first(struct arkode *a, double t_stop, double *h);
+void arkode_where(const struct arkode *a, const struct arkode_choice *c, char where[96]);
+
+/* arkode-dense.c */
+void arkode_remember(struct arkode *a); /* node[0] into the past of stiff entries */
+int arkode_at(void *self, double t, double *y);
+
+/* arkode.c */
+int arkode_step(void *self, double t_stop, struct method_step *out);
+int arkode_restart(void *self, double t, const double *y);
+
+#endif
