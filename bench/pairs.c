@@ -60,6 +60,7 @@ static void *room(size_t bytes)
 
 static uint64_t seed;
 
+/* From -0.5 to 0.5: linear congruence with Knuth's constants. */
 static double noise(void)
 {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
@@ -72,7 +73,6 @@ static void fill(struct bench *b, int n)
     const int side = (int)lround(pow(n, 1.0 / DIM));
 
     seed = 1;
-
     b->dx = 1.0 / side;
     b->n = (int)lround(pow(side, DIM));
     b->x = room((size_t)b->n * DIM * sizeof(double));

@@ -13,7 +13,7 @@ grey = '#8c8c8c'
 
 set border 3 lw 1.2 lc rgb '#404040'
 set tics nomirror out
-set grid lw 0.8 lc rgb '#dcdcdc'
+set grid lt 1 lw 0.8 lc rgb '#d4d4d4'
 set key noenhanced
 per_depth = dim == 2 ? ' per metre of depth' : ''
 

@@ -1,5 +1,5 @@
 /* beam-skin.c -- points that the water meets, carried by a bending beam.
- * Checked in tests/unit/beam.c. */
+ * Checked in tests/unit/beam*.c. */
 #include "bodies/beam-skin.h"
 
 #include "base/status.h"

@@ -10,7 +10,7 @@
  *
  * Toth 2012 (seed 000), section 4, with consistent M instead of (44), Rayleigh D
  * instead of (45), and one monolithic ODE instead of (46), (47).
- * Checked in tests/unit/beam.c. */
+ * Checked in tests/unit/beam*.c. */
 #include "base/status.h"
 #include "bodies/beam-make.h"
 #include "bodies/element.h"
@@ -32,7 +32,7 @@ static int beam_skin(const struct body *b, double (*x)[DIM])
 }
 
 /* Four rows; rotations weigh as the deflection over one element, so that the step
- * does not depend on the number of elements (NUMERICS, Q3). */
+ * does not depend on the number of elements. */
 static int beam_rows(struct body *b, struct layout *l)
 {
     static const struct {
@@ -131,18 +131,22 @@ static void beam_load(struct body *b, const struct layout *l, double t, const do
     const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
     const double axial = balance(b, l, t, y, force);
-    double across = 0;
+    double across = 0, applied = 0;
 
     for (int i = 0; i < n; i++) {
         ydot[place(b, l, i, false)] = 0;
         ydot[place(b, l, i, true)] = w->given[i];
     }
-    for (int i = 0; i < n; i += 2)
+    for (int i = 0; i < n; i += 2) {
         across += w->inertia[i] - w->force[i];
+        applied += is_pushed(b, t) ? w->pushed[i] : 0;
+    }
     out->damping = bending_damping(b->bending, w->v);
     out->driven = is_pushed(b, t) ? dot(n, w->pushed, w->v) : 0;
-    for (int d = 0; d < DIM; d++)
+    for (int d = 0; d < DIM; d++) {
         out->support[d] = across * b->normal[d] - (axial + b->gravity_along) * b->along[d];
+        out->applied[d] = applied * b->normal[d];
+    }
 }
 
 static void beam_stiff(const struct body *b, const struct layout *l, double t, const double *y,
@@ -177,6 +181,11 @@ static int beam_solve(struct body *b, const struct layout *l, double t, double g
         z[place(b, l, i, true)] = w->v[i];
     }
     return STATUS_DONE;
+}
+
+static double beam_event(const struct body *b, double t)
+{
+    return b->load_until > t ? b->load_until : HUGE_VAL;
 }
 
 /* A mode of frequency omega and damping 2 d = alpha + beta omega^2 has eigenvalues of
@@ -256,6 +265,7 @@ const struct body_kind bodies_beam = {
     .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
     .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
     .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,
-    .stiff = beam_stiff, .solve = beam_solve, .limit = beam_limit, .energy = beam_energy,
+    .stiff = beam_stiff, .solve = beam_solve, .event = beam_event, .limit = beam_limit,
+    .energy = beam_energy,
     .momentum = beam_momentum, .weight = beam_weight, .show = beam_show,
 };

@@ -11,7 +11,7 @@
  *   (M + gamma D + gamma^2 K) z_v = M r_v - gamma K r_q                    (BE1)
  *
  * one banded solve; factorizations are kept for the last few gamma.  Seed: Toth
- * 2012, section 4.  Checked in tests/unit/beam.c. */
+ * 2012, section 4.  Checked in tests/unit/bending.c and beam-balance.c. */
 #include "bodies/bending.h"
 #include "base/status.h"
 #include "bodies/element.h"

@@ -15,6 +15,7 @@ struct body_load { /* what load() reports, all [N, 2D: N/m], [N m] */
     double damping;      /* power taken by damping [W], never positive         */
     double driven;       /* power put in by prescribed loads [W]               */
     double support[DIM]; /* force of the supports on the body [N]              */
+    double applied[DIM]; /* force of prescribed loads [N]                      */
 };
 
 struct body_view { /* for output: displacements of chosen points */
@@ -57,6 +58,9 @@ struct body_kind {
     /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched. */
     int (*solve)(struct body *b, const struct layout *l, double t, double gamma,
                  const double *r, double *z);
+
+    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s]. */
+    double (*event)(const struct body *b, double t);
 
     /* Implicit side taken explicitly: its fastest frequency. */
     void (*limit)(const struct body *b, struct limit *out);

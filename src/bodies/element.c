@@ -6,7 +6,7 @@
  * 1968, chapters 5 and 11.  The seed's lumped mass (44) gives full masses to the
  * end nodes, which makes the first frequency of 10 elements 9 % too low; the
  * consistent matrix, with the same bandwidth, has it to five digits.
- * Checked in tests/unit/beam.c. */
+ * Checked in tests/unit/bending.c. */
 #include "bodies/element.h"
 
 void element_stiffness(double EI, double l, double k[4][4])

@@ -19,7 +19,8 @@ int plan_book_rows(struct plan *p)
     b->driven = b->damping + p->bodies;
     b->impulse = b->driven + p->bodies;
     b->support = b->impulse + p->particles->objects * DIM;
-    b->n = b->support + p->bodies * DIM;
+    b->applied = b->support + p->bodies * DIM;
+    b->n = b->applied + p->bodies * DIM;
     b->row = layout_add(&p->layout, LAYOUT_OTHER, "book", "J", b->n, 1, 0);
     return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
 }
@@ -35,8 +36,10 @@ void plan_book_rates(const struct plan *p, const struct plan_workspace *w, doubl
     for (int i = 0; i < p->bodies; i++) {
         book[p->book.damping + i] = p->body[i].load.damping;
         book[p->book.driven + i] = p->body[i].load.driven;
-        for (int d = 0; d < DIM; d++)
+        for (int d = 0; d < DIM; d++) {
             book[p->book.support + i * DIM + d] = p->body[i].load.support[d];
+            book[p->book.applied + i * DIM + d] = p->body[i].load.applied[d];
+        }
     }
     for (int o = 0; o < p->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
@@ -86,7 +89,7 @@ static void read_impulses(const struct plan *p, double t, const double *book, do
                 given -= book[p->book.impulse + o * DIM + d];
         for (int i = 0; i < p->bodies; i++) {
             const struct plan_body *b = &p->body[i];
-            given += book[p->book.support + i * DIM + d]
+            given += book[p->book.support + i * DIM + d] + book[p->book.applied + i * DIM + d]
                    + b->kind->weight(b->body) * p->scales.g[d] * t;
             if (b->object >= 0)
                 given += book[p->book.impulse + b->object * DIM + d];

@@ -43,6 +43,7 @@ struct plan_book {
     int driven;   /* [bodies] energy that prescribed loads gave               */
     int impulse;  /* [objects][DIM] on solids                                 */
     int support;  /* [bodies][DIM] impulse of supports                        */
+    int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int n;
 };
 

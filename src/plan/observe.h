@@ -22,7 +22,7 @@ struct plan_sheet {
     double pressure_defect;   /* by pressure and continuity together [J]      */
     double mass;              /* of the fluid                        [kg]     */
     double momentum[DIM];     /* of fluid and bodies                 [kg m/s] */
-    double momentum_given[DIM]; /* by gravity, walls, supports       [N s]    */
+    double momentum_given[DIM]; /* by gravity, walls, supports, loads [N s]   */
 };
 
 int plan_work_names(const struct plan *plan, char (*name)[80]); /* their number */

@@ -49,6 +49,10 @@ int plan_solve(struct plan *plan, double t, double gamma, const double *r, doubl
  * explicitly too and so limits as well.  limit[0] is for waves, [1] for decay. */
 void plan_limit(struct plan *plan, double t, const double *y, bool stiff, struct limit limit[2]);
 
+/* Next time after t at which f jumps, HUGE_VAL: never [s]; a run stops there and
+ * restarts its method. */
+double plan_event(const struct plan *plan, double t);
+
 /* Error weights for a tolerance, constant during a run. */
 void plan_weights(const struct plan *plan, double tol, double *weight);
 

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -90,6 +91,16 @@ int plan_solve(struct plan *p, double t, double gamma, const double *r, double *
     for (int i = 0; i < p->bodies; i++)
         TRY(p->body[i].kind->solve(p->body[i].body, &p->layout, t, gamma, r, z));
     return STATUS_DONE;
+}
+
+double plan_event(const struct plan *p, double t)
+{
+    double next = HUGE_VAL;
+
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].kind->event)
+            next = fmin(next, p->body[i].kind->event(p->body[i].body, t));
+    return next;
 }
 
 void plan_weights(const struct plan *p, double tol, double *weight)

@@ -1,4 +1,4 @@
-/* sum.c -- the traversal of pairs (design L of doc: lanes are particles).
+/* sum.c -- the traversal of pairs; lanes are particles.
  *
  * A thread takes a stretch of chunks with its share of rows; a chunk is
  * SUM_CHUNK slots of one kind.  Every number is added in an order that chunks
@@ -14,7 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PARTS = 4, CHUNK_GROUPS = SUM_CHUNK / LANES };
+enum {
+    PARTS = 4,
+    CHUNK_GROUPS = SUM_CHUNK / LANES,
+    WORTH_THREADS = 500 /* slots whose sums repay waking the threads */
+};
 
 /* Sums of power of one chunk: slot s of it adds to part s % PARTS. */
 struct chunk_power {
@@ -207,7 +211,7 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
     TRY(make_room(scratch, n, slots));
     double *power = scratch->power;
     clear_idle(job);
-#pragma omp parallel
+#pragma omp parallel if (job->list->listed > WORTH_THREADS)
     {
         const int t = threads_me(), of = threads_all();
         const int to = share(job->list, n, t + 1, of);

@@ -27,7 +27,7 @@ struct run {
     double *y;               /* [size] interpolated state                     */
     struct outputs *outputs;
     struct run_tally tally;
-    double until;
+    double until, event;     /* end of the run, of the segment [s]            */
     double clock_start;      /* [s]                                           */
     char table[96];
 };

@@ -74,7 +74,7 @@ static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
 
-    TRY(r->method->step(r->self, r->until, &step));
+    TRY(r->method->step(r->self, fmin(r->event, r->until), &step));
     r->tally.t = step.t;
     r->tally.steps++;
     r->tally.limited[step.limiter]++;
@@ -84,15 +84,26 @@ static int one_step(struct run *r, struct progress *progress)
     return outputs_step(r->outputs, &step);
 }
 
+/* Where f jumps a segment ends, and the method starts anew. */
+static int next_segment(struct run *r)
+{
+    if (r->tally.t < r->event)
+        return STATUS_DONE;
+    r->event = plan_event(r->plan, r->tally.t);
+    return r->method->restart(r->self, r->tally.t, r->method->state(r->self));
+}
+
 static int go(struct run *r, struct progress *progress)
 {
     struct ticks tick[TICKS];
 
     make_ticks(r, tick);
+    r->event = plan_event(r->plan, 0);
     TRY(write_due(r, tick, 0));
     while (r->tally.t < r->until) {
         TRY(one_step(r, progress));
         TRY(write_due(r, tick, r->tally.t));
+        TRY(next_segment(r));
         if (stop_asked() && r->tally.t < r->until)
             return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; all "
                                "files are complete up to there", stop_asked(), r->tally.t,

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Particles whose check and whose rebuilding repay waking the threads. */
-enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 1000 };
+enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 500 };
 
 struct check {
     bool moved;

@@ -59,21 +59,25 @@ static void line_at(const struct arkode *a, double s, double *y)
     vector_combine(2, c, x, a->n, y);
 }
 
-static void hermite_at(const struct arkode *a, double t, double *y)
+/* False when rates are missing. */
+static bool hermite_at(const struct arkode *a, double t, double *y)
 {
     double time[ARKODE_NODES], c[2 * ARKODE_NODES];
     const double *x[2 * ARKODE_NODES];
-    int nodes;
+    int known = 0, nodes;
 
-    for (int k = 0; k < a->known; k++)
-        time[k] = a->node[k].t;
-    nodes = dense_nodes(a->known, time);
+    for (; known < a->known && a->node[known].has_f; known++)
+        time[known] = a->node[known].t;
+    if (known < 2)
+        return false;
+    nodes = dense_nodes(known, time);
     dense_hermite(nodes, time, t, c, c + nodes);
     for (int k = 0; k < nodes; k++) {
         x[k] = vector_data(a->node[k].y);
         x[nodes + k] = a->node[k].f;
     }
     vector_combine(2 * nodes, c, x, a->n, y);
+    return true;
 }
 
 int arkode_at(void *self, double t, double *y)
@@ -88,9 +92,7 @@ int arkode_at(void *self, double t, double *y)
     if (a->known < 2 || !(t > old->t && t < now->t))
         return status_fail(STATUS_FAILED, "the state at t = %.9g s was asked for, which does not "
                                           "lie in the last step (to %.9g s)", t, now->t);
-    if (arkode_rates(a) == STATUS_DONE)
-        hermite_at(a, t, y);
-    else
+    if (arkode_rates(a) != STATUS_DONE || !hermite_at(a, t, y))
         line_at(a, (t - old->t) / (now->t - old->t), y);
     if (a->stiff > 0)
         stiff_at(a, t, y);

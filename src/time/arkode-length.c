@@ -91,16 +91,17 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
     const struct arkode_node *now = &a->node[0];
     const double bound = arkode_bound(a, now->t, vector_data(now->y));
 
-    a->choice[0] = (struct arkode_choice){ .limiter = METHOD_STABILITY, .entry = -1,
+    a->choice[0] = (struct arkode_choice){ .limiter = METHOD_ERROR, .entry = -1,
                                            .limit = a->bound_limit };
     if (a->def.h_first > 0)
-        *h = fmin(a->def.h_first, bound);
+        *h = a->def.h_first;
     else if (bound < HUGE_VAL)
         *h = 0.3 * bound;
     else
         TRY(cautious(a, t_stop, h));
-    if (!(*h < bound) || !(bound < HUGE_VAL) || a->def.h_first > 0)
-        a->choice[0].limiter = *h < bound ? METHOD_ERROR : METHOD_STABILITY;
+    *h = fmin(*h, bound);
+    if (bound < HUGE_VAL && (a->def.h_first == 0 || *h == bound))
+        a->choice[0].limiter = METHOD_STABILITY;
     a->choice[0].h = *h;
     return STATUS_DONE;
 }

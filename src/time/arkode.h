@@ -21,8 +21,17 @@ struct arkode_row {
     int order;                         /* that the tables must have            */
     const struct control_row *control;
 };
-extern const struct arkode_row arkode_rows[];
-extern const int arkode_row_count;
+
+/* Each is listed in method.c. */
+extern const struct arkode_row arkode_imex3, arkode_imex4, arkode_imex5,
+    arkode_ark436, arkode_cks43, arkode_opt53,
+    arkode_opt64, arkode_bs54, arkode_erk2,
+    arkode_erk3, arkode_erk4, arkode_erk5,
+    arkode_heun_euler_2_1_2, arkode_bogacki_shampine_4_2_3, arkode_ark324l2sa_erk_4_2_3,
+    arkode_zonneveld_5_3_4, arkode_ark436l2sa_erk_6_3_4, arkode_ark437l2sa_erk_7_3_4,
+    arkode_sayfy_aburub_6_3_4, arkode_cash_karp_6_4_5, arkode_fehlberg_6_4_5,
+    arkode_dormand_prince_7_4_5, arkode_ark548l2sa_erk_8_4_5, arkode_ark548l2sab_erk_8_4_5,
+    arkode_verner_8_5_6, arkode_fehlberg_13_7_8;
 
 /* What decided on the length of a step. */
 struct arkode_choice {

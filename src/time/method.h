@@ -10,12 +10,14 @@ enum method_norm { METHOD_NORM_MAX, METHOD_NORM_P8, METHOD_NORM_WRMS };
 
 /* How a method is to run; method_def_default() first. */
 struct method_def {
-    double tol;           /* error per step in units of the layout's scales   */
+    double tol;           /* error per step in units of the layout's scales:
+                             what the controller aims at                      */
     enum method_norm norm;
     double step;          /* CFL number of methods without error control
                              (name@0.25); 0: the method's default             */
     double h_first;       /* first step [s]; 0: the method chooses            */
-    double h_min;         /* a step below this is a collapse [s]              */
+    double h_min;         /* a step below this is a collapse [s]; 0: the method
+                             takes a millionth of its first step              */
 };
 struct method_def method_def_default(void);
 

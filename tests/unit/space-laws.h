@@ -16,15 +16,15 @@ static void first(const void *self, const struct side *a, const struct block *b,
     }
 }
 
-/* force W v (1/rho_a + 1/rho_b), rate W r^2 (rho_a + rho_b) */
+/* force W v r^2 (1/rho_a + 1/rho_b), rate W (rho_a + rho_b): not 0 at r = 0 */
 static void second(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
     const double strength = *(const double *)self;
 
     for (int k = 0; k < b->n; k++) {
         for (int d = 0; d < DIM; d++)
-            to->f[d] += strength * b->w[k] * (a->irho + b->irho[k]) * b->v[d][k];
-        to->drho += strength * b->w[k] * b->r2[k] * (a->rho + b->rho[k]);
+            to->f[d] += strength * b->w[k] * b->r2[k] * (a->irho + b->irho[k]) * b->v[d][k];
+        to->drho += strength * b->w[k] * (a->rho + b->rho[k]);
     }
 }
 

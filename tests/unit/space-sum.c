@@ -148,7 +148,8 @@ static void work_free(struct work *w)
     test_free(w);
 }
 
-/* What both laws give particle i, straight from their definitions: f, m drho by slot. */
+/* What both laws give particle i, straight from their definitions: force and
+ * mass times rate of density by slot. */
 static void brute_force(const struct space_cloud *c, const struct fields *of,
                         const struct work *w, int i, double f[SLOTS][DIM], double rate[SLOTS])
 {
@@ -168,10 +169,10 @@ static void brute_force(const struct space_cloud *c, const struct fields *of,
             f[1][d] -= (of[i].p2 + of[j].p2) * g * x;
             rate[1] += g * x * v;
             if (a <= KIND_WALL && b <= KIND_WALL)
-                f[2][d] += strength * w2 * (1 / of[i].rho + 1 / of[j].rho) * v;
+                f[2][d] += strength * w2 * r2 * (1 / of[i].rho + 1 / of[j].rho) * v;
         }
         if (a <= KIND_WALL && b <= KIND_WALL)
-            rate[2] += strength * w2 * r2 * (of[i].rho + of[j].rho);
+            rate[2] += strength * w2 * (of[i].rho + of[j].rho);
     }
 }
 

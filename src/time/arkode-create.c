@@ -1,0 +1,255 @@
+/* arkode-create.c -- sets an ARKStep up: everything is said, nothing is left to
+ * defaults, which change from version to version. */
+#include "time/arkode.h"
+
+#include "base/status.h"
+#include "time/stability.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int refuse_setup(const struct arkode *a, const char *what)
+{
+    return status_fail(STATUS_FAILED, "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
+                       a->row->method.name, SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR,
+                       SUNDIALS_VERSION_PATCH, what, sundials_complaint());
+}
+
+/* --- tables -------------------------------------------------------------- */
+
+static int set_own_table(struct arkode *a, const struct tableau *t)
+{
+    double flat[TABLEAU_STAGES * TABLEAU_STAGES], b[TABLEAU_STAGES], c[TABLEAU_STAGES],
+        d[TABLEAU_STAGES];
+    ARKodeButcherTable table;
+    int bad;
+
+    for (int i = 0; i < t->stages; i++) {
+        memcpy(flat + i * t->stages, t->a[i], (size_t)t->stages * sizeof *flat);
+        c[i] = tableau_node(t, i);
+    }
+    memcpy(b, t->b, sizeof b);
+    memcpy(d, t->d, sizeof d);
+    table = ARKodeButcherTable_Create(t->stages, t->order, t->embedded, c, flat, b, d);
+    bad = !table || ARKStepSetTables(a->ark, t->order, t->embedded, NULL, table) != 0;
+    ARKodeButcherTable_Free(table);
+    return bad ? refuse_setup(a, "the table") : STATUS_DONE;
+}
+
+static int keep_table(struct arkode *a, ARKodeButcherTable from)
+{
+    struct tableau *t = &a->table;
+
+    if (from->stages > TABLEAU_STAGES || !from->d || from->q != a->row->order)
+        return refuse_setup(a, "a table with this order and an error estimate");
+    *t = (struct tableau){ .stages = from->stages, .order = from->q, .embedded = from->p };
+    for (int i = 0; i < t->stages; i++) {
+        memcpy(t->a[i], from->A[i], (size_t)t->stages * sizeof(double));
+        t->b[i] = from->b[i];
+        t->d[i] = from->d[i];
+    }
+    return STATUS_DONE;
+}
+
+/* What was set is asked for again: asking for an order that is not there gives
+ * another one without a word. */
+static int set_tables(struct arkode *a)
+{
+    const struct arkode_row *row = a->row;
+    const char *dirk = a->imex ? row->dirk : "ARKODE_DIRK_NONE";
+    ARKodeButcherTable implicit, explicit_;
+
+    if (row->own)
+        TRY(set_own_table(a, row->own));
+    else if (ARKStepSetTableName(a->ark, dirk, row->erk) != 0)
+        return refuse_setup(a, row->erk);
+    if (ARKStepGetCurrentButcherTables(a->ark, &implicit, &explicit_) != 0 || !explicit_
+        || (a->imex && (!implicit || implicit->q != row->order)))
+        return refuse_setup(a, row->own ? row->own->name : row->erk);
+    TRY(keep_table(a, explicit_));
+    snprintf(a->tables, sizeof a->tables, "%s%s%s", row->own ? row->own->name : row->erk,
+             a->imex ? " + " : "", a->imex ? row->dirk : "");
+    /* beams taken explicitly have no damping to speak of */
+    a->wave = stability_wave(&a->table, plan_stiff(a->plan) && !a->imex ? 0 : STABILITY_DAMPING);
+    a->decay = stability_decay(&a->table);
+    return STATUS_DONE;
+}
+
+/* --- settings ------------------------------------------------------------ */
+
+/* Constant weights: each vector is filled once. */
+static int weights(N_Vector y, N_Vector weight, void *self)
+{
+    struct arkode *a = self;
+
+    (void)y;
+    if (a->weighted == vector_data(weight))
+        return 0;
+    vector_copy(a->n, a->weight, vector_data(weight));
+    a->weighted = vector_data(weight);
+    return 0;
+}
+
+/* The controller is ours, so ARKStep's own factors are put out of action; values
+ * of 1 and more would bring its defaults back. */
+static int set_control(struct arkode *a)
+{
+    const struct control_row *row = a->row->control;
+    const double nearly = 1 - 1e-10;
+    int bad = 0;
+
+    bad |= ARKStepSetAdaptivityFn(a->ark, arkode_adapt, a);
+    bad |= ARKodeSetStabilityFn(a->ark, arkode_stable, a);
+    bad |= ARKodeSetCFLFraction(a->ark, nearly);
+    bad |= ARKodeSetSafetyFactor(a->ark, nearly);
+    bad |= ARKodeSetErrorBias(a->ark, 1);
+    bad |= ARKodeSetFixedStepBounds(a->ark, 1, 1.00001);
+    bad |= ARKodeSetMaxGrowth(a->ark, row->growth);
+    bad |= ARKodeSetMaxFirstGrowth(a->ark, row->growth);
+    bad |= ARKodeSetMinReduction(a->ark, 0.1);
+    bad |= ARKodeSetMaxEFailGrowth(a->ark, 0.3);
+    bad |= ARKodeSetSmallNumEFails(a->ark, 2);
+    bad |= ARKodeSetMaxErrTestFails(a->ark, 30); /* 7 are too few at impacts */
+    bad |= ARKodeSetMaxNumSteps(a->ark, 1000000);
+    bad |= ARKodeSetMaxHnilWarns(a->ark, -1);
+    return bad ? refuse_setup(a, "the settings of its step control") : STATUS_DONE;
+}
+
+static int set_implicit(struct arkode *a)
+{
+    int bad = 0;
+
+    a->solver = arkode_solver(a);
+    if (!a->solver)
+        return refuse_setup(a, "a nonlinear solver");
+    bad |= ARKodeSetNonlinearSolver(a->ark, a->solver);
+    bad |= ARKodeSetDeduceImplicitRhs(a->ark, 1);
+    bad |= ARKodeSetPredictorMethod(a->ark, 0);
+    return bad ? refuse_setup(a, "the implicit solve") : STATUS_DONE;
+}
+
+static int set_up(struct arkode *a)
+{
+    const struct arkode_node *now = &a->node[0];
+
+    a->ark = ARKStepCreate(arkode_explicit, a->imex ? arkode_implicit : NULL, now->t, now->y,
+                           a->context);
+    if (!a->ark || sundials_listen(a->ark) != 0 || ARKodeSetUserData(a->ark, a) != 0
+        || ARKodeSetInterpolantType(a->ark, SUNDIALS_INTERPOLANT) != 0
+        || ARKodeSetInterpolantDegree(a->ark, 0) != 0
+        || ARKodeWFtolerances(a->ark, weights) != 0)
+        return refuse_setup(a, "to begin");
+    TRY(set_tables(a));
+    TRY(set_control(a));
+    if (a->imex)
+        TRY(set_implicit(a));
+    return STATUS_DONE;
+}
+
+/* --- memory -------------------------------------------------------------- */
+
+static double *numbers(long n)
+{
+    return status_alloc((unsigned long)n, sizeof(double));
+}
+
+static int take_nodes(struct arkode *a, enum method_norm norm)
+{
+    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
+                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
+                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
+
+    a->nodes = a->row->order > 4 ? 3 : 2;
+    for (int k = 0; k < a->nodes; k++) {
+        a->node[k].y = k == 0 ? vector_create(a->n, norms[norm], a->context)
+                              : N_VClone(a->node[0].y);
+        a->node[k].f = numbers(a->n);
+        if (!a->node[k].y || !a->node[k].f)
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+static int take_stiff(struct arkode *a)
+{
+    if (!a->imex)
+        return STATUS_DONE;
+    a->ranges = plan_stiff_ranges(a->plan, ARKODE_RANGES, a->range);
+    for (int k = 0; k < a->ranges; k++)
+        a->stiff += a->range[k][1] - a->range[k][0];
+    a->right = numbers(a->n);
+    a->z = numbers(a->n);
+    if (!a->right || !a->z)
+        return STATUS_FAILED;
+    for (int k = 0; k < ARKODE_PAST; k++)
+        if (!(a->past[k] = numbers(a->stiff)))
+            return STATUS_FAILED;
+    return STATUS_DONE;
+}
+
+static int take_memory(struct arkode *a)
+{
+    a->weight = numbers(a->n);
+    if (!a->weight)
+        return STATUS_FAILED;
+    plan_weights(a->plan, a->def.tol * a->row->control->accept, a->weight);
+    TRY(take_nodes(a, a->def.norm));
+    return take_stiff(a);
+}
+
+static int build(struct arkode *a, double t, const double *y)
+{
+    TRY(sundials_open(&a->context));
+    TRY(take_memory(a));
+    TRY(arkode_restart(a, t, y));
+    TRY(set_up(a));
+    if (tableau_first_same_as_last(&a->table) && !(a->last_y = numbers(a->n)))
+        return STATUS_FAILED;
+    return arkode_restart(a, t, y); /* again: now its orders are known */
+}
+
+int arkode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+                  double t, const double *y, void **out)
+{
+    struct arkode *a = status_alloc(1, sizeof *a);
+    int code;
+
+    *out = a;
+    if (!a)
+        return STATUS_FAILED;
+    a->row = (const struct arkode_row *)m; /* its first member */
+    a->def = *def;
+    a->plan = plan;
+    a->n = plan_size(plan);
+    a->imex = a->row->dirk && plan_stiff(plan);
+    code = build(a, t, y);
+    if (code != STATUS_DONE)
+        arkode_free(out);
+    return code;
+}
+
+void arkode_free(void **out)
+{
+    struct arkode *a = *out;
+
+    if (!a)
+        return;
+    if (a->ark)
+        ARKodeFree(&a->ark);
+    if (a->solver)
+        SUNNonlinSolFree(a->solver);
+    for (int k = 0; k < ARKODE_NODES; k++) {
+        if (a->node[k].y)
+            N_VDestroy(a->node[k].y);
+        free(a->node[k].f);
+    }
+    for (int k = 0; k < ARKODE_PAST; k++)
+        free(a->past[k]);
+    free(a->right);
+    free(a->z);
+    free(a->last_y);
+    free(a->weight);
+    sundials_close(&a->context);
+    free(a);
+    *out = NULL;
+}

@@ -1,0 +1,241 @@
+/* fixed.c -- the frame of methods without error control. */
+#include "time/fixed.h"
+
+#include "algebra/vector.h"
+#include "base/status.h"
+#include "state/scales.h"
+#include "time/dense.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { HALVINGS = 6 };
+
+static bool paired(const struct layout *l)
+{
+    int v = 0;
+
+    for (int x = 0; x < l->rows; x++) {
+        if (l->row[x].what != LAYOUT_POSITION)
+            continue;
+        while (v < l->rows && l->row[v].what != LAYOUT_VELOCITY)
+            v++;
+        if (v == l->rows || l->row[v].n != l->row[x].n
+            || l->row[v].components != l->row[x].components)
+            return false;
+        v++;
+    }
+    return l->from[1] - l->from[0] == l->from[2] - l->from[1];
+}
+
+const char *fixed_serves(const struct plan *plan)
+{
+    if (plan_size(plan) == 0)
+        return "nothing in this scene moves";
+    return paired(plan_layout(plan)) ? NULL
+                                     : "its positions and velocities do not pair up one by one";
+}
+
+/* A wave part states SCALES_WAVE (c0 + v)/hs as its fastest rate. */
+double fixed_wave_step(struct fixed *x)
+{
+    struct limit limit[2];
+    double wave, decay;
+
+    plan_limit(x->plan, x->t, x->y, plan_stiff(x->plan), limit);
+    wave = limit[0].rate > 0 ? x->number * SCALES_WAVE / limit[0].rate : HUGE_VAL;
+    decay = limit[1].rate > 0 ? 0.5 / limit[1].rate : HUGE_VAL;
+    x->limit = limit[decay < wave];
+    return fmin(wave, decay);
+}
+
+static int ensure_rates(struct fixed *x)
+{
+    if (!x->has_f)
+        TRY(plan_rhs(x->plan, PLAN_ALL, x->t, x->y, x->f));
+    x->has_f = true;
+    return STATUS_DONE;
+}
+
+static int collapse(const struct fixed *x, double h)
+{
+    const char *refusal = plan_refusal(x->plan);
+
+    return status_fail(STATUS_FAILED,
+                       "%s has no answer at t = %.9g s, not even after a step of %.3g s: %s. It "
+                       "does not control its error: try %s@%g, or a method that does (imex3, "
+                       "ark436)", x->kind->method.name, x->t_old, h,
+                       refusal[0] ? refusal : "the state is not finite",
+                       x->kind->method.name, x->number / 2);
+}
+
+static void swap(double **a, double **b)
+{
+    double *c = *a;
+
+    *a = *b;
+    *b = c;
+}
+
+/* y, f become y_old, f_old; t_old is where the step starts. */
+static void begin(struct fixed *x)
+{
+    swap(&x->y, &x->y_old);
+    swap(&x->f, &x->f_old);
+    x->t_old = x->t;
+    x->has_f = false;
+}
+
+static int attempt(struct fixed *x, double h)
+{
+    TRY(x->kind->advance(x, h));
+    return vector_first_bad(x->n, x->y) < 0 ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Halves the step while there is no answer. */
+static int advance(struct fixed *x, double *h)
+{
+    for (int k = 0; attempt(x, *h) != STATUS_DONE; k++) {
+        x->has_f = false;
+        x->halved++;
+        if (k == HALVINGS || *h / 2 < x->h_min)
+            return STATUS_FAILED;
+        *h /= 2;
+    }
+    return STATUS_DONE;
+}
+
+/* The state stays that of the last step. */
+static int give_up(struct fixed *x, double h)
+{
+    swap(&x->y, &x->y_old);
+    swap(&x->f, &x->f_old);
+    x->has_f = true;
+    x->stepped = false;
+    return collapse(x, h);
+}
+
+static void report(const struct fixed *x, double h, enum method_limiter limiter,
+                   struct method_step *out)
+{
+    *out = (struct method_step){ .t = x->t, .h = h, .limiter = limiter, .rejected = x->halved };
+    if (limiter == METHOD_OUTPUT)
+        snprintf(out->where, sizeof out->where, "end of the segment");
+    else if (x->limit.where >= 0)
+        snprintf(out->where, sizeof out->where, "%s, particle %d", x->limit.part, x->limit.where);
+    else
+        snprintf(out->where, sizeof out->where, "%s", x->limit.part);
+}
+
+int fixed_step(void *self, double t_stop, struct method_step *out)
+{
+    struct fixed *x = self;
+    const double left = t_stop - x->t;
+    double h, asked;
+
+    x->t_old = x->t;
+    if (!(left > 0))
+        return status_fail(STATUS_FAILED, "a step to t = %.9g s was asked for at t = %.9g s",
+                           t_stop, x->t);
+    if (ensure_rates(x) != STATUS_DONE)
+        return collapse(x, 0);
+    h = x->kind->length(x);
+    const bool last = h >= left * (1 - 1e-12);
+    asked = h = last ? left : h;
+    begin(x);
+    if (advance(x, &h) != STATUS_DONE)
+        return give_up(x, h);
+    x->t = last && h == asked ? t_stop : x->t_old + h;
+    x->stepped = true;
+    report(x, h, last && h == asked ? METHOD_OUTPUT : METHOD_STABILITY, out);
+    return STATUS_DONE;
+}
+
+int fixed_at(void *self, double t, double *y)
+{
+    struct fixed *x = self;
+    const double time[2] = { x->t, x->t_old };
+    double c[4];
+
+    if (t == x->t || (x->stepped && t == x->t_old)) {
+        vector_copy(x->n, t == x->t ? x->y : x->y_old, y);
+        return STATUS_DONE;
+    }
+    if (!x->stepped || !(t > x->t_old && t < x->t))
+        return status_fail(STATUS_FAILED, "the state at t = %.9g s was asked for, which does not "
+                                          "lie in the last step (to %.9g s)", t, x->t);
+    if (ensure_rates(x) != STATUS_DONE)
+        return collapse(x, x->t - x->t_old);
+    dense_hermite(2, time, t, c, c + 2);
+    vector_combine(4, c, (const double *[]){ x->y, x->y_old, x->f, x->f_old }, x->n, y);
+    return STATUS_DONE;
+}
+
+const double *fixed_state(const void *self)
+{
+    return ((const struct fixed *)self)->y;
+}
+
+int fixed_restart(void *self, double t, const double *y)
+{
+    struct fixed *x = self;
+
+    vector_copy(x->n, y, x->y);
+    x->t = x->t_old = t;
+    x->has_f = x->stepped = false;
+    return STATUS_DONE;
+}
+
+const char *fixed_table(const void *self)
+{
+    return ((const struct fixed *)self)->table;
+}
+
+static int take_memory(struct fixed *x)
+{
+    double **place[] = { &x->y, &x->f, &x->y_old, &x->f_old, &x->try, &x->rates };
+
+    for (int i = 0; i < 6; i++)
+        if (!(*place[i] = status_alloc((unsigned long)x->n, sizeof(double))))
+            return STATUS_FAILED;
+    return STATUS_DONE;
+}
+
+int fixed_create(const struct method *m, const struct method_def *def, struct plan *plan,
+                 double t, const double *y, void **out)
+{
+    struct fixed *x = status_alloc(1, sizeof *x);
+
+    *out = x;
+    if (!x)
+        return STATUS_FAILED;
+    x->kind = (const struct fixed_kind *)m; /* its first member */
+    x->plan = plan;
+    x->n = plan_size(plan);
+    for (int c = 0; c <= LAYOUT_CLASSES; c++)
+        x->from[c] = plan_layout(plan)->from[c];
+    x->number = def->step > 0 ? def->step : x->kind->number;
+    x->h_min = def->h_min;
+    snprintf(x->table, sizeof x->table, "%s@%g", m->name, x->number);
+    if (take_memory(x) != STATUS_DONE) {
+        fixed_free(out);
+        return STATUS_FAILED;
+    }
+    return fixed_restart(x, t, y);
+}
+
+void fixed_free(void **self)
+{
+    struct fixed *x = *self;
+
+    if (!x)
+        return;
+    free(x->y);
+    free(x->f);
+    free(x->y_old);
+    free(x->f_old);
+    free(x->try);
+    free(x->rates);
+    free(x);
+    *self = NULL;
+}

@@ -1,0 +1,63 @@
+/* fixed.h -- methods without error control: a rule gives the step, a formula
+ * takes it.
+ *
+ * A kind has one file and is a const struct.  The frame gives it y and f at the
+ * start of a step; when f has no answer, the frame halves the step. */
+#ifndef TIME_FIXED_H
+#define TIME_FIXED_H
+
+#include "state/part.h"
+#include "time/method.h"
+
+struct fixed {
+    const struct fixed_kind *kind;
+    struct plan *plan;
+    long n, from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c */
+    double number;        /* CFL number, the X of NAME@X                       */
+    double h_min;
+    double t, t_old;
+    double *y, *f;        /* [n] now; f as dense output and the next step see it */
+    double *y_old, *f_old;
+    double *try, *rates;  /* [n] scratch of advance()                          */
+    bool has_f, stepped;
+    struct limit limit;   /* what decided on the step                          */
+    long halved;
+    char table[64];
+};
+
+struct fixed_kind {
+    struct method method; /* first: its create() finds the kind so             */
+    double number;        /* when the name has no @                            */
+
+    /* Length of a step from (t, y) with rates f [s]; sets limit. */
+    double (*length)(struct fixed *x);
+
+    /* y_old, f_old at t_old -> y at t_old + h.  May set f and has_f.  A refusal
+     * is handed up. */
+    int (*advance)(struct fixed *x, double h);
+};
+extern const struct fixed_kind fixed_leapfrog, fixed_euler;
+
+int fixed_create(const struct method *m, const struct method_def *def, struct plan *plan,
+                 double t, const double *y, void **out);
+int fixed_step(void *self, double t_stop, struct method_step *out);
+int fixed_at(void *self, double t, double *y);
+const double *fixed_state(const void *self);
+int fixed_restart(void *self, double t, const double *y);
+const char *fixed_table(const void *self);
+void fixed_free(void **self);
+
+/* NULL, or why positions and velocities do not pair up entry by entry. */
+const char *fixed_serves(const struct plan *plan);
+
+/* CFL number * hs/(c0 + v) for waves, and not more than 1/2 of 1/rate for decay;
+ * sets limit. */
+double fixed_wave_step(struct fixed *x);
+
+#define FIXED_METHOD(NAME, ABOUT, SOURCE)                                                \
+    { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false,                 \
+      .serves = fixed_serves, .create = fixed_create, .step = fixed_step,                \
+      .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
+      .table = fixed_table, .free = fixed_free }
+
+#endif

@@ -1,0 +1,194 @@
+/* laws.c -- what the effects are called conservation laws for: momentum and energy
+ * of the rates themselves, for each effect alone and for all, between walls that
+ * move and with a beam in the water. */
+#include "tank.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOVING "wall = { tank = { type = \"frame\"; velocity = " VECTOR "; frequency = 3.0;" \
+               " amplitude = " VECTOR "; }; };"
+#if DIM == 2
+#define VECTOR "[0.011, -0.007]"
+#else
+#define VECTOR "[0.011, -0.007, 0.004]"
+#endif
+#define SLIDING "wall = { tank = { type = \"frame\"; slip = true; velocity = " VECTOR "; }; };"
+
+/* What acts beside gravity. */
+static const char *const effects[] = {
+    "effects = { continuity = { }; pressure = { }; };",
+    "effects = { continuity = { }; artificial-viscosity = { alpha = 0.5; }; };",
+    "effects = { continuity = { };"
+    " artificial-viscosity = { alpha = 0.5; only_approaching = true; }; };",
+    "effects = { continuity = { }; laminar-viscosity = { mu = 5.0; }; };",
+    "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };",
+    TANK_EFFECTS,
+};
+enum { EFFECTS = sizeof effects / sizeof effects[0], SEEDS = 3 };
+
+static const double when = 0.013; /* [s] */
+
+/* Every combination of effects and walls (in 2D with a beam too), three times. */
+static void for_all(void (*look)(struct tank *t, const char *what))
+{
+    const char *const walls[] = { tank_frame, MOVING, SLIDING };
+
+    for (int e = 0; e < EFFECTS; e++)
+        for (int w = 0; w < 3; w++)
+            for (int beam = 0; beam < (DIM == 2 ? 2 : 1); beam++)
+                for (unsigned seed = 1; seed <= SEEDS; seed++) {
+                    struct tank t;
+                    tank_make(&t, beam ? tank_parted_water : tank_water, walls[w],
+                              beam ? tank_beam : "", effects[e], NULL);
+                    tank_shake(&t, seed, 0.2, 1.0, 0.02);
+                    look(&t, effects[e]);
+                    tank_free(&t);
+                }
+}
+
+/* Fluid alone: sum m u' + forces on all solids = m g. */
+static void check_momentum(struct tank *t, const char *what)
+{
+    const struct particles *p = plan_particles(t->plan);
+    const double *g = plan_scales(t->plan)->g;
+    const int n = particles_count(p, KIND_FLUID);
+
+    tank_rates(t, when, t->y, t->ydot);
+    for (int d = 0; d < DIM; d++) {
+        const double *udot = t->ydot + tank_at(t, "velocity of fluid", NULL);
+        double sum = 0, size = 0;
+        for (int i = 0; i < n; i++) {
+            sum += p->m[i] * (udot[i * DIM + d] - g[d]);
+            size += p->m[i] * fabs(udot[i * DIM + d]);
+        }
+        for (int o = 0; o < p->objects; o++)
+            sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t->plan, o)[d];
+        check(fabs(sum) <= 1e-12 * size, "%s\ndirection %d: %g N of %g N come from nowhere", what,
+              d, sum, size);
+    }
+}
+
+static void momentum_comes_from_walls_and_weight(void **state)
+{
+    (void)state;
+    for_all(check_momentum);
+}
+
+/* (total, sum of works, pressure_defect) at y + h ydot, t + h. */
+static void sheet_at(struct tank *t, double h, struct plan_sheet *s)
+{
+    double *y = tank_copy(t, t->y);
+
+    for (long i = 0; i < t->n; i++)
+        y[i] += h * t->ydot[i];
+    plan_sheet_make(t->plan, when + h, y, s);
+    test_free(y);
+}
+
+/* d/dt along the rates, by central differences of fourth order. */
+static double slope(struct tank *t, double (*of)(const struct plan_sheet *s))
+{
+    const double h = 2e-6;
+    double step[2];
+
+    for (int k = 0; k < 2; k++) {
+        struct plan_sheet before, after;
+        sheet_at(t, -h * (k + 1), &before);
+        sheet_at(t, h * (k + 1), &after);
+        step[k] = (of(&after) - of(&before)) / (2 * h * (k + 1));
+    }
+    return (4 * step[0] - step[1]) / 3;
+}
+
+static double kinetic(const struct plan_sheet *s)
+{
+    return s->energy.kinetic;
+}
+
+static double defect(const struct plan_sheet *s)
+{
+    double given = s->pressure_defect;
+
+    for (int i = 0; i < s->works; i++)
+        given += s->work[i];
+    return s->total - given;
+}
+
+static double pressure_defect(const struct plan_sheet *s)
+{
+    return s->pressure_defect;
+}
+
+/* |power| of everything that changes kinetic energy, to compare with [W]. */
+static double turnover(const struct tank *t)
+{
+    const struct particles *p = plan_particles(t->plan);
+    const double *u = t->y + tank_at(t, "velocity of fluid", NULL);
+    const double *udot = t->ydot + tank_at(t, "velocity of fluid", NULL);
+    double sum = 0;
+
+    for (int i = 0; i < particles_count(p, KIND_FLUID) * DIM; i++)
+        sum += p->m[i / DIM] * fabs(u[i] * udot[i]);
+    return sum;
+}
+
+static void check_energy(struct tank *t, const char *what)
+{
+    double size;
+
+    tank_rates(t, when, t->y, t->ydot);
+    size = turnover(t);
+    check(fabs(slope(t, kinetic)) > 1e-4 * size, "%s\nnothing happens: the test is void", what);
+    check(fabs(slope(t, defect)) <= 1e-8 * size,
+          "%s\nenergy changes by %g W more than the book says, of %g W", what, slope(t, defect),
+          size);
+    check(fabs(slope(t, pressure_defect)) <= (strstr(what, "pressure") ? 1e-10 : 1) * size,
+          "%s\npressure and continuity make %g W of %g W", what, slope(t, pressure_defect), size);
+}
+
+/* d(kinetic + potential + internal + elastic)/dt = sum of the booked powers. */
+static void energy_changes_by_the_booked_powers(void **state)
+{
+    (void)state;
+    for_all(check_energy);
+}
+
+/* Fluid and bodies together change by what the sheet says was given. */
+static void check_momentum_sheet(struct tank *t, const char *what)
+{
+    const double h = 1e-3;
+    struct plan_sheet a, b;
+    double size = 0;
+
+    tank_rates(t, when, t->y, t->ydot);
+    sheet_at(t, -h, &a);
+    sheet_at(t, h, &b);
+    for (int d = 0; d < DIM; d++)
+        size += fabs(b.momentum[d] - a.momentum[d]) + a.mass * 9.81 * h;
+    for (int d = 0; d < DIM; d++) {
+        const double off = b.momentum[d] - a.momentum[d]
+                         - (b.momentum_given[d] - a.momentum_given[d]);
+        check(fabs(off) <= 1e-10 * size, "%s\ndirection %d: momentum is off by %g of %g N s", what,
+              d, off, size);
+    }
+    check(a.mass > 0 && a.mass == b.mass, "mass went from %g to %g", a.mass, b.mass);
+}
+
+static void momentum_book_closes(void **state)
+{
+    (void)state;
+    for_all(check_momentum_sheet);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(momentum_comes_from_walls_and_weight),
+        cmocka_unit_test(energy_changes_by_the_booked_powers),
+        cmocka_unit_test(momentum_book_closes),
+    };
+
+    return cmocka_run_group_tests_name(DIM == 2 ? "laws in 2D" : "laws in 3D", tests, NULL, NULL);
+}

@@ -1,0 +1,116 @@
+/* effects-formulas.c -- the laws of src/effects/ as their papers have them: one
+ * pair, plain doubles, powers by pow(). */
+#include "effects-pair.h"
+
+#include <math.h>
+#include <string.h>
+
+/* What every law needs of a pair: x = x_a - x_b, r, v.x and gradW = g x. */
+struct geometry {
+    double x[DIM], v[DIM], r, xv;
+    double g; /* W'(r)/r */
+};
+
+/* W(r) = sigma/H^D (1 - q)^4 (1 + 4 q), q = r/H, differentiated by hand. */
+static struct geometry look(const struct pair_particle *a, const struct pair_particle *b)
+{
+    const double H = effects_scales.support;
+    const double sigma = DIM == 2 ? 7 / M_PI : 21 / (2 * M_PI);
+    struct geometry p = { .r = 0 };
+    double q;
+
+    for (int d = 0; d < DIM; d++) {
+        p.x[d] = a->x[d] - b->x[d];
+        p.v[d] = a->v[d] - b->v[d];
+        p.r += p.x[d] * p.x[d];
+        p.xv += p.x[d] * p.v[d];
+    }
+    p.r = sqrt(p.r);
+    q = p.r / H;
+    if (q < 1)
+        p.g = sigma * pow(H, -DIM - 1) * (-4 * pow(1 - q, 3) * (1 + 4 * q) + 4 * pow(1 - q, 4))
+            / p.r;
+    return p;
+}
+
+/* r^2 + 0.01 hs^2 */
+static double softened(double r)
+{
+    return r * r + 0.01 * pow(effects_scales.hs, 2);
+}
+
+/* (D1) m_a d rho_a/dt = m_a m_b v . gradW */
+static void continuity(const struct pair_particle *a, const struct pair_particle *b,
+                       struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+
+    to->drho = a->m * b->m * p.xv * p.g;
+}
+
+/* (P1) F = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW */
+static void pressure(const struct pair_particle *a, const struct pair_particle *b,
+                     struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = -a->m * b->m * (a->p2 + b->p2) * p.g * p.x[d];
+}
+
+/* (V2) F = m_a m_b alpha c0 hs (v.x)/(rhobar (r^2 + 0.01 hs^2)) gradW */
+static void artificial_viscosity(const struct pair_particle *a, const struct pair_particle *b,
+                                 struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double rhobar = (a->rho + b->rho) / 2;
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = a->m * b->m * EFFECTS_ALPHA * effects_scales.c0 * effects_scales.hs * p.xv
+                 / (rhobar * softened(p.r)) * p.g * p.x[d];
+}
+
+/* (V1) F = m_a m_b 2 mu/(rho_a rho_b) x.gradW/(r^2 + 0.01 hs^2) v */
+static void laminar_viscosity(const struct pair_particle *a, const struct pair_particle *b,
+                              struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = a->m * b->m * 2 * EFFECTS_MU / (a->rho * b->rho) * p.r * p.r * p.g
+                 / softened(p.r) * p.v[d];
+}
+
+/* (D2), with rho_H = rho0 g.x/c0^2 */
+static void density_diffusion(const struct pair_particle *a, const struct pair_particle *b,
+                              struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double rhobar = (a->rho + b->rho) / 2;
+    double gx = 0;
+
+    for (int d = 0; d < DIM; d++)
+        gx += effects_scales.g[d] * p.x[d];
+    to->drho = a->m * b->m * 2 * EFFECTS_DELTA * effects_scales.hs * effects_scales.c0
+             * (a->rho - b->rho - effects_scales.rho0 * gx / pow(effects_scales.c0, 2)) / rhobar
+             * p.r * p.r * p.g / softened(p.r);
+}
+
+pair_formula *effects_formula(const char *name)
+{
+    static const struct {
+        const char *name;
+        pair_formula *formula;
+    } all[] = {
+        { "continuity", continuity },
+        { "pressure", pressure },
+        { "artificial-viscosity", artificial_viscosity },
+        { "laminar-viscosity", laminar_viscosity },
+        { "density-diffusion", density_diffusion },
+    };
+
+    for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++)
+        if (strcmp(all[i].name, name) == 0)
+            return all[i].formula;
+    return NULL;
+}
