@@ -83,8 +83,10 @@ static int make_scales(struct plan *p, struct scene *scene)
     s->mass = s->rho0 * pow(s->dx, DIM);
     s->speed = p->in.reference.speed;
     memcpy(s->g, p->in.set.gravity, sizeof s->g);
-    memcpy(s->low, p->in.domain.from, sizeof s->low);
-    memcpy(s->high, p->in.domain.to, sizeof s->high);
+    for (int d = 0; d < DIM; d++) { /* a beam alone needs no domain */
+        s->low[d] = isnan(p->in.domain.from[d]) ? 0 : p->in.domain.from[d];
+        s->high[d] = isnan(p->in.domain.to[d]) ? 0 : p->in.domain.to[d];
+    }
     return STATUS_DONE;
 }
 
@@ -158,6 +160,7 @@ static int make_bodies(struct plan *p)
     for (int i = 0; i < p->in.bodies; i++) {
         const struct input_body *in = &p->in.body[i];
         struct plan_body *b = &p->body[p->bodies];
+        int points;
 
         b->kind = in->kind;
         b->object = -1;
@@ -165,8 +168,9 @@ static int make_bodies(struct plan *p)
         snprintf(b->path, sizeof b->path, "%s", in->path);
         TRY(in->kind->create(in->params, &p->scales, in->name, in->path, &b->body));
         p->bodies++;
-        b->skin = p->scales.fluid ? in->kind->skin(b->body, NULL) : 0;
-        b->force = status_alloc(b->skin + 1, sizeof *b->force);
+        points = in->kind->skin(b->body, NULL);
+        b->skin = p->scales.fluid ? points : 0; /* without water nobody presses */
+        b->force = status_alloc(points + 1, sizeof *b->force);
         if (!b->force)
             return STATUS_FAILED;
     }

@@ -8,7 +8,7 @@
 #define TIME_ARKODE_H
 
 #include "algebra/vector.h"
-#include "state/part.h"
+#include "state/limit.h"
 #include "time/control.h"
 #include "time/method.h"
 #include "time/tableau.h"

@@ -6,7 +6,7 @@
 #ifndef TIME_FIXED_H
 #define TIME_FIXED_H
 
-#include "state/part.h"
+#include "state/limit.h"
 #include "time/method.h"
 
 struct fixed {

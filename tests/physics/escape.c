@@ -1,0 +1,166 @@
+/* escape.c -- who leaves the tank only falls, who comes back is felt again, and
+ * what cannot be is refused with the name of the particle. */
+#include "tank.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { WHO = 37 };
+
+static double *place(struct tank *t, int i)
+{
+    return t->y + tank_at(t, "position of fluid", NULL) + i * DIM;
+}
+
+static double *rate(struct tank *t, int i)
+{
+    return t->ydot + tank_at(t, "velocity of fluid", NULL) + i * DIM;
+}
+
+/* All rates but those of particle WHO and of the book are the same. */
+static void check_others(struct tank *a, struct tank *b, const char *what)
+{
+    const struct layout_row *r;
+    const long u = tank_at(a, "velocity of fluid", &r);
+
+    for (int i = 0; i < r->n; i++)
+        for (int d = 0; d < DIM && i != WHO; d++) {
+            const double x = a->ydot[u + i * DIM + d], y = b->ydot[u + i * DIM + d];
+            check(fabs(x - y) <= 1e-11 * (fabs(x) + 9.81), "%s: particle %d feels %g, not %g", what,
+                  i, y, x);
+        }
+}
+
+/* A plan with the particle outside, at `far` widths of the tank. */
+static void throw_out(struct tank *t, double far)
+{
+    for (int d = 0; d < DIM; d++)
+        place(t, WHO)[d] = d == 0 ? 0.1 * far : 0.03;
+}
+
+static void who_is_outside_only_falls(void **state)
+{
+    const double far[] = { 3, 1e3, 1e9, -1e30 };
+    struct tank t, other;
+
+    (void)state;
+    tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
+    tank_make(&other, tank_water, tank_frame, TANK_EFFECTS, NULL);
+    throw_out(&other, 2);
+    tank_rates(&other, 0, other.y, other.ydot);
+    for (int i = 0; i < 4; i++) {
+        throw_out(&t, far[i]);
+        tank_rates(&t, 0, t.y, t.ydot);
+        for (int d = 0; d < DIM; d++)
+            check(rate(&t, WHO)[d] == plan_scales(t.plan)->g[d],
+                  "%g tanks away: acceleration %g in direction %d", far[i], rate(&t, WHO)[d], d);
+        check(plan_escaped(t.plan, 0, t.y) == 1, "%d escaped", plan_escaped(t.plan, 0, t.y));
+        check(t.ydot[tank_at(&t, "density of fluid", NULL) + WHO] == 0, "its density changes");
+        check_others(&other, &t, "wherever it is");
+        for (long k = 0; k < t.n; k++)
+            check(isfinite(t.ydot[k]), "entry %ld is not finite", k);
+    }
+    check(plan_bytes(t.plan) == plan_bytes(other.plan), "memory grows");
+    tank_free(&t);
+    tank_free(&other);
+}
+
+/* Out and in again without and with a rebuild in between: rates as before. */
+static void who_comes_back_is_felt(void **state)
+{
+    struct tank t, other;
+    double *home;
+
+    (void)state;
+    tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
+    tank_make(&other, tank_water, tank_frame, TANK_EFFECTS, NULL);
+    tank_shake(&t, 4, 0.1, 0.5, 0.005);
+    tank_shake(&other, 4, 0.1, 0.5, 0.005);
+    home = tank_copy(&t, t.y);
+    tank_rates(&other, 0, other.y, other.ydot);
+    tank_rates(&t, 0, t.y, t.ydot);
+    throw_out(&t, 3);
+    tank_rates(&t, 0, t.y, t.ydot);
+    check(rate(&t, WHO)[0] != rate(&other, WHO)[0], "nobody notices that it left");
+    memcpy(t.y, home, t.n * sizeof *home);
+    tank_rates(&t, 0, t.y, t.ydot);
+    check_others(&other, &t, "after it came back");
+    for (int d = 0; d < DIM; d++)
+        check(fabs(rate(&t, WHO)[d] - rate(&other, WHO)[d]) <= 1e-11 * 9.81 + 1e-11
+              * fabs(rate(&other, WHO)[d]), "it feels %g, not %g", rate(&t, WHO)[d],
+              rate(&other, WHO)[d]);
+    test_free(home);
+    tank_free(&t);
+    tank_free(&other);
+}
+
+/* Just over the border while the list is still fresh: masked at once. */
+static void border_counts_at_once(void **state)
+{
+    struct tank t;
+    double edge;
+
+    (void)state;
+    tank_make(&t, tank_water, TANK_EFFECTS, NULL); /* no walls */
+    edge = plan_scales(t.plan)->high[0]
+         + (ceil(plan_scales(t.plan)->support / plan_scales(t.plan)->dx - 1e-9) + 0.5)
+           * plan_scales(t.plan)->dx;
+    for (int side = 0; side < 2; side++) {
+        place(&t, WHO)[0] = edge + (side ? 1e-6 : -1e-6) * plan_scales(t.plan)->dx;
+        place(&t, WHO + 1)[0] = edge - plan_scales(t.plan)->dx;
+        place(&t, WHO + 1)[1] = place(&t, WHO)[1];
+        tank_rates(&t, 0, t.y, t.ydot);
+        check((rate(&t, WHO)[0] == 0) == (side == 1), "side %d: acceleration %g", side,
+              rate(&t, WHO)[0]);
+    }
+    check(plan_counts(t.plan)->rebuilds == 1, "%ld rebuilds", plan_counts(t.plan)->rebuilds);
+    tank_free(&t);
+}
+
+static void expect_refusal(struct tank *t, const char *what, const char *value)
+{
+    check(plan_rhs(t->plan, PLAN_ALL, 0.25, t->y, t->ydot) != 0, "%s is accepted", what);
+    check(strstr(plan_refusal(t->plan), "particle 37") && strstr(plan_refusal(t->plan), "water")
+          && strstr(plan_refusal(t->plan), "0.25 s") && strstr(plan_refusal(t->plan), value),
+          "%s: the refusal says: %s", what, plan_refusal(t->plan));
+}
+
+static void the_impossible_is_refused_by_name(void **state)
+{
+    const double bad[] = { NAN, HUGE_VAL, -HUGE_VAL };
+    double *home, *rho;
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
+    rho = t.y + tank_at(&t, "density of fluid", NULL) + WHO;
+    home = tank_copy(&t, t.y);
+    for (int i = 0; i < 3; i++) {
+        place(&t, WHO)[DIM - 1] = bad[i];
+        expect_refusal(&t, "a position that is not finite", "position");
+        memcpy(t.y, home, t.n * sizeof *home);
+    }
+    *rho = 3001;
+    expect_refusal(&t, "density 3001", "3001");
+    *rho = 199;
+    expect_refusal(&t, "density 199", "199");
+    *rho = NAN;
+    expect_refusal(&t, "density nan", "nan");
+    memcpy(t.y, home, t.n * sizeof *home);
+    tank_rates(&t, 0, t.y, t.ydot); /* and it goes on */
+    check(plan_counts(t.plan)->refused == 6, "%ld refused", plan_counts(t.plan)->refused);
+    test_free(home);
+    tank_free(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(who_is_outside_only_falls),
+        cmocka_unit_test(who_comes_back_is_felt),
+        cmocka_unit_test(border_counts_at_once),
+        cmocka_unit_test(the_impossible_is_refused_by_name),
+    };
+
+    return cmocka_run_group_tests_name("escape", tests, NULL, NULL);
+}
