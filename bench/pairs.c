@@ -309,8 +309,8 @@ static void report(struct bench *b, double share)
     count(b, &useful, &entries);
     const double build = time_of(b, rebuild), all = sum + check + share * build;
 
-    printf("%dD %8d %5d %5.2f %5d %7d %6.1f %7.2f %7.1f %6.2f %6.1f %6.1f %6.1f  %016" PRIx64 " %s\n",
-           DIM, b->n, b->engine->lanes, b->skin / b->support, b->effects,
+    printf("%dD %8d %5d %5.2f %5d %7d %6.1f %7.2f %7.1f %6.2f %6.1f %6.1f %6.1f  %016" PRIx64
+           " %s\n", DIM, b->n, b->engine->lanes, b->skin / b->support, b->effects,
            (int)lround(100 * b->support / b->dx), useful, entries / useful, build, check, sum, all,
            1e3 / all, hash, threads);
     fflush(stdout);
@@ -358,14 +358,23 @@ static void run_all(const struct engine *engine)
 #endif
 }
 
+static void head(void)
+{
+    double load = 0;
+
+    printf("pair engine, user CPU on one thread, median of %d, ns per particle\n", REPEATS);
+    if (getloadavg(&load, 1) == 1 && load > 0.5)
+        printf("WARNING: others are at work (load %.1f): numbers are too high\n", load);
+    printf("%2s %8s %5s %5s %5s %7s %6s %7s %7s %6s %6s %6s %6s  %s\n", "", "n", "lanes", "skin",
+           "laws", "H/dx %", "nb", "entries", "build", "check", "sum", "all", "M/s", "hash");
+}
+
 int main(void)
 {
     const struct engine *best = engine_pick();
 
     use_threads(1);
-    printf("pair engine, user CPU on one thread, median of %d, ns per particle\n"
-           "%2s %8s %5s %5s %5s %7s %6s %7s %7s %6s %6s %6s %6s  %s\n", REPEATS, "", "n", "lanes",
-           "skin", "laws", "H/dx %", "nb", "entries", "build", "check", "sum", "all", "M/s", "hash");
+    head();
     run_all(best);
     setenv("STIFFWATER_LANES", "2", 1);
     if (engine_pick() != best)

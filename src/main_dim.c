@@ -8,12 +8,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#ifndef STIFFWATER_DATADIR
-#define STIFFWATER_DATADIR "/usr/local/share/stiffwater"
-#endif
 
 static int list(const char *what)
 {
@@ -21,21 +16,16 @@ static int list(const char *what)
         return catalogue_list(what, stdout);
     for (int i = 0; method_table[i]; i++)
         printf("%-22s %s\n", method_table[i]->name, method_table[i]->about);
-    puts("ARKODE_...             any explicit table of ARKODE by its own name");
     return STATUS_DONE;
 }
 
-/* Scripts and reference data: of the source tree when the environment names
- * one (tests, quickstart), else where they were installed. */
 static int plot(const char *directory)
 {
-    const char *tree = getenv("STIFFWATER_DATA");
-    char scripts[4096], data[4096];
+    char scripts[4200], reference[4200];
 
-    snprintf(scripts, sizeof scripts, "%.4000s/plots", tree ? tree : STIFFWATER_DATADIR);
-    snprintf(data, sizeof data, "%.4000s/%s", tree ? tree : STIFFWATER_DATADIR,
-             tree ? "data/reference" : "reference");
-    return figures_draw(directory, scripts, data);
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    snprintf(reference, sizeof reference, "%.4096s/data/reference", cli_data());
+    return figures_draw(directory, scripts, reference);
 }
 
 static int carry_out(const struct cli *c)

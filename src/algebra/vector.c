@@ -1,17 +1,13 @@
 /* vector.c -- the operations of a step: blocked, threaded, with fixed bits. */
 #include "algebra/vector.h"
 
+#include "algebra/vector-blocks.h"
 #include "base/status.h"
 #include <float.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-    BLOCK = 1024,    /* entries whose partial results belong together        */
-    LONG_ONE = 20000 /* from this length on a second thread pays             */
-};
 
 /* What all clones of a vector share. */
 struct family {
@@ -41,55 +37,7 @@ double *vector_data(N_Vector v)
     return content(v)->serial.data;
 }
 
-static long blocks(long n)
-{
-    return (n + BLOCK - 1) / BLOCK;
-}
-
-static int block_size(long n, long b)
-{
-    return n - b * BLOCK < BLOCK ? (int)(n - b * BLOCK) : BLOCK;
-}
-
 /* --- linear combinations ------------------------------------------------- */
-
-static void combine_block(int terms, const double *c, const double *const *x, long from, int n,
-                          double *to)
-{
-    const int unit = terms > 1 && c[0] == 1; /* x[0] is added last */
-    double sum[BLOCK];
-
-    memset(sum, 0, sizeof sum);
-    for (int k = unit; k < terms; k++) {
-        const double ck = c[k], *xk = x[k] + from;
-        if (ck == 0)
-            continue;
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            sum[i] += ck * xk[i];
-    }
-    if (unit) {
-        const double *x0 = x[0] + from;
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            sum[i] = x0[i] + sum[i];
-    }
-    memcpy(to + from, sum, (size_t)n * sizeof *sum);
-}
-
-void vector_combine(int terms, const double *c, const double *const *x, long n, double *to)
-{
-#pragma omp parallel for schedule(static) if (n > LONG_ONE)
-    for (long b = 0; b < blocks(n); b++)
-        combine_block(terms, c, x, b * BLOCK, block_size(n, b), to);
-}
-
-void vector_copy(long n, const double *x, double *to)
-{
-#pragma omp parallel for schedule(static) if (n > LONG_ONE)
-    for (long b = 0; b < blocks(n); b++)
-        memcpy(to + b * BLOCK, x + b * BLOCK, (size_t)block_size(n, b) * sizeof *x);
-}
 
 static int linear_combination(int terms, sunrealtype *c, N_Vector *v, N_Vector z)
 {
@@ -125,10 +73,10 @@ static void constant(sunrealtype c, N_Vector z)
     double *to = vector_data(z);
     const long n = length(z);
 
-#pragma omp parallel for schedule(static) if (n > LONG_ONE)
-    for (long b = 0; b < blocks(n); b++)
-        for (int i = 0; i < block_size(n, b); i++)
-            to[b * BLOCK + i] = c;
+#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
+    for (long b = 0; b < vector_blocks(n); b++)
+        for (int i = 0; i < vector_block_size(n, b); i++)
+            to[b * VECTOR_BLOCK + i] = c;
 }
 
 /* --- norms --------------------------------------------------------------- */
@@ -221,18 +169,20 @@ static sunrealtype error_norm(N_Vector v, N_Vector weight)
 {
     struct family *f = content(v)->family;
     const double *x = vector_data(v), *w = vector_data(weight);
-    const long n = length(v), count = blocks(n);
+    const long n = length(v), count = vector_blocks(n);
     double norm;
-    long lead;
+    long lead, at;
 
     if (n == 0)
         return 0;
-#pragma omp parallel for schedule(static) if (n > LONG_ONE)
-    for (long b = 0; b < count; b++)
-        f->partial[b] = block_norms[f->norm](x + b * BLOCK, w + b * BLOCK, block_size(n, b));
+#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
+    for (long b = 0; b < count; b++) {
+        const long from = b * VECTOR_BLOCK;
+        f->partial[b] = block_norms[f->norm](x + from, w + from, vector_block_size(n, b));
+    }
     lead = leading_block(f->partial, count);
-    f->largest = lead * BLOCK
-               + leading_entry(x + lead * BLOCK, w + lead * BLOCK, block_size(n, lead));
+    at = lead * VECTOR_BLOCK;
+    f->largest = at + leading_entry(x + at, w + at, vector_block_size(n, lead));
     norm = finish(f->norm, f->partial, count, n, lead);
     return norm <= VECTOR_NOT_FINITE ? norm : VECTOR_NOT_FINITE;
 }
@@ -240,29 +190,6 @@ static sunrealtype error_norm(N_Vector v, N_Vector weight)
 long vector_largest(N_Vector v)
 {
     return content(v)->family->largest;
-}
-
-static bool block_bad(const double *x, int n)
-{
-    int bad = 0;
-
-#pragma omp simd reduction(| : bad)
-    for (int i = 0; i < n; i++)
-        bad |= !(fabs(x[i]) <= DBL_MAX);
-    return bad;
-}
-
-long vector_first_bad(long n, const double *x)
-{
-    long first = n;
-
-#pragma omp parallel for schedule(static) reduction(min : first) if (n > LONG_ONE)
-    for (long b = 0; b < blocks(n); b++)
-        if (b * BLOCK < first && block_bad(x + b * BLOCK, block_size(n, b)))
-            first = b * BLOCK;
-    while (first < n && fabs(x[first]) <= DBL_MAX)
-        first++;
-    return first < n ? first : -1;
 }
 
 /* --- life ---------------------------------------------------------------- */
@@ -336,7 +263,7 @@ static bool adopt(N_Vector v, long n, struct family *f)
     free(v->content);
     v->content = NULL;
     replace_operations(v);
-    f->partial = status_alloc((unsigned long)blocks(n), sizeof *f->partial);
+    f->partial = status_alloc((unsigned long)vector_blocks(n), sizeof *f->partial);
     return f->partial && fill(v, n, f);
 }
 

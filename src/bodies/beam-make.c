@@ -86,7 +86,7 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     beam_def_axes(d, b->along, b->normal);
     b->mass = bending.mu * bending.length;
     b->thickness = d->thickness;
-    b->speed = s->fluid ? s->speed : bending_first(&bending) * d->thickness;
+    b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
     TRY(bending_create(&bending, &b->bending));
     TRY(take_vectors(b));

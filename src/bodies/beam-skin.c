@@ -11,13 +11,13 @@ static void place(const struct beam_skin_def *d, double along, double eta,
                   struct beam_skin_point *p)
 {
     const double l = d->length / d->elements;
+    double slope[4]; /* of no use here */
     int e = (int)(along / l);
 
     if (e > d->elements - 1)
         e = d->elements - 1;
     p->first = 2 * e;
-    p->eta = eta;
-    element_shape(along / l - e, l, p->shape, p->slope);
+    element_shape(along / l - e, l, p->shape, slope);
     for (int i = 0; i < DIM; i++)
         p->rest[i] = d->at[i] + along * d->along[i] + eta * d->normal[i];
 }
@@ -62,17 +62,15 @@ static double dot4(const double *a, const double *b)
 void beam_skin_move(const struct beam_skin *s, const double *q, const double *v,
                     double (*x)[DIM], double (*u)[DIM])
 {
-    const double *e = s->def.along, *n = s->def.normal;
+    const double *n = s->def.normal;
 
     for (int i = 0; i < s->points; i++) {
         const struct beam_skin_point *p = &s->point[i];
         const double across = dot4(p->shape, q + p->first);
-        const double back = p->eta * dot4(p->slope, q + p->first);
         const double across_rate = dot4(p->shape, v + p->first);
-        const double back_rate = p->eta * dot4(p->slope, v + p->first);
         for (int d = 0; d < DIM; d++) {
-            x[i][d] = p->rest[d] + across * n[d] - back * e[d];
-            u[i][d] = across_rate * n[d] - back_rate * e[d];
+            x[i][d] = p->rest[d] + across * n[d];
+            u[i][d] = across_rate * n[d];
         }
     }
 }
@@ -89,7 +87,7 @@ double beam_skin_load(const struct beam_skin *s, const double (*force)[DIM], dou
             along += force[i][d] * s->def.along[d];
         }
         for (int k = 0; k < 4; k++)
-            f[p->first + k] += across * p->shape[k] - along * p->eta * p->slope[k];
+            f[p->first + k] += across * p->shape[k];
         axial += along;
     }
     return axial;

@@ -1,12 +1,15 @@
 /* beam-skin.h -- points that the water meets, carried by a bending beam.
  *
- * A point at s along the axis and eta beside it moves with the section there,
+ * A point at s along the axis and eta beside it moves across with the axis there,
  *
- *   x = at + s e + eta n + w(s) n - eta theta(s) e                           (BE2)
+ *   x = at + s e + (eta + w(s)) n                                            (BE2)
  *
- * for small rotations; e points along the axis, n is e turned by +90 degrees.
- * Forces go back by the transpose of the same numbers, so that the work of the
- * forces on the points is the work on the beam, to rounding. */
+ * e points along the axis, n is e turned by +90 degrees.  That sections turn,
+ * which would move the point by -eta theta(s) along e, is left out: it is small
+ * (0.1 mm where the flagship's tip bends by 2 mm), and the point moments that it
+ * would put on short elements double the number of steps.  Forces go back by the
+ * transpose of the same numbers, so that the work of the forces on the points is
+ * the work on the beam, to rounding; what acts along e goes to the support. */
 #ifndef BODIES_BEAM_SKIN_H
 #define BODIES_BEAM_SKIN_H
 
@@ -20,10 +23,9 @@ struct beam_skin_def {
 };
 
 struct beam_skin_point {
-    int first;                  /* first of the element's degrees of freedom */
-    double eta;                 /* beside the axis, along n           [m]    */
-    double rest[DIM];           /* where it is when the beam is straight [m] */
-    double shape[4], slope[4];  /* of w and of theta                         */
+    int first;        /* first of the element's degrees of freedom            */
+    double rest[DIM]; /* where it is when the beam is straight [m]            */
+    double shape[4];  /* of w                                                 */
 };
 
 struct beam_skin {

@@ -30,6 +30,10 @@ void cli_version(void);
  * failed: STATUS_IO. */
 int cli_exec(int dimension, char **argv);
 
+/* Directory with data/ and plots/: beside this program in a build tree, else where
+ * it was installed.  Static. */
+const char *cli_data(void);
+
 /* The dimension that a scene asks for (2 when it does not say). */
 int cli_dimension(const struct cli *c, int *dimension);
 

@@ -29,6 +29,22 @@ static void own_directory(char *to, size_t size)
         snprintf(to, size, ".");
 }
 
+#ifndef STIFFWATER_DATADIR
+#define STIFFWATER_DATADIR "/usr/local/share/stiffwater"
+#endif
+
+const char *cli_data(void)
+{
+    static char own[PATH_MAX - 32];
+    char plots[PATH_MAX];
+
+    own_directory(own, sizeof own);
+    snprintf(plots, sizeof plots, "%s/plots", own);
+    if (access(plots, R_OK) != 0)
+        snprintf(own, sizeof own, "%s", STIFFWATER_DATADIR);
+    return own;
+}
+
 int cli_exec(int dimension, char **argv)
 {
     char own[PATH_MAX - 32], path[PATH_MAX];

@@ -114,7 +114,11 @@ static void print_default(const struct param *r, FILE *to)
 {
     if (r->required)
         fputs("required", to);
-    else if (r->type == PARAM_WORD)
+    else
+        fputs("default ", to);
+    if (r->required)
+        return;
+    if (r->type == PARAM_WORD)
         fprintf(to, "%s", r->words[0] ? r->words[0] : "-");
     else if (r->type == PARAM_FLAG)
         fputs(r->fallback != 0 ? "true" : "false", to);
@@ -131,7 +135,7 @@ static void print_default(const struct param *r, FILE *to)
 static void explain_rows(const struct param *rows, FILE *to)
 {
     for (const struct param *r = rows; r && r->key; r++) {
-        fprintf(to, "  %-18s %-10s default ", r->key, r->unit);
+        fprintf(to, "  %-18s %-10s ", r->key, r->unit);
         print_default(r, to);
         if ((r->type == PARAM_NUMBER || r->type == PARAM_INTEGER) && r->max > r->min)
             fprintf(to, ", %g to %g", r->min, r->max);

@@ -70,9 +70,6 @@ static int make_scales(struct plan *p, struct scene *scene)
     s->dimension = DIM;
     s->fluid = p->in.fluids > 0;
     s->dx = p->in.set.spacing;
-    if (isnan(s->dx) && (p->in.fluids > 0 || p->in.wall_count > 0))
-        return status_fail(STATUS_BAD_SCENE, "%s: spacing is needed: the distance of particles "
-                           "[m], such as 0.002", scene_path(scene));
     if (isnan(s->dx))
         s->dx = 1; /* nobody there: a beam alone */
     s->support = p->in.kernel.support * s->dx;
@@ -87,18 +84,6 @@ static int make_scales(struct plan *p, struct scene *scene)
         s->low[d] = isnan(p->in.domain.from[d]) ? 0 : p->in.domain.from[d];
         s->high[d] = isnan(p->in.domain.to[d]) ? 0 : p->in.domain.to[d];
     }
-    return STATUS_DONE;
-}
-
-static int check_domain(const struct plan *p, const struct scene *scene)
-{
-    const bool needed = p->in.fluids > 0 || p->in.wall_count > 0;
-
-    for (int d = 0; d < DIM && needed; d++)
-        if (!(p->scales.high[d] > p->scales.low[d]))
-            return status_fail(STATUS_BAD_SCENE, "%s: domain.from and domain.to are needed, with "
-                               "from below to in every direction (direction %d: %g to %g m)",
-                               scene_path(scene), d, p->scales.low[d], p->scales.high[d]);
     return STATUS_DONE;
 }
 
@@ -153,6 +138,16 @@ static int check_needs(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* A body knows its path in the scene, but not the line where it stands. */
+static int refuse_body(int status, const struct input_body *in)
+{
+    char text[1024];
+
+    snprintf(text, sizeof text, "%s", status_message());
+    status_clear();
+    return status_fail(status, "%s: %s", in->where, text);
+}
+
 static int make_bodies(struct plan *p)
 {
     if (!(p->body = status_alloc(p->in.bodies + 1, sizeof *p->body)))
@@ -166,7 +161,9 @@ static int make_bodies(struct plan *p)
         b->object = -1;
         snprintf(b->name, sizeof b->name, "%s", in->name);
         snprintf(b->path, sizeof b->path, "%s", in->path);
-        TRY(in->kind->create(in->params, &p->scales, in->name, in->path, &b->body));
+        const int status = in->kind->create(in->params, &p->scales, in->name, in->path, &b->body);
+        if (status != STATUS_DONE)
+            return refuse_body(status, in);
         p->bodies++;
         points = in->kind->skin(b->body, NULL);
         b->skin = p->scales.fluid ? points : 0; /* without water nobody presses */
@@ -319,7 +316,6 @@ static int build(struct plan *p, struct scene *scene)
     TRY(input_read(scene, p->engine, &p->in));
     TRY(check_something(p, scene));
     TRY(make_scales(p, scene));
-    TRY(check_domain(p, scene));
     p->kernel = kernels_use(p->engine, p->in.kernel.type, p->scales.support);
     if (!p->kernel)
         return STATUS_FAILED;

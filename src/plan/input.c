@@ -59,6 +59,29 @@ static int read_top(struct scene *scene, struct input *in)
                       NULL, DIM, &in->output);
 }
 
+/* Before any shape is read: a frame goes around the domain, so many spacings thick. */
+static int check_tank(const struct scene *scene, const struct input *in)
+{
+    const struct scene_node *root = scene_root(scene), *domain = scene_child(root, "domain");
+    const char *where = domain ? scene_where(domain) : scene_path(scene);
+
+    if (scene_count(scene_child(root, "fluid")) + scene_count(scene_child(root, "wall")) == 0)
+        return STATUS_DONE;
+    if (isnan(in->set.spacing))
+        return status_fail(STATUS_BAD_SCENE, "%s: spacing is needed: the distance of particles "
+                           "[m], such as 0.002", scene_path(scene));
+    for (int d = 0; d < DIM; d++) {
+        if (isnan(in->domain.from[d]) || isnan(in->domain.to[d]))
+            return status_fail(STATUS_BAD_SCENE, "%s: domain.from and domain.to are needed: the "
+                               "lowest and highest corner of the box that counts [m]", where);
+        if (!(in->domain.to[d] > in->domain.from[d]))
+            return status_fail(STATUS_BAD_SCENE, "%s: domain.to must lie beyond domain.from in "
+                               "every direction, but along %c from is %g m and to is %g m", where,
+                               "xyz"[d], in->domain.from[d], in->domain.to[d]);
+    }
+    return STATUS_DONE;
+}
+
 static int read_eos(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "eos");
@@ -162,10 +185,10 @@ static int read_fluids(struct scene *scene, struct input *in)
         TRY(fill_shares(scene, node, path,
                         (struct share[]){ { shape_params, &f->set.shape },
                                           { settings_fluid_params, &f->set } }, 2));
-        TRY(shape_check(&f->set.shape, path, f->where));
-        if (f->set.shape.kind == SHAPE_FRAME)
+        if (strcmp(f->set.shape.type, "frame") == 0)
             return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame is a shape for walls, not "
                                "for a fluid", f->where, path);
+        TRY(shape_check(&f->set.shape, path, f->where));
     }
     return STATUS_DONE;
 }
@@ -263,6 +286,7 @@ int input_read(struct scene *scene, const struct engine *engine, struct input *i
     *in = (struct input){0};
     catalogue_prepare(engine);
     TRY(read_top(scene, in));
+    TRY(check_tank(scene, in));
     TRY(read_eos(scene, in));
     TRY(read_fluids(scene, in));
     TRY(read_effects(scene, engine, in));

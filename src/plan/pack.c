@@ -80,12 +80,15 @@ static int refuse_density(struct plan *p, const struct plan_workspace *w, const 
     const struct object *o = &v->p->object[v->p->object_of[c]];
     const int i = c - v->p->from[o->kind];
     const double *x = v->x[o->kind] + (size_t)i * DIM;
+    char z[32] = "";
 
+    if (DIM == 3)
+        snprintf(z, sizeof z, ", %g", x[DIM - 1]);
     snprintf(p->refusal, sizeof p->refusal,
-             "density %g kg/m^3 of %s particle %d (%s) at (%g, %g%s%.0g) m at t = %g s lies outside "
+             "density %g kg/m^3 of %s particle %d (%s) at (%g, %g%s) m at t = %g s lies outside "
              "%g to %g; particles were pushed together or torn apart faster than the step could "
              "follow", v->rho[o->kind][i], kinds[o->kind], c, o->name, x[0], x[1],
-             DIM == 3 ? ", " : "", DIM == 3 ? x[DIM - 1] : 0.0, v->t,
+             z, v->t,
              p->in.eos.lowest * p->scales.rho0, p->in.eos.highest * p->scales.rho0);
     return STATUS_FAILED;
 }

@@ -28,7 +28,7 @@ double plan_length(const struct plan *plan); /* support radius H of the kernel [
 void plan_start(const struct plan *plan, double *y);        /* y at t = 0     */
 
 /* ydot [size] = the chosen side of f(t, y).  0, or STATUS_FAILED when it cannot
- * answer (density out of bounds, two particles in one place, not finite): then
+ * answer (density out of bounds, a position not finite): then
  * plan_refusal() says particle, part and value, and ydot is not to be used.
  * Allocates nothing between list rebuilds; f does not depend on history but for
  * the last bits (the order of sums follows the last rebuild). */

@@ -338,10 +338,8 @@ int outputs_step(struct outputs *o, const struct method_step *step)
 {
     static const char *const limiters[] = { "error", "stability", "output" };
     const double v[] = { step->t, step->h, 0, 0, (double)step->rejected };
-    char where[sizeof step->where + 2];
-    const char *text[] = { NULL, NULL, limiters[step->limiter], where, NULL };
+    const char *text[] = { NULL, NULL, limiters[step->limiter], step->where, NULL };
 
-    snprintf(where, sizeof where, "\"%s\"", step->where); /* it may hold commas */
     return series_text_row(o->steps, v, text);
 }
 

@@ -62,7 +62,7 @@ static int collapse(struct arkode *a, int flag)
                        "diffusion, a smaller spacing, a higher sound speed",
                        a->row->method.name, a->node[0].t, c->h, reason(flag),
                        c->refusal[0] ? "the right-hand side has no answer: "
-                                     : "the largest error is in ",
+                                     : "the largest error, or what is not finite, is in ",
                        c->refusal[0] ? c->refusal : where);
 }
 

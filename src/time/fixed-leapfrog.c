@@ -11,7 +11,6 @@
 
 #include "algebra/vector.h"
 #include "base/status.h"
-#include <string.h>
 
 /* Velocities and what follows them, over a time h: to = y + h f. */
 static void kick(const struct fixed *x, const double *y, double h, const double *f, double *to)
@@ -33,7 +32,6 @@ static int advance(struct fixed *x, double h)
     kick(x, x->y_old, h, x->f_old, x->try);
     TRY(plan_rhs(x->plan, PLAN_ALL, x->t_old + h, x->try, x->f));
     kick(x, x->y, h / 2, x->f, x->y);
-    vector_copy(from, x->y + from, x->f); /* x' is the velocity, not its prediction */
     x->has_f = true;
     return STATUS_DONE;
 }

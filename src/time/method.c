@@ -49,7 +49,7 @@ struct method_def method_def_default(void)
 
 const char *method_default(bool stiff)
 {
-    return stiff ? "imex3" : "ark436";
+    return stiff ? "imex3" : "cks43";
 }
 
 static const struct method *exact(const char *name)
@@ -69,7 +69,7 @@ static int refuse_name(const char *name)
     near = scene_nearest(name, names);
     return status_fail(STATUS_BAD_SCENE,
                        "there is no method \"%s\"%s%s%s; `stiffwater list methods` shows all", name,
-                       near ? "; did you mean \"" : "", near ? near : "", near ? "\"?" : "");
+                       near ? " (did you mean \"" : "", near ? near : "", near ? "\"?)" : "");
 }
 
 /* The number after the @. */

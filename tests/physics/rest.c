@@ -53,16 +53,31 @@ static double largest(struct tank *t)
     return most;
 }
 
+/* What is left comes from the lattice: it has spacing dx at every depth, though its
+ * density is that of compressed water, which takes 4 p/(rho0 c0^2) off the pressure
+ * gradient, and the sum over neighbours is off by 0.3 %. */
 static void pressure_carries_the_weight(void **state)
 {
+    const struct particles *p;
+    const double *udot;
     struct tank t;
     double most;
 
     (void)state;
     tank_make(&t, deep, tank_frame, TANK_EFFECTS, NULL);
+    p = plan_particles(t.plan);
     most = largest(&t) / 9.81;
     print_message("# largest acceleration in the bulk %.2g g\n", most);
-    check(most < 0.02, "largest acceleration in the bulk %g g", most);
+    check(most < 0.025, "largest acceleration in the bulk %g g", most);
+    udot = t.ydot + tank_at(&t, "velocity of fluid", NULL);
+    for (int i = 0; i < particles_count(p, KIND_FLUID); i++) {
+        const double depth = p->scales->high[DIM - 1] - p->x0[i][DIM - 1];
+        const double expected = -4 * 9.81 * depth / pow(p->scales->c0, 2);
+        if (in_bulk(p->scales, p->x0[i]))
+            check(fabs(udot[i * DIM + DIM - 1] / 9.81 - expected) < 0.004,
+                  "particle %d, %g m deep: %g g instead of %g g", i, depth,
+                  udot[i * DIM + DIM - 1] / 9.81, expected);
+    }
     tank_free(&t);
 }
 

@@ -52,11 +52,12 @@ void kernel_derivatives_agree(void **state)
             check(fabs(slope - k->dw(q)) < 1e-7, "%s: w' at q = %g", k->name, q);
             check(fabs(curvature - k->ddw(q)) < 1e-7, "%s: w'' at q = %g", k->name, q);
             check(fabs(kernel_gradient(&use, r) - w1) <= 1e-12 * fabs(w1), "%s: W'", k->name);
-            check(fabs(kernel_laplacian(&use, r, DIM) - laplacian) <= 1e-10 * fabs(w2) + 1e-10 * fabs(w1 / r),
-                  "%s: Laplacian at q = %g", k->name, q);
+            check(fabs(kernel_laplacian(&use, r, DIM) - laplacian)
+                      <= 1e-10 * (fabs(w2) + fabs(w1 / r)), "%s: Laplacian at q = %g", k->name, q);
         }
         const double near = kernel_laplacian(&use, 1e-9 * H, DIM);
-        check(fabs(kernel_laplacian(&use, 0, DIM) / near - 1) < 1e-6, "%s: Laplacian at 0", k->name);
+        check(fabs(kernel_laplacian(&use, 0, DIM) / near - 1) < 1e-6, "%s: Laplacian at 0",
+              k->name);
     }
 }
 
@@ -110,7 +111,8 @@ void kernel_ends_at_support(void **state)
             check(g[k / LANES][k % LANES] == 0 && v[k / LANES][k % LANES] == 0,
                   "%s is not 0 at %g H", use.kernel->name, far[k]);
             check(kernel_w(&use, far[k]) == 0 && kernel_gradient(&use, far[k]) == 0
-                  && kernel_laplacian(&use, far[k], DIM) == 0, "%s at %g", use.kernel->name, far[k]);
+                  && kernel_laplacian(&use, far[k], DIM) == 0, "%s at %g", use.kernel->name,
+                  far[k]);
         }
     }
 }

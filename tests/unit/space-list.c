@@ -277,7 +277,8 @@ void list_misses_nobody_moving(void **state)
             builds = list->builds;
             check_pairs(c, listed, c->def.support, 2);
         }
-        check(builds > MOVES / 50 && builds < MOVES, "%ld rebuilds: the skin does its work", builds);
+        check(builds > MOVES / 50 && builds < MOVES, "%ld rebuilds: the skin does its work",
+              builds);
         test_free(listed);
         engine->free(&list);
         space_cloud_free(c);

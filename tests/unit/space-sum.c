@@ -204,8 +204,8 @@ static void compare(const struct space_cloud *c, const struct fields *of, const 
         worst[1] = fmax(worst[1], fabs(drho - w->drho[s]));
     }
     for (int k = 0; k < 2; k++)
-        check(most[k] > 0 && worst[k] <= 1e-13 * most[k], "%s: off by %g of %g", k ? "rate" : "force",
-              worst[k], most[k]);
+        check(most[k] > 0 && worst[k] <= 1e-13 * most[k], "%s: off by %g of %g",
+              k ? "rate" : "force", worst[k], most[k]);
     for (int k = 0; k < SLOTS; k++)
         check(fabs(power[k] - w->power[k]) <= 1e-13 * size, "power %d: %g, not %g", k, w->power[k],
               power[k]);

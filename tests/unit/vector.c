@@ -5,13 +5,10 @@
 
 #include <float.h>
 #include <math.h>
-#include <nvector/nvector_serial.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>

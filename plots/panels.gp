@@ -1,0 +1,50 @@
+# panels.gp -- for figures of particles at several moments: which moments, and where each stands.
+# Loaded after style.gp; the loop over panels then does `eval next_panel`.
+wall = '#a6a6a6'
+skin = '#101010'
+r = 0.55 * dx   # particles touch
+dye(c) = c == 0 ? 0x1f6fb4 : c == 1 ? 0xf2c418 : 0x009e73
+up = dim   # the column of the height; first is x
+p_column = 2 * dim + 2
+dye_column = 2 * dim + 3
+kind_column = 2 * dim + 4
+# x of a particle if it is fluid (0), wall (1, 2) or the skin of a beam or body (3, 4)
+sort(kind) = kind == 0 ? 0 : kind < 3 ? 1 : 3
+is(what) = sort(column(kind_column)) == what ? $1 : NaN
+
+stats '../snapshots.csv' using 1 skip 2 nooutput name 'shot'
+moments = shot_records < 6 ? int(shot_records) : 6
+which(m) = moments > 1 ? int((m - 1) * (shot_records - 1) / (moments - 1) + 0.5) : 0
+
+# Two rows of three panels of equal scale; the canvas takes the shape of the tank.
+rim = 3.5 * dx
+left = low_x - rim
+right = high_x + rim
+bottom = (dim == 2 ? low_y : low_z) - rim
+above = (dim == 2 ? high_y : high_z) + rim
+across = moments < 3 ? moments : moments == 4 ? 2 : 3
+down = (moments + across - 1) / across
+panel_x = 1560 / across
+drawn_x = panel_x - 24
+drawn_y = drawn_x * (above - bottom) / (right - left)
+if (drawn_y > 900) { drawn_x = drawn_x * 900 / drawn_y; drawn_y = 900; panel_x = drawn_x + 24 }
+legend = exists('legend') ? legend : 0   # pixels at the right, for a colour box
+panel_y = drawn_y + 52
+canvas_x = int(across * panel_x + 24 + legend)
+canvas_y = int(down * panel_y + 56)
+
+set border 0
+unset tics
+unset grid
+unset key
+set size noratio
+set xrange [left:right]
+set yrange [bottom:above]
+# The file of moment m is left in `file`, its panel is set.
+next_panel = "stats '../snapshots.csv' using (t = $1, file = '../'.strcol(2), 0) \
+    skip 2 every ::which(m)::which(m) nooutput; \
+    set lmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0) / canvas_x; \
+    set rmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0 + drawn_x) / canvas_x; \
+    set tmargin at screen 1 - (48 + panel_y * ((m - 1) / across)) / canvas_y; \
+    set bmargin at screen 1 - (48 + panel_y * ((m - 1) / across) + drawn_y) / canvas_y; \
+    set label 1 sprintf('t = %.3g s', t) center at graph 0.5, graph 0 offset 0, -0.8"

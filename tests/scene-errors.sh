@@ -1,0 +1,186 @@
+#!/bin/sh
+# scene-errors.sh -- every kind of mistake in a scene is refused with status 2 and a
+# message that says where, what and what would be right; and nothing is written.
+#
+# Each mistake is one edit (by sed) of a good scene of tests/scenes.  Run by `make check`.
+scenes=${top_srcdir:-.}/tests/scenes
+stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
+case $scenes in /*) ;; *) scenes=$(pwd)/$scenes ;; esac
+case $stiffwater in /*) ;; *) stiffwater=$(pwd)/$stiffwater ;; esac
+
+directory=$(mktemp -d) || exit 99
+trap 'rm -rf "$directory"' EXIT
+mkdir "$directory/empty" && cd "$directory/empty" || exit 99
+tried=0
+failed=0
+
+complain()
+{
+    failed=$((failed + 1))
+    echo "scene-errors: $*"
+    sed 's/^/    /' ../said
+}
+
+# judge NAME PATTERN ...: what `command' in $status, ../said and this directory left.
+judge()
+{
+    name=$1
+    shift
+    tried=$((tried + 1))
+    [ "$status" = 2 ] || complain "$name: exit status $status instead of 2"
+    for pattern in "$@"; do
+        grep -q -F -e "$pattern" ../said || complain "$name: the message lacks \"$pattern\""
+    done
+    [ "$(wc -l <../said)" -le 3 ] || complain "$name: the message is longer than three lines"
+    [ -z "$(ls -A)" ] || { complain "$name: something was written"; rm -rf ./*; }
+}
+
+# bad BASE NAME EDIT PATTERN ...
+bad()
+{
+    sed -e "$3" "$scenes/$1.scene" >../bad.scene
+    cmp -s ../bad.scene "$scenes/$1.scene" && { echo "scene-errors: $2: no edit"; exit 99; }
+    "$stiffwater" run ../bad.scene -o out >../said 2>&1
+    status=$?
+    shift 1
+    name=$1
+    shift 2
+    judge "$name" "$@"
+}
+
+# bad_key NAME OVERRIDE PATTERN ...: a mistake on the command line.
+bad_key()
+{
+    "$stiffwater" run "$scenes/small-2d.scene" "$2" -o out >../said 2>&1
+    status=$?
+    name=$1
+    shift 2
+    judge "$name" "$@"
+}
+
+# The good scenes are good, or nothing below means anything.
+for base in small-2d small-3d; do
+    "$stiffwater" check "$scenes/$base.scene" >../said 2>&1 || complain "$base.scene is refused"
+done
+[ -z "$(ls -A)" ] || complain "check writes something"
+
+# unknown keys, level by level, with the nearest known one
+bad small-2d 'key at the top' 's/^until =/untl =/' bad.scene:6 untl until
+bad small-2d 'group at the top' 's/^effects =/efects =/' bad.scene:21 efects effects
+bad small-2d 'key of domain' 's/to = \[0.2, 0.1\]/too = [0.2, 0.1]/' bad.scene:8 domain.too to
+bad small-2d 'key of kernel' 's/support = 3.0/suport = 3.0/' bad.scene:9 kernel.suport support
+bad small-2d 'key of eos' 's/rho0 = 1000.0/rho = 1000.0/' bad.scene:10 eos.rho rho0
+bad small-2d 'key of a fluid' 's/dye = 1/die = 1/' bad.scene:13 fluid.right.die dye
+bad small-2d 'key of a wall' 's/tank = { type/tank = { slipp = true; type/' bad.scene:16 \
+    wall.tank.slipp slip
+bad small-2d 'key of a beam' 's/thickness =/thicknes =/' bad.scene:19 beam.plate.thicknes thickness
+bad small-2d 'effect' 's/pressure = { }/presure = { }/' bad.scene:23 effects.presure pressure
+bad small-2d 'key of an effect' 's/alpha = 0.05/alfa = 0.05/' bad.scene:24 \
+    effects.artificial-viscosity.alfa alpha
+bad small-2d 'key of an effect that has none' 's/pressure = { }/pressure = { alpha = 1.0; }/' \
+    bad.scene:23 effects.pressure.alpha
+bad small-2d 'key of a probe' 's/what = "pressure"/wat = "pressure"/' bad.scene:28 probe.bed.wat what
+bad small-2d 'key of output' 's/interval = 1e-3/intervall = 1e-3/' bad.scene:30 output.intervall \
+    interval
+
+# wrong types
+bad small-2d 'text for a number' 's/until = 0.02/until = "soon"/' bad.scene:6 until soon number
+bad small-2d 'number for a vector' 's/^gravity = .*/gravity = -9.81;/' bad.scene:5 gravity -9.81
+bad small-2d 'vector of three in 2D' 's/^gravity = .*/gravity = [0.0, 0.0, -9.81];/' bad.scene:5 \
+    gravity 2 3
+bad small-2d 'number for a flag' 's/tank = { type/tank = { slip = 3; type/' bad.scene:16 \
+    wall.tank.slip true
+bad small-2d 'group for a number' 's/^spacing = .*/spacing = { };/' bad.scene:7 spacing
+bad small-2d 'number for an effect' 's/pressure = { }/pressure = true/' bad.scene:23 \
+    effects.pressure
+bad small-2d 'value for an object' 's/tank = { type = "frame"; }/tank = 3.0/' bad.scene:16 wall.tank
+bad small-2d 'value for a kind' 's/^domain = .*/domain = 3.0;/' bad.scene:8 domain
+bad small-2d 'half an integer' 's/dye = 1/dye = 1.5/' bad.scene:13 fluid.right.dye 1.5
+
+# out of range
+bad small-2d 'negative time' 's/until = 0.02/until = -1.0/' bad.scene:6 until -1
+bad small-2d 'no spacing at all' 's/spacing = 5e-3/spacing = 0.0/' bad.scene:7 spacing 0
+bad small-2d 'support' 's/support = 3.0/support = 0.5/' bad.scene:9 kernel.support 0.5 1.2
+bad small-2d 'alpha' 's/alpha = 0.05/alpha = -0.1/' bad.scene:24 effects.artificial-viscosity.alpha \
+    -0.1
+bad small-2d 'dye' 's/dye = 1/dye = 8/' bad.scene:13 fluid.right.dye 8 7
+bad small-2d 'E' 's/E = 1e8/E = 0.0/' bad.scene:19 beam.plate.E Pa
+bad small-2d 'not a number' 's/until = 0.02/until = nan/' bad.scene:6
+
+# missing
+bad small-2d 'no until' '/^until/d' bad.scene until
+bad small-2d 'no spacing' '/^spacing/d' bad.scene spacing
+bad small-2d 'no domain' '/^domain/d' bad.scene domain.from 'needed'
+bad small-2d 'no E' 's/E = 1e8; //' bad.scene beam.plate E
+bad small-2d 'beam without mass' 's/density = 1200.0; //' bad.scene:19 beam.plate density mass
+bad small-2d 'nothing that moves' '/^fluid = {/,/^};/d;/^beam = {/,/^};/d;/^probe/,/^};/d' \
+    bad.scene fluid
+bad small-2d 'no sound without gravity' 's/^gravity.*/gravity = [0.0, 0.0];/' bad.scene eos.c0 \
+    gravity
+bad small-2d 'pressure without density' '/continuity/d' bad.scene density effects.continuity
+
+# words that no table knows
+bad small-2d 'method' 's/^until/method = "erk44"; until/' erk44 erk4
+bad small-2d 'kernel' 's/"wendland-c2"/"wendland-c3"/' bad.scene:9 wendland-c3 wendland-c2
+bad small-2d 'wall model' 's/^until/walls = "adami"; until/' bad.scene:6 walls adami own-density
+bad small-2d 'equation of state' 's/"tait"/"tate"/' bad.scene:10 tate tait
+bad small-2d 'shape' 's/type = "box"; from = \[0.05/type = "bocks"; from = [0.05/' bad.scene:13 \
+    bocks box
+bad small-2d 'dimension' 's/^dimension = 2/dimension = 4/' bad.scene:4 dimension 4 3
+bad small-3d 'dimension 3 on paper only' 's/^dimension = 3/dimension = 2/' bad.scene
+
+# geometry
+bad small-2d 'overlapping fluids' 's/to = \[0.05, 0.06\]/to = [0.06, 0.06]/' fluid.left \
+    fluid.right bad.scene:12 bad.scene:13
+bad small-2d 'fluid in a wall' \
+    's/tank = { type = "frame"; };/& sill = { type = "box"; from = [0.08, 0.0]; to = [0.12, 0.02]; };/' \
+    fluid.right wall.sill bad.scene:16 bad.scene:13
+bad small-2d 'fluid outside the domain' 's/to = \[0.1, 0.06\]/to = [0.1, 0.12]/' bad.scene:13 \
+    fluid.right domain
+bad small-2d 'fluid that is a frame' 's/right = { type = "box"; .*dye/right = { type = "frame"; dye/' \
+    bad.scene:13 fluid.right 'for walls'
+bad small-2d 'beam in the water' 's/at = \[0.14, 0.0\]/at = [0.08, 0.0]/' beam.plate fluid.right
+bad small-2d 'empty fluid' 's/right = { type = "box"; from = \[0.05, 0.0\]; to = \[0.1, 0.06\]/right = { type = "disc"; centre = [0.0725, 0.05]; radius = 1e-3/' \
+    bad.scene:13 fluid.right
+bad small-2d 'box inside out' 's/to = \[0.1, 0.06\]/to = [0.04, 0.06]/' bad.scene:13 fluid.right
+bad small-2d 'spacing that does not fit' 's/^spacing = .*/spacing = 7e-3;/' fluid.left spacing
+bad small-2d 'too many particles' 's/^spacing = .*/spacing = 1e-8;/' particles spacing
+bad small-2d 'domain inside out' 's/to = \[0.2, 0.1\]/to = [-0.2, 0.1]/' bad.scene:8 domain.to -0.2
+
+# beams
+bad small-2d 'beam that nothing holds' 's/density = 1200.0;/& root = "free";/' bad.scene:19 beam.plate \
+    free
+bad small-2d 'density and mass' 's/density = 1200.0;/& mass = 1.0;/' bad.scene:19 \
+    beam.plate density mass
+bad small-2d 'thicker than long' 's/thickness = 4e-3/thickness = 0.06/' bad.scene:19 \
+    beam.plate thickness length
+bad small-3d 'beam in 3D' \
+    's/^wall =/beam = { b = { at = [0.15, 0.05, 0.0]; length = 0.05; thickness = 4e-3; E = 1e8; density = 1200.0; }; };\n&/' \
+    bad.scene:10 beam.b dimension
+
+# the command line
+bad_key 'override without a key' '=3' '=3'
+bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'
+bad_key 'override out of range' 'until=-1' until -1 'command line'
+bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
+bad_key 'override of nobody' 'body.mass=3' body 'command line'
+bad_key 'override of an object that is not there' 'fluid.middle.dye=1' fluid.middle
+
+# files
+"$stiffwater" run ../there-is-none.scene -o out >../said 2>&1
+status=$?
+judge 'no such file' there-is-none.scene
+"$stiffwater" run "$directory" -o out >../said 2>&1
+status=$?
+judge 'a directory' "$directory"
+printf 'until = 1.0;\nspacing = ;\n' >../bad.scene
+"$stiffwater" run ../bad.scene -o out >../said 2>&1
+status=$?
+judge 'syntax' bad.scene:2
+: >../bad.scene
+"$stiffwater" run ../bad.scene -o out >../said 2>&1
+status=$?
+judge 'empty file' bad.scene empty
+
+echo "scene-errors: $tried mistakes, $failed complaints"
+[ "$tried" -ge 60 ] && [ "$failed" = 0 ]

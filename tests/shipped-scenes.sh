@@ -1,0 +1,126 @@
+#!/bin/sh
+# shipped-scenes.sh -- every scene of data/scenes is checked and run for a moment: its
+# books close, its files have the columns that scripts read, and the same scene ends in
+# the same bits however it is run.
+#
+# Run by `make check`; each scene takes a few seconds.
+scenes=${top_srcdir:-.}/data/scenes
+stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
+directory=$(mktemp -d) || exit 99
+trap 'rm -rf "$directory"' EXIT
+failed=0
+count=0
+
+complain()
+{
+    failed=$((failed + 1))
+    echo "shipped-scenes: $*"
+}
+
+# value RUN KEY: from RUN/run.json, a line each
+value()
+{
+    sed -n "s/^ *\"$2\": *\"\\{0,1\\}\\([^\",]*\\).*/\\1/p" "$1/run.json"
+}
+
+# at_most NAME NUMBER LIMIT
+at_most()
+{
+    awk -v x="$2" -v most="$3" 'BEGIN { if (x == "") exit 1; if (x < 0) x = -x
+                                        exit !(x <= most) }' ||
+        complain "$1 is $2, at most $3 is expected"
+}
+
+# run NAME SCENE OPTION ...: into $directory/NAME
+run()
+{
+    name=$1
+    shift
+    "$stiffwater" run "$@" -q -o "$directory/$name" >"$directory/said" 2>&1 ||
+        { complain "$name: exit status $?"; sed 's/^/    /' "$directory/said"; }
+}
+
+# table FILE PATTERN: names in the first line without #, as many fields in each row, no
+# number that is none
+table()
+{
+    grep -q '^# units: ' "$1" || complain "$1 has no line of units"
+    grep -v '^#' "$1" | head -n 1 | grep -q -x -E "$2" ||
+        complain "$1: $(grep -v '^#' "$1" | head -n 1) is not $2"
+    awk -F, '/^#/ { next }
+        { gsub(/"[^"]*"/, "text") }
+        !n { n = NF; next }
+        NF != n { print FILENAME ":" FNR ": " NF " fields instead of " n; bad = 1 }
+        /nan|inf/ { print FILENAME ":" FNR ": " $0; bad = 1 }
+        { rows++ }
+        END { exit bad || !rows }' "$1" || complain "$1 is no table"
+}
+
+tables()
+{
+    axes=xy
+    [ "$(value "$1" dimension)" = 3 ] && axes=xyz
+    momentum=$(echo $axes | sed 's/\(.\)/,momentum_\1/g')
+    force=$(echo $axes | sed 's/\(.\)/,[a-z]+\\.f\1/g')$(echo $axes | sed 's/\(.\)/,[a-z]+\\.i\1/g')
+    table "$1/book.csv" \
+        "t,kinetic,potential,internal,elastic(,[-a-z.]+)*,pressure_defect,total,defect,mass$momentum"
+    table "$1/steps.csv" 't,h,limiter,where,rejected'
+    [ "$(value "$1" fluid)" = 0 ] || table "$1/front.csv" 't,x,height'
+    [ "$(value "$1" wall)" = 0 ] || table "$1/forces.csv" "t($force)+"
+    grep -q '^beam ' "$1/scene.used" && table "$1/beam.csv" \
+        't(,[a-z]+\.tip_x,[a-z]+\.tip_y,[a-z]+\.mid_x,[a-z]+\.mid_y,[a-z]+\.tip_angle,[a-z]+\.root_force,[a-z]+\.root_moment)+'
+    grep -q '^probe ' "$1/scene.used" && table "$1/probes.csv" 't(,[a-z]+)+'
+    [ -z "$(find "$1" -size 0)" ] || complain "$1 holds an empty file"
+}
+
+books()
+{
+    [ "$(value "$1" status)" = done ] || complain "$1: status $(value "$1" status)"
+    for key in message scene version method table norm tol threads t_end state_size steps rejected \
+        rhs_explicit rhs_implicit pair_passes rebuilds cpu_s wall_s mean_step error stability \
+        output escaped energy_initial energy_defect energy_defect_max momentum_defect density_min \
+        density_max peak_rss_kb state_hash; do
+        grep -q "\"$key\":" "$1/run.json" || complain "$1/run.json has no $key"
+    done
+    at_most "$1: time of the end" "$(value "$1" t_end)" "$2"
+    at_most "$1: escaped" "$(value "$1" escaped)" 0
+    energy=$(awk -F, '/^#/ { next } { e = $2 + $3 + $4 + $5 } e > most { most = e }
+                      END { print most }' "$1/book.csv")
+    at_most "$1: energy defect of $energy J" "$(value "$1" energy_defect_max)" \
+        "$(awk -v e="$energy" 'BEGIN { print 1e-3 * e }')"
+    at_most "$1: momentum defect [N s]" "$(value "$1" momentum_defect)" 1e-9
+}
+
+# same RUN OTHER WHAT
+same()
+{
+    [ "$(value "$directory/$1" state_hash)" = "$(value "$directory/$2" state_hash)" ] ||
+        complain "$1: $3 changes the final state"
+}
+
+# scene NAME UNTIL
+scene()
+{
+    count=$((count + 1))
+    "$stiffwater" check "$scenes/$1.scene" >"$directory/said" 2>&1 ||
+        { complain "check $1.scene: exit status $?"; cat "$directory/said"; }
+    run "$1" "$scenes/$1.scene" --until "$2" --threads 2
+    books "$directory/$1" "$2"
+    tables "$directory/$1"
+    run "$1.again" "$directory/$1/scene.used" --threads 1
+    same "$1" "$1.again" "its own scene.used on one thread"
+    run "$1.dense" "$scenes/$1.scene" --until "$2" output.interval="$3" output.fields="$2" \
+        output.snapshots=3
+    same "$1" "$1.dense" "the rhythm of outputs"
+}
+
+scene dam-break 0.03 1.7e-3
+scene still-water 0.1 3.3e-3
+scene toth-beam 0.03 7e-4
+scene dam-break-3d 0.03 1.1e-3
+scene beam-alone 0.01 3.1e-5
+for path in "$scenes"/*.scene; do
+    [ -d "$directory/$(basename "$path" .scene)" ] || complain "$path is not tried here"
+done
+echo "shipped-scenes: $count scenes, $failed complaints"
+[ "$failed" = 0 ]

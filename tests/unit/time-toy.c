@@ -1,0 +1,198 @@
+/* time-toy.c -- a plan with a known solution. */
+#include "time-toy.h"
+
+#include "base/status.h"
+#include "state/limit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static long at(const struct plan *p, int row)
+{
+    return layout_at(&p->layout, row);
+}
+
+void toy_make(struct plan *p, double stiffness, double damping)
+{
+    struct layout *l = &p->layout;
+
+    *p = (struct plan){ .stiffness = stiffness, .damping = damping, .wave = 1 };
+    p->row_x = layout_add(l, LAYOUT_POSITION, "position of fluid", "m", TOY_PARTICLES, 1, 1);
+    if (stiffness > 0)
+        p->row_q = layout_add(l, LAYOUT_POSITION, "beam.b.w", "m", 1, 1, 1);
+    p->row_u = layout_add(l, LAYOUT_VELOCITY, "velocity of fluid", "m/s", TOY_PARTICLES, 1, 1);
+    if (stiffness > 0)
+        p->row_v = layout_add(l, LAYOUT_VELOCITY, "beam.b.w_rate", "m/s", 1, 1, 1);
+    p->row_rho = layout_add(l, LAYOUT_OTHER, "density of fluid", "kg/m^3", TOY_PARTICLES, 1, 1);
+    p->row_book = layout_add(l, LAYOUT_OTHER, "book", "J", 1, 1, 0);
+    layout_done(l);
+}
+
+/* The beam's answer to cos t that neither grows nor decays, and its rate. */
+static void exact_beam(const struct plan *p, double t, double *q, double *v)
+{
+    const double s = p->stiffness - 1, d = p->damping, n = s * s + d * d;
+    const double a = s / n, b = d / n;
+
+    *q = a * cos(t) + b * sin(t);
+    *v = -a * sin(t) + b * cos(t);
+}
+
+void toy_exact(const struct plan *p, double t, double *y)
+{
+    for (int i = 0; i < TOY_PARTICLES; i++) {
+        y[at(p, p->row_x) + i] = sin(t + i);
+        y[at(p, p->row_u) + i] = cos(t + i);
+        y[at(p, p->row_rho) + i] = 1 + 0.1 * cos(t + i);
+    }
+    if (p->stiffness > 0)
+        exact_beam(p, t, &y[at(p, p->row_q)], &y[at(p, p->row_v)]);
+    y[at(p, p->row_book)] = sin(t) * sin(t) / 2;
+}
+
+double toy_error(const struct plan *p, double t, const double *y)
+{
+    double exact[64], most = 0;
+
+    toy_exact(p, t, exact);
+    for (long i = 0; i < at(p, p->row_book); i++)
+        most = fmax(most, fabs(y[i] - exact[i]));
+    return most;
+}
+
+static bool refused(struct plan *p, double t, const double *y)
+{
+    const double off = fabs(y[at(p, p->row_rho)] - 1 - 0.1 * cos(t));
+    const bool no = (p->off > 0 && !(off <= p->off))
+                 || (p->refuse_after > 0 && t > p->refuse_after);
+
+    p->counts.refused += no;
+    return no;
+}
+
+static void particle_rates(struct plan *p, double t, const double *y, double *f)
+{
+    double q = 0, v = 0;
+
+    if (p->stiffness > 0)
+        exact_beam(p, t, &q, &v);
+    for (int i = 0; i < TOY_PARTICLES; i++) {
+        const double x = y[at(p, p->row_x) + i], u = y[at(p, p->row_u) + i],
+                     rho = y[at(p, p->row_rho) + i];
+        const double s = sin(t + i), c = cos(t + i), r = 1 + 0.1 * c;
+        f[at(p, p->row_x) + i] = u;
+        f[at(p, p->row_u) + i] = -s - (x * x * x * rho - s * s * s * r);
+        if (p->stiffness > 0)
+            f[at(p, p->row_u) + i] += y[at(p, p->row_q)] - q;
+        f[at(p, p->row_rho) + i] = -0.1 * s - (rho * u - r * c);
+    }
+}
+
+int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *f)
+{
+    const double x = y[at(p, p->row_x)], u = y[at(p, p->row_u)];
+
+    p->counts.rhs_explicit += (which & PLAN_EXPLICIT) != 0;
+    p->counts.rhs_implicit += which == PLAN_IMPLICIT;
+    memset(f, 0, (size_t)plan_size(p) * sizeof *f);
+    if (which & PLAN_EXPLICIT) {
+        if (refused(p, t, y))
+            return STATUS_FAILED;
+        particle_rates(p, t, y, f);
+        if (fabs(x - p->listed) > 0.05) {
+            p->listed = x;
+            p->counts.rebuilds++;
+        }
+        f[at(p, p->row_u)] += 1e-14 * p->listed;
+        f[at(p, p->row_book)] = x * u;
+        if (p->stiffness > 0)
+            f[at(p, p->row_v)] = cos(t) + x - sin(t);
+    }
+    if ((which & PLAN_IMPLICIT) && p->stiffness > 0) {
+        f[at(p, p->row_q)] += y[at(p, p->row_v)];
+        f[at(p, p->row_v)] -= p->stiffness * y[at(p, p->row_q)] + p->damping * y[at(p, p->row_v)];
+    }
+    if (p->poison_after > 0 && t > p->poison_after)
+        f[at(p, p->row_book)] = INFINITY;
+    return STATUS_DONE;
+}
+
+/* q = rq + g v, v = rv - g (S q + d v). */
+int plan_solve(struct plan *p, double t, double g, const double *r, double *z)
+{
+    const double rq = r[at(p, p->row_q)], rv = r[at(p, p->row_v)];
+    const double v = (rv - g * p->stiffness * rq) / (1 + g * p->damping + g * g * p->stiffness);
+
+    (void)t;
+    p->counts.solves++;
+    z[at(p, p->row_v)] = v;
+    z[at(p, p->row_q)] = rq + g * v;
+    return STATUS_DONE;
+}
+
+const char *plan_refusal(const struct plan *p)
+{
+    return p->counts.refused > 0 ? "the density of particle 0 is off" : "";
+}
+
+long plan_size(const struct plan *p)
+{
+    return layout_size(&p->layout);
+}
+
+const struct layout *plan_layout(const struct plan *p)
+{
+    return &p->layout;
+}
+
+double plan_length(const struct plan *p)
+{
+    (void)p;
+    return 1;
+}
+
+bool plan_stiff(const struct plan *p)
+{
+    return p->stiffness > 0;
+}
+
+int plan_stiff_ranges(const struct plan *p, int most, long (*range)[2])
+{
+    const int rows[2] = { p->row_q, p->row_v };
+
+    for (int k = 0; k < 2 && k < most && plan_stiff(p); k++) {
+        range[k][0] = at(p, rows[k]);
+        range[k][1] = range[k][0] + 1;
+    }
+    return plan_stiff(p) ? 2 : 0;
+}
+
+void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct limit limit[2])
+{
+    (void)t, (void)y;
+    limit[0] = (struct limit){ .rate = p->wave, .where = 1, .part = "pressure" };
+    limit[1] = (struct limit){ .rate = p->decay, .decay = true, .where = -1, .part = "viscosity" };
+    if (stiff && sqrt(p->stiffness) > p->wave)
+        limit[0] = (struct limit){ .rate = sqrt(p->stiffness), .where = 0, .part = "beam.b" };
+}
+
+void plan_weights(const struct plan *p, double tol, double *weight)
+{
+    layout_weights(&p->layout, tol, weight);
+}
+
+const char *plan_entry(const struct plan *p, long i)
+{
+    static char text[96];
+    int which = 0;
+    const struct layout_row *row = layout_find(&p->layout, i, &which);
+
+    snprintf(text, sizeof text, "%s, number %d", row ? row->name : "nothing", which);
+    return text;
+}
+
+const struct plan_counts *plan_counts(const struct plan *p)
+{
+    return &p->counts;
+}

@@ -1,0 +1,39 @@
+/* time-toy.h -- a plan with a known solution, for the tests of the room time.
+ *
+ * Particles i on a line, each with x = sin(t + i), u = x', rho = 1 + 0.1 cos(t + i):
+ *
+ *   x' = u,  u' = x_e'' - (x^3 rho - x_e^3 rho_e) + (q - q_e),
+ *   rho' = rho_e' - (rho u - rho_e u_e),  book' = x_0 u_0
+ *
+ * (e: exact), and, if stiffness > 0, a "beam" whose own terms are the stiff side:
+ *
+ *   q' = v,  v' = -stiffness q - damping v + [cos t + x_0 - x_e0]               */
+#ifndef TIME_TOY_H
+#define TIME_TOY_H
+
+#include "plan/plan.h"
+
+enum { TOY_PARTICLES = 3 };
+
+struct plan {
+    double stiffness, damping; /* of the beam; stiffness 0: there is none      */
+    double wave, decay;        /* rates that plan_limit() reports              */
+    double off;                /* refuses further than this from the exact
+                                  density; 0: never                            */
+    double refuse_after;       /* refuses beyond this time; 0: never           */
+    double poison_after;       /* answers with infinities; 0: never            */
+    double listed;             /* x_0 at the last "rebuild" of the list, which
+                                  shows in the last bits of f                  */
+    struct layout layout;
+    int row_x, row_u, row_rho, row_q, row_v, row_book;
+    struct plan_counts counts;
+};
+
+/* A plan with these knobs; wave is 1 unless said. */
+void toy_make(struct plan *p, double stiffness, double damping);
+void toy_exact(const struct plan *p, double t, double *y);
+
+/* Largest |y - exact|, without the book. */
+double toy_error(const struct plan *p, double t, const double *y);
+
+#endif
