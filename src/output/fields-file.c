@@ -173,34 +173,47 @@ static int write_groups(hid_t file, const struct cloud_frame *c, const struct wo
            && write_group(file, "VTKHDF/PointData", values, c->t);
 }
 
-/* Keeps the innermost reason ("No space left on device") of HDF5's stack. */
-static herr_t keep_reason(unsigned depth, const H5E_error2_t *error, void *reason)
+/* HDF5 calls this instead of printing: the innermost reason ("No space left on
+ * device") of the first failure is kept, later calls would wipe it out. */
+enum { REASON = 512 };
+
+static herr_t keep_innermost(unsigned depth, const H5E_error2_t *error, void *reason)
 {
     if (depth == 0 && error->desc)
-        snprintf(reason, 512, "%s", error->desc);
+        snprintf(reason, REASON, "%s", error->desc);
     return 0;
 }
 
-static int trouble(const char *path)
+static herr_t keep_reason(hid_t stack, void *reason)
 {
-    char reason[512] = "no reason given";
-
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_reason, reason);
-    return status_fail(STATUS_IO, "%s: HDF5 cannot write it: %s", path, reason);
+    return *(char *)reason ? 0 : H5Ewalk2(stack, H5E_WALK_UPWARD, keep_innermost, reason);
 }
 
-static int write_file(const char *path, const struct cloud_frame *c, const struct work *w)
+/* Of a failed system call HDF5 tells much; what strerror() said stands in quotes. */
+static int trouble(const char *path, const char *reason)
 {
-    const hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    int code;
+    static const char mark[] = "error message = '";
+    const char *said = strstr(reason, mark);
 
-    if (!is_fine(file))
-        return trouble(path);
-    code = write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0
-               ? STATUS_DONE : trouble(path);
-    if (H5Fclose(file) < 0 && code == STATUS_DONE)
-        code = trouble(path);
-    return code;
+    said = said ? said + sizeof mark - 1 : reason[0] ? reason : "HDF5 gives no reason";
+    return status_fail(STATUS_IO, "%s: cannot be written: %.*s", path,
+                       (int)strcspn(said, "'\n"), said);
+}
+
+static int write_file(const char *path, const char *temporary, const struct cloud_frame *c,
+                      const struct work *w)
+{
+    char reason[REASON] = "";
+    hid_t file;
+    int fine;
+
+    H5Eset_auto2(H5E_DEFAULT, keep_reason, reason);
+    file = H5Fcreate(temporary, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    fine = is_fine(file) && write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+    if (is_fine(file) && H5Fclose(file) < 0)
+        fine = 0;
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    return fine ? STATUS_DONE : trouble(path, reason);
 }
 
 int fields_file_write(const char *path, const struct cloud_frame *frame)
@@ -209,11 +222,10 @@ int fields_file_write(const char *path, const struct cloud_frame *frame)
     struct work work = { 0 };
     int code;
 
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     snprintf(temporary, sizeof temporary, "%s.part", path);
     code = work_fill(&work, frame);
     if (code == STATUS_DONE)
-        code = write_file(temporary, frame, &work);
+        code = write_file(path, temporary, frame, &work);
     work_free(&work);
     return aside_finish(temporary, path, code);
 }

@@ -32,13 +32,19 @@ static int trouble(const struct series *s)
     return status_fail(STATUS_IO, "%s: cannot be written: %s", s->path, strerror(errno));
 }
 
-/* A line that did not fit on the disk is taken back. */
-static int give_up(struct series *s)
+/* `done` bytes were written, the rest was not: lines that are whole stay, half a
+ * line is taken back. */
+static int give_up(struct series *s, size_t done)
 {
     const int error = errno;
 
-    if (ftruncate(s->file, s->whole) != 0)
-        errno = 0; /* not a regular file: there is nothing to take back */
+    while (done > 0 && s->text[done - 1] != '\n')
+        done--;
+    if (ftruncate(s->file, s->whole + (off_t)done) == 0) { /* else it is no regular file */
+        s->whole += (off_t)done;
+        s->used -= done;
+        memmove(s->text, s->text + done, s->used);
+    }
     errno = error;
     return trouble(s);
 }
@@ -53,7 +59,7 @@ int series_flush(struct series *s)
         if (n < 0 && errno == EINTR)
             continue;
         if (n <= 0)
-            return give_up(s);
+            return give_up(s, done);
         done += (size_t)n;
     }
     s->whole += (off_t)s->used;

@@ -1,0 +1,43 @@
+#!/bin/sh
+# absent-part.sh -- adding a part to a table changes neither the state size nor the
+# instructions of one right-hand side of a scene that does not name it (counted by
+# valgrind, not timed).
+#
+# tests/physics/absent has the table of effects as it is, absent-more one effect more.
+# Run by `make check`; skipped (77) without valgrind.
+build=${top_builddir:-.}
+command -v valgrind >/dev/null ||
+    { echo 'absent-part: skipped, there is no valgrind (apt-get install valgrind)'; exit 77; }
+directory=$(mktemp -d) || exit 99
+trap 'rm -rf "$directory"' EXIT
+export OMP_NUM_THREADS=1
+
+# instructions PROGRAM N: of a whole process that asks for N right-hand sides
+instructions()
+{
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/tests/physics/$1" "$2" \
+        >"$directory/$1.$2" 2>"$directory/said" || { cat "$directory/said" >&2; return 1; }
+    sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$directory/said"
+}
+
+status=0
+for lanes in 2 4; do
+    export STIFFWATER_LANES=$lanes
+    for program in absent absent-more; do
+        few=$(instructions $program 10) && many=$(instructions $program 40) ||
+            { echo 'absent-part: skipped, valgrind does not run these programs'; exit 77; }
+        [ -n "$few" ] && [ -n "$many" ] || { echo 'absent-part: nothing is counted'; exit 99; }
+        echo $((many - few)) >"$directory/$program"
+    done
+    as_is=$(cat "$directory/absent")
+    more=$(cat "$directory/absent-more")
+    echo "absent-part: up to $lanes lanes: 30 right-hand sides take $as_is instructions;" \
+        "with one effect more in the table $more"
+    awk -v a="$as_is" -v b="$more" 'BEGIN { d = b - a; exit !(a > 1e6 && d * d <= 1e-12 * a * a) }' ||
+        status=1
+done
+grep -q 'as is' "$directory/absent.40" && grep -q 'more' "$directory/absent-more.40" ||
+    { echo 'absent-part: both programs have the same table'; exit 99; }
+[ "$(cut -d, -f2 "$directory/absent.40")" = "$(cut -d, -f2 "$directory/absent-more.40")" ] ||
+    { echo 'absent-part: the state sizes differ'; status=1; }
+exit $status

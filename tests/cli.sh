@@ -1,0 +1,169 @@
+#!/bin/sh
+# cli.sh -- the command line keeps its word: help, tables, exit status, and what is left
+# behind when a run is stopped or cannot write.  Run by `make check`.
+scenes=${top_srcdir:-.}/tests/scenes
+stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
+case $scenes in /*) ;; *) scenes=$(pwd)/$scenes ;; esac
+case $stiffwater in /*) ;; *) stiffwater=$(pwd)/$stiffwater ;; esac
+directory=$(mktemp -d) || exit 99
+trap 'chmod -R u+w "$directory"; rm -rf "$directory"' EXIT
+cd "$directory" || exit 99
+failed=0
+tried=0
+
+complain()
+{
+    failed=$((failed + 1))
+    echo "cli: $*"
+    sed 's/^/    /' said
+}
+
+# expect STATUS WORD ...: runs the words; what they say is in the file `said'.
+expect()
+{
+    wanted=$1
+    shift
+    "$stiffwater" "$@" >said 2>&1 </dev/null
+    found=$?
+    what=$*
+    tried=$((tried + 1))
+    [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
+}
+
+# says PATTERN ...: the last answer holds each of them.
+says()
+{
+    for pattern in "$@"; do
+        grep -q -F -e "$pattern" said || complain "$what: \"$pattern\" is not said"
+    done
+}
+
+# --- help and versions --------------------------------------------------------------------
+commands='run check plot list explain resume compare'
+for word in --help -h help; do
+    expect 0 $word
+    # shellcheck disable=SC2086 # one pattern a command
+    says $commands
+done
+for command in $commands; do
+    expect 0 "$command" --help
+    says "$command" Usage
+done
+expect 0 --version
+says stiffwater SUNDIALS GSL libconfig HDF5 OpenMP
+expect 0 -V
+
+# --- tables ---------------------------------------------------------------------------------
+for table in effects kernels eos pressure walls bodies methods; do
+    expect 0 list $table
+    [ -s said ] || complain "list $table is empty"
+    cp said "table.$table"
+done
+grep -q '^continuity ' table.effects || complain "list effects lacks continuity"
+for table in effects kernels eos walls bodies; do
+    for name in $(awk '{ print $1 }' table.$table); do
+        expect 0 explain "$name"
+        says "$name"
+        [ "$(wc -l <said)" -ge 2 ] || complain "explain $name says too little"
+    done
+done
+for name in $(awk '$1 !~ /\.\.\.$/ { print $1 }' table.methods); do
+    expect 0 check "$scenes/small-2d.scene" --method "$name"
+done
+for name in scene kernel domain reference eos output fluid wall probe effects.continuity; do
+    expect 0 explain $name
+done
+expect 0 explain artificial-viscosity
+says alpha 0.02 gradW Monaghan
+
+# --- mistakes -------------------------------------------------------------------------------
+expect 2
+says Usage
+expect 2 rnu "$scenes/small-2d.scene"
+says rnu run --help
+expect 2 list efects
+says efects effects
+expect 2 explain continuty
+says continuty continuity
+expect 2 run
+says SCENE
+expect 2 run "$scenes/small-2d.scene" --tool 3
+says tool --help
+expect 2 run "$scenes/small-2d.scene" --threads none
+says none
+expect 2 run "$scenes/small-2d.scene" another.scene
+says another.scene KEY=VALUE
+expect 2 run "$scenes/small-2d.scene" --until soon
+says until soon
+expect 2 run "$scenes/small-2d.scene" --method leapfrog9
+says leapfrog9
+expect 2 run "$scenes/small-2d.scene" --method leapfrog@fast
+[ -z "$(find . -type d ! -name .)" ] || complain "a mistake leaves a directory: $(ls)"
+
+# --- where results go -----------------------------------------------------------------------
+expect 0 run "$scenes/small-2d.scene" -q until=0.002
+[ -f small-2d/run.json ] || complain "the default directory is not the scene's name"
+expect 0 run "$scenes/small-2d.scene" -q until=0.004 -o small-2d
+grep -q '"t_end": 0.004' small-2d/run.json || complain "a second run does not replace the first"
+expect 0 run "$scenes/small-3d.scene" -q until=0.002 -o three
+grep -q '"dimension": 3' three/run.json || complain "a scene in 3D runs in two dimensions"
+expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o deep/er/still
+says deep/er/still
+
+# --- stopped on request ---------------------------------------------------------------------
+# complete DIR: every row of every table has all its fields, and ends its line.
+complete()
+{
+    for table in "$1"/*.csv; do
+        awk -F, '/^#/ { next } { gsub(/"[^"]*"/, "text") } !n { n = NF }
+                 NF != n { exit 1 } END { exit NR < 3 }' "$table" ||
+            complain "$table is cut off"
+        [ -z "$(tail -c 1 "$table")" ] || complain "$table ends in the middle of a line"
+    done
+}
+
+for signal in INT TERM; do
+    tried=$((tried + 1))
+    # sh starts background jobs with SIGINT ignored; env sets it back where it can
+    env --default-signal=INT "$stiffwater" run "$scenes/small-2d.scene" -q until=1e3 \
+        output.interval=1e-3 output.fields=10 -o stopped >said 2>&1 &
+    pid=$!
+    waited=0
+    until [ "$(cat stopped/steps.csv 2>&1 | wc -l)" -gt 40 ] || [ $waited = 100 ]; do
+        sleep 0.1
+        waited=$((waited + 1))
+    done
+    kill -s $signal $pid
+    wait $pid
+    found=$?
+    [ $found = 3 ] || complain "SIG$signal: exit status $found instead of 3"
+    grep -q '"status": "stopped"' stopped/run.json || complain "SIG$signal: run.json is not stopped"
+    grep -q "signal" said || complain "SIG$signal: nothing is said"
+    complete stopped
+    end=$(sed -n 's/.*"t_end": \([^,]*\),.*/\1/p' stopped/run.json)
+    last=$(tail -n 1 stopped/book.csv | cut -d, -f1)
+    awk -v a="$end" -v b="$last" 'BEGIN { d = a - b; exit !(d * d < 1e-12 && a > 0) }' ||
+        complain "SIG$signal: the run ended at $end s, its book at $last s"
+    rm -rf stopped
+done
+
+# --- where nothing can be written -----------------------------------------------------------
+: >file
+expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o file/below
+says file
+expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o /proc/results
+says /proc
+if [ -w /dev/full ]; then
+    mkdir full
+    ln -s /dev/full full/steps.csv
+    expect 4 run "$scenes/small-2d.scene" -q until=0.01 -o full
+    says steps.csv
+fi
+if [ "$(id -u)" != 0 ]; then
+    mkdir locked && chmod a-w locked
+    expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o locked/results
+    says locked
+fi
+
+echo "cli: $tried tried, $failed complaints"
+[ $failed = 0 ]

@@ -1,0 +1,61 @@
+#!/bin/sh
+# toth-beam.sh -- the flagship: what a dam break does to an elastic beam, and what
+# the stiffness and the mesh of the beam cost (nothing).
+set -eu
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+scene=$top_srcdir/data/scenes/toth-beam.scene
+
+# go NAME SCENE KEY=VALUE...
+go() {
+    name=$1
+    file=$2
+    shift 2
+    "$STIFFWATER" run "$file" output.fields=1 output.snapshots=0 -q -o "$out/$name" "$@"
+}
+
+# number RUN KEY: a number of run.json
+number() {
+    sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$out/$1/run.json"
+}
+
+# peak RUN: largest tip displacement [mm] and its time
+peak() {
+    awk -F, '/^#/ || /^t/ { next } { a = $2 < 0 ? -$2 : $2; if (a > m) { m = a; t = $1 } }
+             END { print 1000 * m, t }' "$out/$1/beam.csv"
+}
+
+# claim WORDS EXPRESSION: an awk expression that must be true
+claim() {
+    if awk "BEGIN { exit !($2) }"; then echo "ok      $1: $2"
+    else echo "NOT SO  $1: $2"; bad=1; fi
+}
+
+bad=0
+awk '/^beam = /{ skip = 1 } !skip { print } skip && /^};/ { skip = 0 }' "$scene" >"$out/alone.scene"
+go alone "$out/alone.scene"
+go beam "$scene"
+go coarse "$scene" beam.elements=10
+go fine "$scene" beam.elements=100
+go steel "$scene" beam.E=210e9
+
+contact=$(awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == "plate.fx") c = i; next }
+                   $c > 1 || $c < -1 { print $1; exit }' "$out/beam/forces.csv")
+set -- $(peak beam)
+claim 'first contact at about 0.133 s' "$contact > 0.130 && $contact < 0.137"
+claim 'tip bends by 2.3 mm +-15 %' "$1 > 2.3 * 0.85 && $1 < 2.3 * 1.15"
+claim 'between 0.165 and 0.205 s' "$2 >= 0.165 && $2 <= 0.205"
+tip=$1
+for run in coarse fine; do
+    set -- $(peak $run)
+    claim "the same with $run elements, 5 %" "$1 > 0.95 * $tip && $1 < 1.05 * $tip"
+done
+claim 'momentum closes' "$(number beam momentum_defect) < 1e-10"
+claim 'energy closes to 0.1 %' "$(number beam energy_defect_max) < 1e-3 * $(number beam energy_initial)"
+claim 'nobody leaves' "$(number beam escaped) == 0"
+rhs=$(number beam rhs_explicit)
+claim 'at most 1.3 times the right-hand sides of the water alone' "$rhs <= 1.3 * $(number alone rhs_explicit)"
+for run in coarse fine steel; do
+    claim "right-hand sides within 30 % ($run)" "$(number $run rhs_explicit) > 0.7 * $rhs && $(number $run rhs_explicit) < 1.3 * $rhs"
+done
+exit $bad
