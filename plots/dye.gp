@@ -6,7 +6,7 @@ load 'panels.gp'
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'dye.png'
-set multiplot title title noenhanced
+set multiplot title heading noenhanced
 do for [m = 1:moments] {
     eval next_panel
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \

@@ -40,7 +40,7 @@ set origin 0, 0
 set size 1, 0.28
 set xlabel 'time [s]'
 set ylabel 'defect'.unit
-set format y '%.0e'
+set format y '%g'
 plot 0 lc rgb grey lw 1 notitle, \
     table using 1:(column(column_of('defect'))) skip 2 with lines lw 2.5 lc rgb pick(2) \
     title E0 > 0 ? sprintf("defect\n(of %.3g at t = 0)", E0) : 'defect'

@@ -7,7 +7,8 @@
 # are those of particles; the surface is half a spacing further.
 load 'style.gp'
 table = '../front.csv'
-if (!(a > 0 && n2 > 0 && g > 0)) { exit }
+# Nothing to show: no column, or water that fills the tank from side to side.
+if (!(a > 0 && n2 > 0 && g > 0 && high_x - low_x > 1.05 * a)) { exit }
 T(t) = t * sqrt(n2 * g / a)
 Z(x) = (x + dx / 2 - low_x) / a
 is(name) = strcol(1) eq name ? $2 : NaN
@@ -60,6 +61,6 @@ set size 1, 0.38
 set xlabel 'time  T = n t √(g/a)'
 set ylabel 'height / initial height'
 set yrange [0:1.1]
-set key top right
+set key bottom left Left reverse
 eval 'plot '.low
 unset multiplot

@@ -2,7 +2,7 @@
 # Loaded after style.gp; the loop over panels then does `eval next_panel`.
 wall = '#a6a6a6'
 skin = '#101010'
-r = 0.55 * dx   # particles touch
+r = 0.65 * dx   # particles touch
 dye(c) = c == 0 ? 0x1f6fb4 : c == 1 ? 0xf2c418 : 0x009e73
 up = dim   # the column of the height; first is x
 p_column = 2 * dim + 2
@@ -10,7 +10,10 @@ dye_column = 2 * dim + 3
 kind_column = 2 * dim + 4
 # x of a particle if it is fluid (0), wall (1, 2) or the skin of a beam or body (3, 4)
 sort(kind) = kind == 0 ? 0 : kind < 3 ? 1 : 3
-is(what) = sort(column(kind_column)) == what ? $1 : NaN
+is(what) = sort(column(kind_column)) == what && in_plane($2) ? $1 : NaN
+# A 3D tank is shown cut in the middle.
+in_plane(y) = dim == 2 || abs(y - (low_y + high_y) / 2) < 1.01 * dx
+heading = dim == 2 ? title : title.', cut in the middle'
 
 stats '../snapshots.csv' using 1 skip 2 nooutput name 'shot'
 moments = shot_records < 6 ? int(shot_records) : 6

@@ -1,7 +1,7 @@
 # pressure.gp -- six moments of the pressure in the water
 # needs: snapshots.csv figures/constants.gp
 load 'style.gp'
-legend = 130
+legend = 150
 load 'panels.gp'
 
 # One scale for all moments: the weight of the column, or what pressure there is at the start.
@@ -12,7 +12,7 @@ highest = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : start_max > 0 ? start_max :
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'pressure.png'
-set multiplot title title noenhanced
+set multiplot title heading noenhanced
 set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [0:highest]
 set cblabel 'pressure [kPa]'

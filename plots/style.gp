@@ -15,16 +15,14 @@ set border 3 lw 1.2 lc rgb '#404040'
 set tics nomirror out
 set grid lt 1 lw 0.8 lc rgb '#d4d4d4'
 set key noenhanced
-per_depth = dim == 2 ? ' per metre of depth' : ''
 
-# `eval read_names` leaves the names of the columns of `table` in `names`, with blanks between, and
-# the number of rows in `rows`.  Above the rows stand two lines: units and names.
+# `eval read_names` leaves the names of the columns of `table` in `names`, with blanks between.
+# Above the rows stand two lines: units and names.
 read_names = "set datafile separator '\n'; \
     stats table using (line = strcol(1), 0) every ::0::0 nooutput; \
     set datafile separator ','; \
     names = ''; \
-    do for [i = 1:strlen(line)] { names = names.(line[i:i] eq ',' ? ' ' : line[i:i]) }; \
-    stats table using 1 skip 2 nooutput; rows = STATS_records"
+    do for [i = 1:strlen(line)] { names = names.(line[i:i] eq ',' ? ' ' : line[i:i]) }"
 
 # ends_in('left.fx', '.fx') is 1; stem('left.fx') is 'left'
 ends_in(word, end) = strlen(word) > strlen(end) && word[strlen(word) - strlen(end) + 1:*] eq end

@@ -33,8 +33,8 @@ for lanes in 2 4; do
     more=$(cat "$directory/absent-more")
     echo "absent-part: up to $lanes lanes: 30 right-hand sides take $as_is instructions;" \
         "with one effect more in the table $more"
-    awk -v a="$as_is" -v b="$more" 'BEGIN { d = b - a; exit !(a > 1e6 && d * d <= 1e-12 * a * a) }' ||
-        status=1
+    awk -v a="$as_is" -v b="$more" \
+        'BEGIN { d = b - a; exit !(a > 1e6 && d * d <= 1e-12 * a * a) }' || status=1
 done
 grep -q 'as is' "$directory/absent.40" && grep -q 'more' "$directory/absent-more.40" ||
     { echo 'absent-part: both programs have the same table'; exit 99; }

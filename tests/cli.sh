@@ -107,12 +107,12 @@ expect 0 run "$scenes/small-2d.scene" -q until=0.004 -o small-2d
 grep -q '"t_end": 0.004' small-2d/run.json || complain "a second run does not replace the first"
 expect 0 run "$scenes/small-3d.scene" -q until=0.002 -o three
 grep -q '"dimension": 3' three/run.json || complain "a scene in 3D runs in two dimensions"
-expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o deep/er/still
-says deep/er/still
+expect 0 run "$scenes/small-2d.scene" -q until=0.002 -o deep/er/still
+[ -f deep/er/still/run.json ] || complain "directories on the way are not made"
 
 # --- stopped on request ---------------------------------------------------------------------
-# complete DIR: every row of every table has all its fields, and ends its line.
-complete()
+# whole DIR: every row of every table has all its fields, and ends its line.
+whole()
 {
     for table in "$1"/*.csv; do
         awk -F, '/^#/ { next } { gsub(/"[^"]*"/, "text") } !n { n = NF }
@@ -139,7 +139,7 @@ for signal in INT TERM; do
     [ $found = 3 ] || complain "SIG$signal: exit status $found instead of 3"
     grep -q '"status": "stopped"' stopped/run.json || complain "SIG$signal: run.json is not stopped"
     grep -q "signal" said || complain "SIG$signal: nothing is said"
-    complete stopped
+    whole stopped
     end=$(sed -n 's/.*"t_end": \([^,]*\),.*/\1/p' stopped/run.json)
     last=$(tail -n 1 stopped/book.csv | cut -d, -f1)
     awk -v a="$end" -v b="$last" 'BEGIN { d = a - b; exit !(d * d < 1e-12 && a > 0) }' ||

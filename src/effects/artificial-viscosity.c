@@ -2,8 +2,9 @@
  *
  *   F_ab = m_a m_b alpha c0 hs (v.x) / (rhobar (r^2 + 0.01 hs^2)) gradW_ab  (V2)
  *
- * with x = x_a - x_b, v = v_a - v_b, rhobar the mean density, hs half the
- * support.  The published form acts on approaching pairs (v.x < 0) only; that
+ * with x = x_a - x_b, v = v_a - v_b, hs half the support and rhobar the harmonic
+ * mean of both densities, 1/rhobar = (1/rho_a + 1/rho_b)/2: without a division,
+ * and off the published arithmetic mean by (rho_a - rho_b)^2/(4 rhobar^2).  The published form acts on approaching pairs (v.x < 0) only; that
  * switch makes f rough and costs two to three digits of accuracy in time, so
  * it is off unless the scene asks.  F_ab . v is never positive: this effect
  * only takes energy out.  It is worth a kinematic viscosity of
@@ -15,8 +16,7 @@
 struct artificial_viscosity {
     double alpha;
     bool only_approaching;
-    double strength; /* 2 alpha c0 hs          [m^2/s] */
-    double eta2;     /* 0.01 hs^2              [m^2]   */
+    double strength; /* alpha c0 hs / 2        [m^2/s] */
     double rate;     /* fastest decay          [1/s]   */
 };
 
@@ -33,7 +33,7 @@ static const struct param params[] = {
 static inline lanes factor(const struct artificial_viscosity *s, const struct side *a,
                            const struct block *b, int k, lanes xv)
 {
-    return s->strength * xv * b->gw[k] / ((a->rho + b->rho[k]) * (b->r2[k] + s->eta2));
+    return s->strength * (a->irho + b->irho[k]) * (xv * b->gw_r2[k]);
 }
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
@@ -74,8 +74,7 @@ static int prepare(void *self, const struct scales *scales)
     struct artificial_viscosity *s = self;
     const double nu = s->alpha * scales->c0 * scales->hs / (2 * (DIM + 2));
 
-    s->strength = 2 * s->alpha * scales->c0 * scales->hs;
-    s->eta2 = 0.01 * scales->hs * scales->hs;
+    s->strength = s->alpha * scales->c0 * scales->hs / 2;
     s->rate = 3 * SCALES_LAPLACE * nu / (scales->hs * scales->hs);
     return 0;
 }
@@ -98,7 +97,7 @@ const struct part LANE_NAME(effects_artificial_viscosity) = {
     .size = sizeof(struct artificial_viscosity),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_X | NEED_RHO | NEED_R2 | NEED_XV | NEED_GRADW,
+    .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
     .columns = COLUMN_FORCE,
     .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,

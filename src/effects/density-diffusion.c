@@ -5,8 +5,9 @@
  *                    / rhobar  x.gradW_ab / (r^2 + 0.01 hs^2)               (D2)
  *   rho_H = rho0 g.(x_a - x_b) / c0^2
  *
- * with rhobar the mean density of the pair: antisymmetric, so mass-weighted
- * density is kept.  Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009)
+ * with rhobar the harmonic mean of both densities, 1/rhobar = (1/rho_a +
+ * 1/rho_b)/2: without a division, and off the arithmetic mean by (rho_a -
+ * rho_b)^2/(4 rhobar^2).  Antisymmetric, so mass-weighted density is kept.  Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009)
  * 861-872; subtracting the hydrostatic part: Fourtakas et al., Comput. Fluids
  * 190 (2019) 346-361, here linearised about rho0 so that both sides agree.
  * Checked in tests/physics/laws.c. */
@@ -14,8 +15,7 @@
 
 struct density_diffusion {
     double delta;
-    double strength; /* 4 delta hs c0             [m^2/s]    */
-    double eta2;     /* 0.01 hs^2                 [m^2]      */
+    double strength; /* delta hs c0               [m^2/s]    */
     double slope[3]; /* rho0 g / c0^2             [kg/m^4]   */
     double rate;     /* fastest decay             [1/s]      */
 };
@@ -35,8 +35,8 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
         lanes hydrostatic = s->slope[0] * b->x[0][k];
         for (int d = 1; d < DIM; d++)
             hydrostatic += s->slope[d] * b->x[d][k];
-        drho += s->strength * (a->rho - b->rho[k] - hydrostatic) * b->gw[k] * b->r2[k]
-              / ((a->rho + b->rho[k]) * (b->r2[k] + s->eta2));
+        drho += s->strength * (a->irho + b->irho[k]) * (a->rho - b->rho[k] - hydrostatic)
+              * (b->gw_r2[k] * b->r2[k]);
     }
     to->drho = drho;
 }
@@ -45,8 +45,7 @@ static int prepare(void *self, const struct scales *scales)
 {
     struct density_diffusion *s = self;
 
-    s->strength = 4 * s->delta * scales->hs * scales->c0;
-    s->eta2 = 0.01 * scales->hs * scales->hs;
+    s->strength = s->delta * scales->hs * scales->c0;
     for (int d = 0; d < DIM; d++)
         s->slope[d] = scales->rho0 * scales->g[d] / (scales->c0 * scales->c0);
     s->rate = SCALES_LAPLACE * s->delta * scales->c0 / scales->hs;
@@ -73,7 +72,7 @@ const struct part LANE_NAME(effects_density_diffusion) = {
     .size = sizeof(struct density_diffusion),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_X | NEED_RHO | NEED_R2 | NEED_GRADW,
+    .rows = NEED_X | NEED_RHO | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
     .columns = COLUMN_DRHO,
     .acts = EFFECTS_ACT_FLUID,
     .prepare = prepare,

@@ -12,9 +12,8 @@
 #include <math.h>
 
 struct laminar_viscosity {
-    double mu;   /* dynamic viscosity                  [Pa s] */
-    double eta2; /* 0.01 hs^2, keeps r = 0 finite      [m^2]  */
-    double hs2;  /* hs^2                               [m^2]  */
+    double mu;  /* dynamic viscosity                  [Pa s] */
+    double hs2; /* hs^2                               [m^2]  */
 };
 
 static const struct param params[] = {
@@ -29,8 +28,7 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     struct sum t = *to; /* registers, not memory */
 
     for (int k = 0; k < b->n; k++) {
-        const lanes c = 2 * s->mu * (a->irho * b->irho[k]) * b->gw[k]
-                      * b->r2[k] / (b->r2[k] + s->eta2);
+        const lanes c = 2 * s->mu * (a->irho * b->irho[k]) * (b->gw_r2[k] * b->r2[k]);
         for (int d = 0; d < DIM; d++)
             t.f[d] += c * b->v[d][k];
     }
@@ -42,7 +40,6 @@ static int prepare(void *self, const struct scales *scales)
     struct laminar_viscosity *s = self;
 
     s->hs2 = scales->hs * scales->hs;
-    s->eta2 = 0.01 * s->hs2;
     return 0;
 }
 
@@ -70,7 +67,7 @@ const struct part LANE_NAME(effects_laminar_viscosity) = {
     .size = sizeof(struct laminar_viscosity),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW,
+    .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
     .columns = COLUMN_FORCE,
     .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,

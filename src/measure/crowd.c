@@ -10,14 +10,14 @@ enum { OUTSIDE = -1 };
 struct crowd {
     const struct particles *p;
     struct view view;
-    double reach2;      /* neighbours are nearer than this, squared    [m^2] */
-    int half, quarter;  /* of the full lattice, rounded up                   */
-    double size;        /* edge of a cell, at least the support        [m]   */
-    double low[DIM];    /* corner of the first cell                    [m]   */
+    double reach2;         /* neighbours are nearer than this, squared    [m^2] */
+    int half, quarter;     /* of the full lattice, rounded up                   */
+    double size;           /* edge of a cell, at least the support        [m]   */
+    double low[DIM];       /* corner of the first cell                    [m]   */
     long cells[DIM], most; /* cells in use by direction; how many may be     */
-    int *start;         /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
-    int *order;         /* [n] particles cell by cell                        */
-    long *cell;         /* [n] cell of a particle, or OUTSIDE                */
+    int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
+    int *order;            /* [n] particles cell by cell                        */
+    long *cell;            /* [n] cell of a particle, or OUTSIDE                */
 };
 
 /* Strictly inside the support, with room for rounding: at r = H kernels are 0. */
@@ -178,11 +178,13 @@ static void count_cell(const struct crowd *c, const double *x, long cell, struct
 {
     for (int m = c->start[cell]; m < c->start[cell + 1]; m++) {
         const double *y = position(c, c->order[m]);
+        const bool fluid = c->order[m] < c->p->from[KIND_FLUID + 1];
+        const bool below = y[DIM - 1] < c->p->scales->low[DIM - 1];
         double r2 = 0;
         for (int d = 0; d < DIM; d++)
             r2 += (x[d] - y[d]) * (x[d] - y[d]);
-        to->all += r2 < c->reach2;
-        to->fluid += r2 < c->reach2 && c->order[m] < c->p->from[KIND_FLUID + 1];
+        to->all += r2 < c->reach2 && (fluid || below);
+        to->fluid += r2 < c->reach2 && fluid;
     }
 }
 
@@ -200,8 +202,10 @@ static struct company company(const struct crowd *c, const double *x)
     for (long i = from[0]; i <= to[0]; i++)
         for (long j = from[1]; j <= to[1]; j++)
             for (long k = from[2]; k <= to[2]; k++)
-                count_cell(c, x, DIM == 2 ? i * c->cells[1] + j
-                                          : (i * c->cells[1] + j) * c->cells[DIM - 1] + k, &found);
+                count_cell(c, x,
+                           DIM == 2 ? i * c->cells[1] + j
+                                    : (i * c->cells[1] + j) * c->cells[DIM - 1] + k,
+                           &found);
     return found;
 }
 

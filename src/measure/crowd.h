@@ -1,11 +1,12 @@
 /* crowd.h -- tells water from spray: which fluid particles have company.
  *
  * A fluid particle belongs to the water when it has at least half as many
- * neighbours within the support as a site of the full lattice has, solids
- * counted, and at least half of those are fluid.  So a toe two particles thin
- * that runs along the floor is water; drops in the air, and single particles
- * that slide along a wall or cling to it, are not.  Who has left the domain
- * neither belongs nor counts. */
+ * neighbours within the support as a site of the full lattice has, at least half
+ * of those fluid.  Neighbours are fluid, and of solids only what lies below the
+ * domain's floor: so a toe two particles thin that runs along the floor is water;
+ * drops in the air, single particles that slide over the floor and the film that
+ * sinking water leaves on a wall are not.  Who has left the domain neither
+ * belongs nor counts.  Up is the last axis. */
 #ifndef MEASURE_CROWD_H
 #define MEASURE_CROWD_H
 

@@ -11,13 +11,28 @@ int aside_join(char *to, const char *dir, const char *name)
     const int n = snprintf(to, ASIDE_PATH, "%s/%s", dir, name);
 
     if (n < 0 || n >= ASIDE_PATH - 16)
-        return status_fail(STATUS_IO, "%.200s.../%s: this path is longer than %d characters; "
-                           "choose an output directory nearer to the root", dir, name, ASIDE_PATH);
+        return status_fail(STATUS_IO,
+                           "%.200s.../%s: this path is longer than %d characters; "
+                           "choose an output directory nearer to the root",
+                           dir, name, ASIDE_PATH);
     return STATUS_DONE;
+}
+
+/* Parents that are missing are made too; what cannot be made shows at the end. */
+static void make_parents(const char *path)
+{
+    char part[ASIDE_PATH];
+
+    for (const char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        snprintf(part, sizeof part, "%.*s", (int)(slash - path), path);
+        mkdir(part, 0777);
+    }
 }
 
 int aside_directory(const char *path)
 {
+    if (path[0])
+        make_parents(path);
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return status_fail(STATUS_IO, "%s: this directory cannot be made: %s", path,
                            strerror(errno));
@@ -38,25 +53,18 @@ int aside_open(struct aside *a, const char *path)
     return STATUS_DONE;
 }
 
-int aside_finish(const char *temporary, const char *path, int code)
-{
-    if (code == STATUS_DONE && rename(temporary, path) != 0)
-        code = status_fail(STATUS_IO, "%s: cannot be written: %s", path, strerror(errno));
-    if (code != STATUS_DONE)
-        remove(temporary);
-    return code;
-}
-
 int aside_close(struct aside *a)
 {
     const int written = fflush(a->to) == 0 && !ferror(a->to);
-    int error = errno, code = STATUS_DONE;
+    int error = errno;
 
     if (fclose(a->to) != 0 && written)
         error = errno;
+    else if (written && rename(a->temporary, a->path) == 0)
+        return STATUS_DONE;
     else if (written)
-        error = 0;
-    if (error != 0)
-        code = status_fail(STATUS_IO, "%s: cannot be written: %s", a->path, strerror(error));
-    return aside_finish(a->temporary, a->path, code);
+        error = errno;
+    remove(a->temporary);
+    return status_fail(STATUS_IO, "%s: cannot be written: %s", a->path,
+                       strerror(error ? error : EIO));
 }

@@ -19,15 +19,10 @@ int aside_open(struct aside *a, const char *path);
  * away instead, the old file stays, and STATUS_IO comes back. */
 int aside_close(struct aside *a);
 
-/* The same for a file that others wrote under a temporary name, and that is
- * whole when code is STATUS_DONE: renames it, or takes it away; returns code, or
- * STATUS_IO when the renaming failed. */
-int aside_finish(const char *temporary, const char *path, int code);
-
 /* "DIR/NAME" into to [ASIDE_PATH]; STATUS_IO when that is too long. */
 int aside_join(char *to, const char *dir, const char *name);
 
-/* Makes the directory; one that exists already is welcome. */
+/* Makes the directory and its parents; those that exist already are welcome. */
 int aside_directory(const char *path);
 
 #endif

@@ -17,7 +17,7 @@ struct array {
     hid_t type;
     hsize_t rows, columns; /* columns 0: a list, not a table                  */
     const void *data;
-    int regular;           /* a pattern: worth compressing                    */
+    int regular; /* a pattern: worth compressing                    */
 };
 
 static int is_fine(hid_t id)
@@ -173,59 +173,65 @@ static int write_groups(hid_t file, const struct cloud_frame *c, const struct wo
            && write_group(file, "VTKHDF/PointData", values, c->t);
 }
 
-/* HDF5 calls this instead of printing: the innermost reason ("No space left on
- * device") of the first failure is kept, later calls would wipe it out. */
-enum { REASON = 512 };
-
-static herr_t keep_innermost(unsigned depth, const H5E_error2_t *error, void *reason)
+/* The file as bytes, NULL when HDF5 could not make it; free() it. */
+static void *take_image(hid_t file, size_t *size)
 {
-    if (depth == 0 && error->desc)
-        snprintf(reason, REASON, "%s", error->desc);
-    return 0;
+    const ssize_t wanted = H5Fget_file_image(file, NULL, 0);
+    void *image = wanted > 0 ? status_alloc((unsigned long)wanted, 1) : NULL;
+
+    if (image && H5Fget_file_image(file, image, (size_t)wanted) != wanted) {
+        free(image);
+        return NULL;
+    }
+    *size = (size_t)wanted;
+    return image;
 }
 
-static herr_t keep_reason(hid_t stack, void *reason)
+/* HDF5 only ever writes to memory here: after a write that failed it can neither
+ * close its file nor end the program in peace (1.10: a crash at exit). */
+static void *make_image(const struct cloud_frame *c, const struct work *w, size_t *size)
 {
-    return *(char *)reason ? 0 : H5Ewalk2(stack, H5E_WALK_UPWARD, keep_innermost, reason);
-}
-
-/* Of a failed system call HDF5 tells much; what strerror() said stands in quotes. */
-static int trouble(const char *path, const char *reason)
-{
-    static const char mark[] = "error message = '";
-    const char *said = strstr(reason, mark);
-
-    said = said ? said + sizeof mark - 1 : reason[0] ? reason : "HDF5 gives no reason";
-    return status_fail(STATUS_IO, "%s: cannot be written: %.*s", path,
-                       (int)strcspn(said, "'\n"), said);
-}
-
-static int write_file(const char *path, const char *temporary, const struct cloud_frame *c,
-                      const struct work *w)
-{
-    char reason[REASON] = "";
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    void *image = NULL;
     hid_t file;
-    int fine;
 
-    H5Eset_auto2(H5E_DEFAULT, keep_reason, reason);
-    file = H5Fcreate(temporary, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    fine = is_fine(file) && write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
-    if (is_fine(file) && H5Fclose(file) < 0)
-        fine = 0;
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    return fine ? STATUS_DONE : trouble(path, reason);
+    H5Pset_fapl_core(access, (size_t)1 << 22, 0);
+    file = H5Fcreate("fields", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    if (is_fine(file) && write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0)
+        image = take_image(file, size);
+    if (is_fine(file))
+        H5Fclose(file);
+    H5Pclose(access);
+    return image;
+}
+
+static int write_image(const char *path, const void *image, size_t size)
+{
+    struct aside a;
+
+    if (!image)
+        return status_fail(STATUS_FAILED,
+                           "%s: HDF5 cannot make it, most likely for want of "
+                           "memory; write fields with fewer particles or not at all",
+                           path);
+    TRY(aside_open(&a, path));
+    fwrite(image, 1, size, a.to);
+    return aside_close(&a);
 }
 
 int fields_file_write(const char *path, const struct cloud_frame *frame)
 {
-    char temporary[ASIDE_PATH];
     struct work work = { 0 };
-    int code;
+    void *image = NULL;
+    size_t size = 0;
+    int code = work_fill(&work, frame);
 
-    snprintf(temporary, sizeof temporary, "%s.part", path);
-    code = work_fill(&work, frame);
     if (code == STATUS_DONE)
-        code = write_file(path, temporary, frame, &work);
+        image = make_image(frame, &work, &size);
     work_free(&work);
-    return aside_finish(temporary, path, code);
+    if (code == STATUS_DONE)
+        code = write_image(path, image, size);
+    free(image);
+    return code;
 }

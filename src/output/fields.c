@@ -47,10 +47,12 @@ static void grid(FILE *to, int number, const struct moment *m)
     static const char byte[] = "NumberType=\"UChar\" Precision=\"1\"";
     static const char whole[] = "NumberType=\"Int\" Precision=\"4\"";
 
-    fprintf(to, "      <Grid Name=\"particles\" GridType=\"Uniform\">\n"
+    fprintf(to,
+            "      <Grid Name=\"particles\" GridType=\"Uniform\">\n"
             "        <Time Value=\"%.17g\"/>\n"
             "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%d\""
-            " NodesPerElement=\"1\">\n          ", m->t, m->n);
+            " NodesPerElement=\"1\">\n          ",
+            m->t, m->n);
     item(to, number, m->n, 1, "NumberType=\"Int\" Precision=\"8\"", "Connectivity");
     fputs("\n        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          ", to);
     item(to, number, m->n, 3, real, "Points");
@@ -71,7 +73,8 @@ static int write_index(const struct fields *f)
     TRY(aside_open(&a, f->index));
     fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
           "<Xdmf Version=\"2.0\">\n  <Domain>\n"
-          "    <Grid Name=\"moments\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", a.to);
+          "    <Grid Name=\"moments\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
+          a.to);
     for (int i = 0; i < f->moments; i++)
         grid(a.to, i, f->moment + i);
     fputs("    </Grid>\n  </Domain>\n</Xdmf>\n", a.to);

@@ -41,7 +41,8 @@ static int spawn(const char *directory, const char *script, const char *log, pid
 static int refused(int error)
 {
     if (error == ENOENT)
-        return status_fail(STATUS_IO, "gnuplot was not found, so no figures were drawn; the data "
+        return status_fail(STATUS_IO,
+                           "gnuplot was not found, so no figures were drawn; the data "
                            "are complete. On Debian: apt-get install gnuplot-nox; then draw them "
                            "with `stiffwater plot DIR`");
     return status_fail(STATUS_IO, "gnuplot cannot be started: %s", strerror(error));

@@ -21,8 +21,8 @@ enum { HOLD = 4096 }; /* bytes held back at most, if a line is not longer */
 struct series {
     char path[ASIDE_PATH];
     int file, columns;
-    off_t whole;         /* length of the file up to its last whole line     */
-    char *text;          /* lines held back                                  */
+    off_t whole; /* length of the file up to its last whole line     */
+    char *text;  /* lines held back                                  */
     size_t used, room;
     struct timespec old; /* when the file last grew                          */
 };
@@ -98,7 +98,7 @@ static int add_number(struct series *s, int column, double value)
 
     if (isnan(value)) /* without a sign, so that every reader knows it */
         return add(s, "nan");
-    snprintf(piece, sizeof piece, "%.*g", column == 0 ? 12 : 10, value);
+    snprintf(piece, sizeof piece, "%.*g", column == 0 ? 12 : 10, value + 0.0); /* no -0 */
     return add(s, piece);
 }
 

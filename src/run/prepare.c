@@ -56,6 +56,17 @@ static enum method_norm norm_of(const char *word)
                                      : METHOD_NORM_MAX;
 }
 
+/* The time room knows the names, the scene where one was written. */
+static int refuse_method(const struct run *r)
+{
+    const struct scene_node *node = scene_child(scene_root(r->scene), "method");
+    char why[512];
+
+    snprintf(why, sizeof why, "%s", status_message());
+    status_clear();
+    return status_fail(STATUS_BAD_SCENE, "%s: %s", node ? scene_where(node) : "default", why);
+}
+
 static int find_method(struct run *r)
 {
     const struct settings *s = plan_settings(r->plan);
@@ -65,7 +76,8 @@ static int find_method(struct run *r)
     r->def = method_def_default();
     r->def.tol = s->tol;
     r->def.norm = norm_of(s->norm);
-    TRY(method_find(name, &r->def, &r->method));
+    if (method_find(name, &r->def, &r->method) != STATUS_DONE)
+        return refuse_method(r);
     reason = r->method->serves ? r->method->serves(r->plan) : NULL;
     if (reason)
         return status_fail(STATUS_BAD_SCENE, "method %s cannot serve this scene: %s", name,

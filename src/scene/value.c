@@ -36,6 +36,12 @@ static const char *kind_text(const struct scene_node *node)
     return kinds[node->kind];
 }
 
+/* "" for numbers without a unit, which rows may write as "1". */
+static const char *unit_of(const struct param *row)
+{
+    return row->unit && strcmp(row->unit, "1") != 0 ? row->unit : "";
+}
+
 const char *scene_value_expected(const struct param *row, int dimension)
 {
     static const char *const kinds[] = {
@@ -49,7 +55,7 @@ const char *scene_value_expected(const struct param *row, int dimension)
     const bool vector = row->type == PARAM_VECTOR || row->type == PARAM_POINTS;
 
     snprintf(text, sizeof text, "%s%s%s%s", kinds[row->type], vector ? vectors[dimension] : "",
-             row->unit && row->unit[0] ? " in " : "", row->unit ? row->unit : "");
+             unit_of(row)[0] ? " in " : "", unit_of(row));
     return text;
 }
 
@@ -64,7 +70,7 @@ static int refuse_kind(const struct scene_wish *w, const struct scene_node *node
 static int refuse_range(const struct scene_wish *w, const struct scene_node *node)
 {
     const struct param *row = w->row;
-    const char *gap = row->unit && row->unit[0] ? " " : "";
+    const char *gap = unit_of(row)[0] ? " " : "";
     char range[80];
 
     if (row->max >= 1e300)
@@ -74,7 +80,7 @@ static int refuse_range(const struct scene_wish *w, const struct scene_node *nod
     else
         snprintf(range, sizeof range, "lies outside %g to %g", row->min, row->max);
     return status_fail(STATUS_BAD_SCENE, "%s: %s = %s%s%s %s (%s)", scene_where(node), w->name,
-                       shown(node), gap, row->unit ? row->unit : "", range, row->about);
+                       shown(node), gap, unit_of(row), range, row->about);
 }
 
 /* A finite number in the row's range; a row with min = max has no range. */
@@ -104,8 +110,8 @@ static int read_integer(const struct scene_wish *w)
 
     TRY(number_of(w, w->node, &number));
     if (number != trunc(number) || fabs(number) > INT_MAX)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is not a whole number up to %d (%s)",
-                           scene_where(w->node), w->name, shown(w->node), INT_MAX, w->row->about);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is not a whole number (%s)",
+                           scene_where(w->node), w->name, shown(w->node), w->row->about);
     *(int *)w->to = (int)number;
     return STATUS_DONE;
 }

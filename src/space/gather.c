@@ -88,10 +88,10 @@ LANES_INLINE void gather_row(const double *record, const int *j, const struct si
         b->rho[k] = of.rho;
         b->p2[k] = of.p2;
     }
-    if (needs & NEED_IRHO) {
-        b->m[k] = of.m;
+    if (needs & NEED_IRHO)
         b->irho[k] = of.irho;
-    }
+    if (needs & NEED_MASS)
+        b->m[k] = of.m;
 }
 
 #define GATHER(name, needs)                                                                \
@@ -106,17 +106,17 @@ GATHER(gather_place, 0)
 GATHER(gather_place_rho, NEED_RHO)
 GATHER(gather_approach, NEED_XV)
 GATHER(gather_approach_rho, NEED_XV | NEED_RHO)
-GATHER(gather_motion_rho, NEED_XV | NEED_RHO | NEED_V)
-GATHER(gather_all, NEED_XV | NEED_RHO | NEED_V | NEED_IRHO)
+GATHER(gather_approach_all_rho, NEED_XV | NEED_RHO | NEED_IRHO)
+GATHER(gather_all, NEED_XV | NEED_RHO | NEED_V | NEED_IRHO | NEED_MASS)
 
 gather_rows *gather_choose(unsigned needs)
 {
     const bool rho = needs & (NEED_RHO | NEED_P2);
 
-    if (needs & (NEED_MASS | NEED_IRHO))
+    if (needs & (NEED_MASS | NEED_V))
         return gather_all;
-    if (needs & NEED_V)
-        return gather_motion_rho;
+    if (needs & NEED_IRHO)
+        return gather_approach_all_rho;
     if (needs & NEED_XV)
         return rho ? gather_approach_rho : gather_approach;
     return rho ? gather_place_rho : gather_place;
@@ -135,10 +135,21 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
                 a->x[d][l] = -a->x[d][l];
 }
 
+/* The division stands apart: beside the root it would wait for the divider. */
+static void soften(double support, struct block *b)
+{
+    const double eta2 = 0.01 * (support / 2) * (support / 2);
+
+    for (int k = 0; k < b->n; k++)
+        b->gw_r2[k] = b->gw[k] / (b->r2[k] + eta2);
+}
+
 void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b)
 {
-    if (needs & NEED_GRADW)
+    if (needs & (NEED_GRADW | NEED_GRADW_R2))
         use->kernel->gradient(use->support, use->scale, b->n, b->r, b->mm, b->gw);
+    if (needs & NEED_GRADW_R2)
+        soften(use->support, b);
     if (needs & NEED_W)
         use->kernel->value(use->support, use->scale, b->n, b->r, b->mm, b->w);
 }

@@ -9,7 +9,7 @@
 #include "space/kinds.h"
 #include "space/lanes.h"
 
-enum { PAIRS_ROWS = 64 }; /* rows of a block at most; more are sliced        */
+enum { PAIRS_ROWS = 62 }; /* rows of a block at most; more are sliced        */
 
 /* Rows a law asks for; r and mm are there for everybody. */
 enum need {
@@ -22,7 +22,8 @@ enum need {
     NEED_R2 = 1 << 6,    /* r2                                               */
     NEED_XV = 1 << 7,    /* xv                                               */
     NEED_GRADW = 1 << 8, /* gw                                               */
-    NEED_W = 1 << 9      /* w                                                */
+    NEED_W = 1 << 9,     /* w                                                */
+    NEED_GRADW_R2 = 1 << 10 /* gw_r2                                          */
 };
 
 /* The owners' own values. */
@@ -41,6 +42,7 @@ struct block {
     lanes mm[PAIRS_ROWS];      /* m_a m_b, always there            [kg^2]    */
     lanes xv[PAIRS_ROWS];      /* x . v                            [m^2/s]   */
     lanes gw[PAIRS_ROWS];      /* m_a m_b W'(r)/r, 0 beyond the support      */
+    lanes gw_r2[PAIRS_ROWS];   /* gw / (r^2 + 0.01 hs^2), hs half the support */
     lanes w[PAIRS_ROWS];       /* m_a m_b W(r), 0 beyond the support         */
     lanes rho[PAIRS_ROWS], p2[PAIRS_ROWS], m[PAIRS_ROWS], irho[PAIRS_ROWS]; /* of b */
 };

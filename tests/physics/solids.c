@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+/* The frame of the tank with some keys more. */
+#define FRAME(keys) "wall = { tank = { type = \"frame\"; " keys " }; };"
+
 static const double velocity[3] = { 0.3, -0.2, 0.1 }, amplitude[3] = { 0.004, 0.01, -0.006 };
 static const double frequency = 7;
 
@@ -27,8 +30,8 @@ static void moving_wall_follows_its_formula(void **state)
     int n;
 
     (void)state;
-    tank_make(&t, tank_water, "wall = { tank = { type = \"frame\"; velocity = " VELOCITY "; amplitude"
-              " = " AMPLITUDE "; frequency = 7.0; }; };", TANK_EFFECTS, NULL);
+    tank_make(&t, tank_water, FRAME("velocity = " VELOCITY "; amplitude = " AMPLITUDE ";"
+                                    " frequency = 7.0;"), TANK_EFFECTS, NULL);
     n = particles_count(plan_particles(t.plan), KIND_WALL) * DIM;
     x = test_malloc(n * sizeof *x);
     u = test_malloc(n * sizeof *u);
@@ -82,9 +85,8 @@ static void viscosity_acts_on_sticky_walls_only(void **state)
     (void)state;
     for (int i = 0; i < 2; i++) {
         const double sticky = drag(tank_frame, effect[i]);
-        const double slip = drag("wall = { tank = { type = \"frame\"; slip = true; }; };", effect[i]);
-        const double along = drag("wall = { tank = { type = \"frame\"; velocity = " ALONG "; }; };",
-                                  effect[i]);
+        const double slip = drag(FRAME("slip = true;"), effect[i]);
+        const double along = drag(FRAME("velocity = " ALONG ";"), effect[i]);
         check(sticky > 0.01, "%s\nthe water drags a sticky wall with %g N", effect[i], sticky);
         check(slip == 0, "%s\nthe water drags a wall that slips with %g N", effect[i], slip);
         check(fabs(along) < 1e-12 * sticky, "%s\na wall that goes along is dragged with %g N",
@@ -100,7 +102,7 @@ static void slip_leaves_pressure_alone(void **state)
 
     (void)state;
     tank_make(&a, tank_water, tank_frame, effect, NULL);
-    tank_make(&b, tank_water, "wall = { tank = { type = \"frame\"; slip = true; }; };", effect, NULL);
+    tank_make(&b, tank_water, FRAME("slip = true;"), effect, NULL);
     tank_rates(&a, 0, a.y, a.ydot);
     tank_rates(&b, 0, b.y, b.ydot);
     assert_int_equal(a.n, b.n);
@@ -121,8 +123,7 @@ static void driven_wall_gives_power(void **state)
     int wall = 0;
 
     (void)state;
-    tank_make(&t, tank_water, "wall = { tank = { type = \"frame\"; velocity = " ALONG "; }; };",
-              TANK_EFFECTS, NULL);
+    tank_make(&t, tank_water, FRAME("velocity = " ALONG ";"), TANK_EFFECTS, NULL);
     while (plan_particles(t.plan)->object[wall].kind != KIND_WALL)
         wall++;
     tank_shake(&t, 3, 0.2, 0.5, 0.01);

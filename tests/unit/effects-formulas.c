@@ -39,6 +39,12 @@ static double softened(double r)
     return r * r + 0.01 * pow(effects_scales.hs, 2);
 }
 
+/* rhobar of (V2) and (D2): the harmonic mean */
+static double mean_density(const struct pair_particle *a, const struct pair_particle *b)
+{
+    return 2 / (1 / a->rho + 1 / b->rho);
+}
+
 /* (D1) m_a d rho_a/dt = m_a m_b v . gradW */
 static void continuity(const struct pair_particle *a, const struct pair_particle *b,
                        struct pair_answer *to)
@@ -63,7 +69,7 @@ static void artificial_viscosity(const struct pair_particle *a, const struct pai
                                  struct pair_answer *to)
 {
     const struct geometry p = look(a, b);
-    const double rhobar = (a->rho + b->rho) / 2;
+    const double rhobar = mean_density(a, b);
 
     for (int d = 0; d < DIM; d++)
         to->f[d] = a->m * b->m * EFFECTS_ALPHA * effects_scales.c0 * effects_scales.hs * p.xv
@@ -86,7 +92,7 @@ static void density_diffusion(const struct pair_particle *a, const struct pair_p
                               struct pair_answer *to)
 {
     const struct geometry p = look(a, b);
-    const double rhobar = (a->rho + b->rho) / 2;
+    const double rhobar = mean_density(a, b);
     double gx = 0;
 
     for (int d = 0; d < DIM; d++)
