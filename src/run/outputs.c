@@ -20,6 +20,13 @@ enum { COLUMNS = 512, NAME = 80 };
 
 static const char axes[] = "xyz";
 
+/* In 2D everything that has mass or force is per metre of depth. */
+#if DIM == 2
+#define UNIT(whole) whole "/m"
+#else
+#define UNIT(whole) whole
+#endif
+
 struct outputs {
     struct series *book, *front, *forces, *beam, *probes, *steps;
     struct fields *fields;
@@ -81,15 +88,15 @@ static int open_book(struct outputs *o, struct plan *plan, const char *dir, stru
 
     head_start(h);
     for (int i = 0; i < 4; i++)
-        column(h, "J", "%s", parts[i]);
+        column(h, UNIT("J"), "%s", parts[i]);
     for (int i = 0; i < works; i++)
-        column(h, "J", "%s", work[i]);
-    column(h, "J", "pressure_defect");
-    column(h, "J", "total");
-    column(h, "J", "defect");
-    column(h, "kg", "mass");
+        column(h, UNIT("J"), "%s", work[i]);
+    column(h, UNIT("J"), "pressure_defect");
+    column(h, UNIT("J"), "total");
+    column(h, UNIT("J"), "defect");
+    column(h, UNIT("kg"), "mass");
     for (int d = 0; d < DIM; d++)
-        column(h, "kg m/s", "momentum_%c", axes[d]);
+        column(h, UNIT("kg m/s"), "momentum_%c", axes[d]);
     return open_series(&o->book, dir, "book.csv", h);
 }
 
@@ -107,9 +114,9 @@ static int open_forces(struct outputs *o, struct plan *plan, const char *dir, st
         if (!solid(&all->object[i]))
             continue;
         for (int d = 0; d < DIM; d++)
-            column(h, "N", "%s.f%c", all->object[i].name, axes[d]);
+            column(h, UNIT("N"), "%s.f%c", all->object[i].name, axes[d]);
         for (int d = 0; d < DIM; d++)
-            column(h, "N s", "%s.i%c", all->object[i].name, axes[d]);
+            column(h, UNIT("N s"), "%s.i%c", all->object[i].name, axes[d]);
     }
     return h->n > 1 ? open_series(&o->forces, dir, "forces.csv", h) : STATUS_DONE;
 }
@@ -124,8 +131,8 @@ static int open_beam(struct outputs *o, struct plan *plan, const char *dir, stru
         column(h, "m", "%s.mid_x", name);
         column(h, "m", "%s.mid_y", name);
         column(h, "rad", "%s.tip_angle", name);
-        column(h, "N", "%s.root_force", name);
-        column(h, "N m", "%s.root_moment", name);
+        column(h, UNIT("N"), "%s.root_force", name);
+        column(h, UNIT("N m"), "%s.root_moment", name);
     }
     return h->n > 1 ? open_series(&o->beam, dir, "beam.csv", h) : STATUS_DONE;
 }
