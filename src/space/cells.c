@@ -110,6 +110,7 @@ static void count(struct list *list, const struct cloud *cloud, int kind, struct
 static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
     struct list_private *own = list->own;
+    const double per_metre = LIST_UNITS / (list->def.support + list->def.skin);
 
     for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
         const double *x = position(list, cloud, kind, i);
@@ -123,19 +124,24 @@ static void place(struct list *list, const struct cloud *cloud, int kind, struct
         const int s = c->start[list->slot[i] + 1]++;
         list->slot[i] = s;
         list->order[s] = i;
-        for (int d = 0; d < DIM; d++)
-            built[d] = own->place[d][s] = x[d];
+        for (int d = 0; d < DIM; d++) {
+            own->place[d][s] = (unsigned)(long long)(x[d] * per_metre);
+            built[d] = x[d];
+        }
     }
 }
 
 int cells_sort(struct list *list, const struct cloud *cloud)
 {
     list->start[0] = 0;
+    list->own->farthest = 0;
     for (int kind = 0; kind < KINDS; kind++) {
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
         const int inside = bounds(list, cloud, kind, c->low, high);
 
+        for (int d = 0; d < DIM && inside > 0; d++)
+            list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
         TRY(make_grid(list, c, high, inside));
         count(list, cloud, kind, c);
         place(list, cloud, kind, c);
@@ -143,6 +149,6 @@ int cells_sort(struct list *list, const struct cloud *cloud)
     }
     list->listed = list->start[KINDS];
     for (int d = 0; d < DIM; d++)
-        memset(list->own->place[d] + list->listed, 0, LIST_PAD * sizeof(double));
+        memset(list->own->place[d] + list->listed, 0, LIST_PAD * sizeof(unsigned));
     return STATUS_DONE;
 }

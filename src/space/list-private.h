@@ -5,7 +5,10 @@
 #include "space/cells.h"
 #include "space/list.h"
 
-enum { LIST_PAD = 32 }; /* places may be read this far beyond the last slot   */
+enum {
+    LIST_PAD = 32,        /* places may be read this far beyond the last slot  */
+    LIST_UNITS = 1 << 22  /* of places in support + skin                       */
+};
 
 /* The rows one thread made; what a thread needs to make them. */
 struct list_store {
@@ -27,7 +30,9 @@ struct list_found {
 struct list_private {
     double *built;      /* [n][DIM] position at the last rebuild [m];
                            infinite for those left out                       */
-    double *place[DIM]; /* [listed + LIST_PAD] the same in slot order        */
+    unsigned *place[DIM]; /* [listed + LIST_PAD] the same in slot order, in
+                             units, modulo 2^32                              */
+    double farthest;    /* from 0, of a coordinate                    [m]    */
     struct cells cells[KINDS];
     int stores;
     struct list_store *store; /* [stores]                                    */

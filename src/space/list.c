@@ -63,7 +63,7 @@ int list_create(struct list **list, const struct list_def *def, int lanes)
     own->built = array(n * DIM, sizeof *own->built);
     bool good = made->order && made->slot && own->built;
     for (int d = 0; d < DIM; d++)
-        good = good && (own->place[d] = array(n + LIST_PAD, sizeof(double)));
+        good = good && (own->place[d] = array(n + LIST_PAD, sizeof(unsigned)));
     made->group_slot = own->group_slot = array(groups, sizeof *own->group_slot);
     made->group_kind = own->group_kind = array(groups, sizeof *own->group_kind);
     made->segment_from = own->segment_from = array(groups + 1, sizeof *own->segment_from);

@@ -83,7 +83,8 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
 
     scan_group(s, list->group_slot[g], left < LANES ? left : LANES);
     for (int partner = 0; partner < KINDS; partner++) {
-        if (!(list->def.acts[kind] & KIND_BIT(partner)))
+        if (!(list->def.acts[kind] & KIND_BIT(partner))
+            || list->start[partner] == list->start[partner + 1])
             continue;
         scan_near(s, &own->cells[partner]);
         rows += append(store, s, partner, list->listed);

@@ -1,17 +1,16 @@
 /* scan.c -- finds neighbours by comparing with all who are in the cells around.
  *
- * Distances are compared in single precision, SCAN_WIDE candidates at a time,
- * but only after the owners' own place has been subtracted in double precision:
- * the error is 6e-7 of the radius at most, and the radius is widened by more
- * than that, so no pair is ever missed and no domain is too large. */
+ * Places are whole numbers, so their differences are exact however large the
+ * domain is; they are squared in single precision, SCAN_WIDE candidates at a
+ * time.  The radius is widened by more than all roundings together, so no pair
+ * is ever missed. */
 #include "space/scan.h"
 
+#include <float.h>
 #include <string.h>
 #if LANES == 4 || defined(__SSE2__)
 #include <immintrin.h>
 #endif
-
-static const double WIDER = 1 + 1e-6;
 
 /* Bit l of the answer: lane l is below the bound. */
 static inline unsigned below(scan_floats a, float bound)
@@ -29,30 +28,6 @@ static inline unsigned below(scan_floats a, float bound)
 #endif
 }
 
-/* Coordinates x[0..SCAN_WIDE-1] less the origin. */
-static inline scan_floats offsets(const double *x, double origin)
-{
-#if LANES == 4
-    const __m256d o = _mm256_set1_pd(origin);
-    const __m128 low = _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(x), o));
-    const __m128 high = _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(x + 4), o));
-
-    return (scan_floats)_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1);
-#elif defined(__SSE2__)
-    const __m128d o = _mm_set1_pd(origin);
-    const __m128 low = _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(x), o));
-    const __m128 high = _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(x + 2), o));
-
-    return (scan_floats)_mm_movelh_ps(low, high);
-#else
-    scan_floats f;
-
-    for (int l = 0; l < SCAN_WIDE; l++)
-        f[l] = (float)(x[l] - origin);
-    return f;
-#endif
-}
-
 static inline int bits(unsigned mask)
 {
 #ifdef __POPCNT__
@@ -64,109 +39,97 @@ static inline int bits(unsigned mask)
 #endif
 }
 
-static inline scan_floats floats_at(const float *x)
+static inline scan_units units_at(const unsigned *place)
 {
-    scan_floats f;
+    scan_units u;
 
-    memcpy(&f, x, sizeof f);
-    return f;
+    memcpy(&u, place, sizeof u);
+    return u;
 }
 
-/* Compares all lanes with all chunks: hits; an owner does not hit himself. */
-static inline void compare(struct scan *s)
+/* Square of the distance of SCAN_WIDE candidates from one owner [units^2]. */
+static inline scan_floats distance2(const scan_units *x, const unsigned *owner)
 {
-    const float bound = (float)(s->reach * s->reach);
+    scan_floats r2;
 
+    for (int d = 0; d < DIM; d++) {
+        const scan_floats away = __builtin_convertvector((scan_ints)(x[d] - owner[d]), scan_floats);
+        r2 = d == 0 ? away * away : r2 + away * away;
+    }
+    return r2;
+}
+
+/* Appends those of the chunks that are near to what each lane has got. */
+static void flush(struct scan *s)
+{
+    unsigned *const *place = s->list->own->place;
+    int *end[LANES];
+
+    for (int l = 0; l < LANES; l++)
+        end[l] = s->near[l] + s->count[l];
     for (int c = 0; c < s->chunks; c++) {
-        scan_floats x[DIM];
+        scan_units x[DIM];
 
         for (int d = 0; d < DIM; d++)
-            x[d] = floats_at(s->x[d] + c * SCAN_WIDE);
+            x[d] = units_at(place[d] + s->slot[c]);
         for (int l = 0; l < LANES; l++) {
-            scan_floats r2 = { 0 };
+            const unsigned hits = below(distance2(x, s->place[l]), s->bound) & s->there[c][l];
+            const scan_ints slots = s->hit[hits] + s->slot[c];
 
-            for (int d = 0; d < DIM; d++)
-                r2 += (x[d] - s->own[l][d]) * (x[d] - s->own[l][d]);
-            s->hits[c][l] = (unsigned char)below(r2, bound);
+            memcpy(end[l], &slots, sizeof slots);
+            end[l] += bits(hits);
         }
     }
     for (int l = 0; l < LANES; l++)
-        s->hits[s->self[l] / SCAN_WIDE][l] &= (unsigned char)~(1u << s->self[l] % SCAN_WIDE);
-}
-
-/* Appends what lanes first..last hit to their neighbours. */
-static inline void compress(struct scan *s, int first, int last)
-{
-    int *to[LANES];
-
-    for (int l = first; l <= last; l++)
-        to[l] = s->near[l] + s->count[l];
-    for (int c = 0; c < s->chunks; c++)
-        for (int l = first; l <= last; l++) {
-            const unsigned hits = s->hits[c][l];
-            const scan_ints slots = s->hit[hits] + s->slot[c];
-
-            memcpy(to[l], &slots, sizeof slots);
-            to[l] += bits(hits);
-        }
-    for (int l = first; l <= last; l++)
-        s->count[l] = (int)(to[l] - s->near[l]);
-}
-
-/* Done with the candidates collected so far. */
-static void flush(struct scan *s)
-{
-    compare(s);
-    if (s->first == 0 && s->last == LANES - 1)
-        compress(s, 0, LANES - 1);
-    else
-        compress(s, s->first, s->last);
-    for (int l = 0; l < LANES; l++)
-        s->self[l] = SCAN_NOWHERE;
+        s->count[l] = (int)(end[l] - s->near[l]);
     s->chunks = 0;
 }
 
-/* Collects a run of at most SCAN_CHUNKS chunks, SCAN_BLOCK at a time without
- * asking whether they are all needed: a mispredicted branch costs more.  What
- * the last chunk has too many of is made NaN, which is near nobody. */
-static inline void collect_slots(struct scan *s, int from, int to)
+/* Nobody is his own neighbour: takes owners out of a run from slot `from` on
+ * that was collected last, in chunks from number `first` on. */
+static void leave_out_owners(struct scan *s, int from, int first)
 {
-    const int base = s->chunks * SCAN_WIDE, n = to - from;
+    for (int l = 0; l < LANES; l++) {
+        const int at = s->group + l - from, c = first + at / SCAN_WIDE;
 
-    for (int k = 0; k < n; k += SCAN_BLOCK * SCAN_WIDE)
-        for (int c = 0; c < SCAN_BLOCK; c++) {
-            const int at = k + c * SCAN_WIDE;
-            const scan_ints surplus = s->count_up >= n - at;
-
-            s->slot[s->chunks + k / SCAN_WIDE + c] = from + at;
-            for (int d = 0; d < DIM; d++) {
-                const scan_floats x = offsets(s->place[d] + from + at, s->origin[d]);
-                const scan_ints or_nan = (scan_ints)x | surplus;
-                memcpy(s->x[d] + base + at, &or_nan, sizeof or_nan);
-            }
-        }
-    s->chunks += (n + SCAN_WIDE - 1) / SCAN_WIDE;
-    if (from >= s->group + LANES || to <= s->group)
-        return;
-    for (int l = 0; l < LANES; l++)
-        if (s->group + l >= from && s->group + l < to)
-            s->self[l] = base + s->group + l - from;
+        if (at >= 0 && c < s->chunks)
+            s->there[c][l] &= (unsigned char)~(1u << at % SCAN_WIDE);
+    }
 }
 
-/* A run of any length. */
+/* Collects the slots from..to-1, SCAN_BLOCK chunks at a time without asking
+ * whether they are all needed: a mispredicted branch costs more. */
+static inline void collect(struct scan *s, int from, int to)
+{
+    const int first = s->chunks;
+
+    for (int at = from; at < to; at += SCAN_BLOCK * SCAN_WIDE, s->chunks += SCAN_BLOCK)
+        for (int c = 0; c < SCAN_BLOCK; c++) {
+            s->slot[s->chunks + c] = at + c * SCAN_WIDE;
+            memset(s->there[s->chunks + c], SCAN_HITS - 1, LANES);
+        }
+    s->chunks = first + (to - from + SCAN_WIDE - 1) / SCAN_WIDE;
+    memset(s->there[s->chunks - 1], (SCAN_HITS - 1) >> (-(unsigned)(to - from) % SCAN_WIDE), LANES);
+    if (from < s->group + LANES && to > s->group)
+        leave_out_owners(s, from, first);
+}
+
+/* Collects a run of any length. */
 static inline void collect_run(struct scan *s, int from, int to)
 {
-    for (; to - from > SCAN_CHUNKS * SCAN_WIDE; from += SCAN_CHUNKS * SCAN_WIDE) {
+    enum { MOST = SCAN_CHUNKS * SCAN_WIDE };
+
+    if (s->chunks + (to - from) / SCAN_WIDE + 1 > SCAN_CHUNKS)
         flush(s);
-        collect_slots(s, from, from + SCAN_CHUNKS * SCAN_WIDE);
+    for (; to - from > MOST; from += MOST) {
+        collect(s, from, from + MOST);
+        flush(s);
     }
-    if (s->chunks + (to - from + SCAN_WIDE - 1) / SCAN_WIDE > SCAN_CHUNKS)
-        flush(s);
-    collect_slots(s, from, to);
+    collect(s, from, to);
 }
 
 /* Everybody in the window, in ascending slots. */
-static void collect_window(struct scan *s, const struct cells *c, const struct cells_window *w)
+static void take_window(struct scan *s, const struct cells *c, const struct cells_window *w)
 {
     const int more = w->high[0] - w->low[0] + 1;
 #if DIM == 3
@@ -189,34 +152,6 @@ static void collect_window(struct scan *s, const struct cells *c, const struct c
         flush(s);
 }
 
-/* The box of the lanes that look, widened by the reach. */
-static void box_of(const struct scan *s, double *low, double *high)
-{
-    for (int d = 0; d < DIM; d++) {
-        const double *x = s->place[d] + s->group;
-
-        low[d] = high[d] = x[s->first];
-        for (int l = s->first + 1; l <= s->last; l++) {
-            low[d] = x[l] < low[d] ? x[l] : low[d];
-            high[d] = x[l] > high[d] ? x[l] : high[d];
-        }
-        low[d] -= s->reach;
-        high[d] += s->reach;
-    }
-}
-
-/* The origin is at one owner; unused lanes stand there too. */
-static void set_origin(struct scan *s, int lane)
-{
-    for (int d = 0; d < DIM; d++) {
-        const double *x = s->place[d] + s->group;
-
-        s->origin[d] = x[lane];
-        for (int l = 0; l < LANES; l++)
-            s->own[l][d] = (float)(x[l < s->owners ? l : lane] - x[lane]);
-    }
-}
-
 /* Positions of the set bits of every mask, for compressing by table. */
 static void make_hits(scan_ints *hit)
 {
@@ -230,57 +165,94 @@ static void make_hits(scan_ints *hit)
     }
 }
 
+/* Places are whole, so a distance is off by 2 sqrt(3) units at most; products of
+ * coordinates are rounded; so are squares in single precision, by half a unit. */
 void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 {
-    s->place = (const double *const *)list->own->place;
-    s->reach = (list->def.support + list->def.skin) * WIDER;
+    const double radius = list->def.support + list->def.skin;
+    const double wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 5;
+
+    s->list = list;
     s->chunks = 0;
-    memset(s->x, 0, sizeof s->x);
-    for (int l = 0; l < LANES; l++) {
+    s->reach = radius * wide / LIST_UNITS;
+    s->bound = (float)(wide * wide);
+    for (int l = 0; l < LANES; l++)
         s->near[l] = near + (size_t)l * room;
-        s->self[l] = SCAN_NOWHERE;
-    }
     make_hits(s->hit);
-    s->count_up = s->hit[SCAN_HITS - 1];
+}
+
+static const double *position(const struct scan *s, int lane)
+{
+    return s->list->own->built + (size_t)DIM * (size_t)s->list->order[s->group + lane];
+}
+
+/* The lane looks for neighbours. */
+static void set_place(struct scan *s, int lane)
+{
+    for (int d = 0; d < DIM; d++)
+        s->place[lane][d] = s->list->own->place[d][s->group + lane];
+}
+
+/* It does not: as far from the group as places can be. */
+static void set_nowhere(struct scan *s, int lane)
+{
+    for (int d = 0; d < DIM; d++)
+        s->place[lane][d] = s->list->own->place[d][s->group] + (1u << 31);
+}
+
+/* The box of lanes from..to-1, widened by the reach. */
+static void set_box(struct scan *s, int from, int to)
+{
+    for (int d = 0; d < DIM; d++) {
+        double low = position(s, from)[d], high = low;
+
+        for (int l = from + 1; l < to; l++) {
+            const double x = position(s, l)[d];
+
+            low = x < low ? x : low;
+            high = x > high ? x : high;
+        }
+        s->low[d] = low - s->reach;
+        s->high[d] = high + s->reach;
+    }
 }
 
 void scan_group(struct scan *s, int group, int owners)
 {
     s->group = group;
     s->owners = owners;
-    set_origin(s, 0);
+    for (int l = 0; l < LANES; l++)
+        l < owners ? set_place(s, l) : set_nowhere(s, l);
+    set_box(s, 0, owners);
+    s->apart = false;
+    for (int d = 0; d < DIM; d++)
+        s->apart |= s->high[d] - s->low[d] > 3 * s->reach;
+}
+
+static void take_box(struct scan *s, const struct cells *c)
+{
+    struct cells_window w;
+
+    if (cells_window(c, s->low, s->high, &w))
+        take_window(s, c, &w);
 }
 
 /* Owners so far apart that their common box holds too many: one by one. */
-static void near_apart(struct scan *s, const struct cells *c)
+static void take_apart(struct scan *s, const struct cells *c)
 {
-    for (int l = 0; l < s->owners; l++) {
-        double low[DIM], high[DIM];
-        struct cells_window w;
-
-        s->first = s->last = l;
-        set_origin(s, l);
-        box_of(s, low, high);
-        if (cells_window(c, low, high, &w))
-            collect_window(s, c, &w);
+    for (int lane = 0; lane < s->owners; lane++) {
+        for (int l = 0; l < LANES; l++)
+            l == lane ? set_place(s, l) : set_nowhere(s, l);
+        set_box(s, lane, lane + 1);
+        take_box(s, c);
     }
-    set_origin(s, 0);
 }
 
 void scan_near(struct scan *s, const struct cells *c)
 {
-    double low[DIM], high[DIM];
-    struct cells_window w;
-
     memset(s->count, 0, sizeof s->count);
-    s->first = 0;
-    s->last = s->owners - 1;
-    box_of(s, low, high);
-    for (int d = 0; d < DIM; d++)
-        if (high[d] - low[d] > 3 * s->reach) {
-            near_apart(s, c);
-            return;
-        }
-    if (cells_window(c, low, high, &w))
-        collect_window(s, c, &w);
+    if (s->apart)
+        take_apart(s, c);
+    else
+        take_box(s, c);
 }

@@ -1,6 +1,6 @@
 /* scan.h -- finds the neighbours of LANES owners at a time.
  *
- *     scan_start(&scan, list);                     once
+ *     scan_start(&scan, list, memory, room);       once
  *     scan_group(&scan, group, owners);            for each group
  *     scan_near(&scan, &list->own->cells[kind]);   near and count are made */
 #ifndef SPACE_SCAN_H
@@ -13,36 +13,34 @@ enum {
     SCAN_WIDE = 2 * LANES,      /* candidates compared at a time              */
     SCAN_HITS = 1 << SCAN_WIDE, /* outcomes                                   */
     SCAN_CHUNKS = 128,          /* of SCAN_WIDE candidates collected at most  */
-    SCAN_BLOCK = 4,             /* chunks collected without asking            */
-    SCAN_NOWHERE = SCAN_CHUNKS * SCAN_WIDE
+    SCAN_BLOCK = 4              /* chunks collected without asking            */
 };
-_Static_assert(SCAN_BLOCK * SCAN_WIDE <= (int)LIST_PAD, "places are read a block at a time");
+_Static_assert(SCAN_WIDE <= (int)LIST_PAD, "places are read SCAN_WIDE at a time");
 
 typedef float scan_floats __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
+typedef unsigned scan_units __attribute__((vector_size(4 * SCAN_WIDE)));
 
 struct scan {
-    int count[LANES];          /* neighbours found of each owner             */
-    int *near[LANES];          /* [count, and 2 SCAN_WIDE more] their slots  */
+    int count[LANES];        /* neighbours found of each owner               */
+    int *near[LANES];        /* [count, and SCAN_WIDE more] their slots      */
 
     /* The group at work. */
-    int group, owners;         /* first slot, lanes in use                   */
-    double origin[DIM];        /* subtracted from everybody           [m]    */
-    float own[LANES][DIM];     /* owners, after that                  [m]    */
-    int first, last;           /* lanes that look for neighbours now         */
+    int group, owners;           /* first slot, lanes in use                 */
+    double low[DIM], high[DIM];  /* the box around them, and the reach   [m] */
+    bool apart;                  /* they are far from one another            */
+    unsigned place[LANES][DIM];  /* places of owners, lanes not in use nowhere */
 
     /* Candidates in chunks of SCAN_WIDE consecutive slots. */
     int chunks;
-    int self[LANES];           /* owner among them, else SCAN_NOWHERE        */
     int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first slot of each chunk          */
-    float x[DIM][(SCAN_CHUNKS + SCAN_BLOCK) * SCAN_WIDE]; /* less origin [m] */
-    unsigned char hits[SCAN_CHUNKS + 1][LANES]; /* bit i: candidate i is near */
+    unsigned char there[SCAN_CHUNKS + SCAN_BLOCK][LANES]; /* bit i: slot i counts */
 
     /* The same for all groups. */
-    const double *const *place;
-    double reach;              /* widened radius                      [m]    */
-    scan_ints hit[SCAN_HITS];  /* the set bits of a mask in turn             */
-    scan_ints count_up;        /* 0, 1, 2, ...                               */
+    const struct list *list;
+    double reach;             /* widened radius                        [m]    */
+    float bound;              /* its square                   [LIST_UNITS^-2] */
+    scan_ints hit[SCAN_HITS]; /* the set bits of a mask in turn               */
 };
 
 /* near[] is [LANES][room] of the caller, room at least listed + 2 SCAN_WIDE. */

@@ -103,6 +103,15 @@ static void report(struct arkode *a, bool stopped, struct method_step *out)
         a->natural = a->choice[0].h;
 }
 
+/* SUNDIALS 7 does not ask for the first stage where the table says that it is the
+ * last one of the step before; dense output needs those rates all the same. */
+static void prepare_first_stage(struct arkode *a)
+{
+    a->stage = 0;
+    if (a->last_y && arkode_rates(a) != STATUS_DONE)
+        a->node[0].has_f = false; /* the step will hear it too */
+}
+
 int arkode_step(void *self, double t_stop, struct method_step *out)
 {
     struct arkode *a = self;
@@ -117,6 +126,7 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
     if (!a->launched)
         TRY(launch(a, t_stop));
     sundials_forget();
+    prepare_first_stage(a);
     if (ARKodeSetStopTime(a->ark, t_stop) != 0)
         return refuse_launch(a);
     flag = ARKodeEvolve(a->ark, t_stop, slot->y, &t, ARK_ONE_STEP);

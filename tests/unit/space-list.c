@@ -92,10 +92,13 @@ static void check_fresh(const struct space_cloud *c, const struct list *list)
 {
     const double radius = c->def.support + c->def.skin;
     char *listed = test_malloc((size_t)c->n * (size_t)c->n + 1);
+    double far = 0; /* coordinates have 16 digits */
 
+    for (int i = 0; i < c->n * DIM; i++)
+        far = list_inside(&c->def, c->x + i / DIM * DIM) ? fmax(far, fabs(c->x[i])) : far;
     check_orders(list, c);
     mark(list, c, listed);
-    check_pairs(c, listed, radius, radius * (1 + 3e-6));
+    check_pairs(c, listed, radius, radius * (1 + 3e-6) + 4e-15 * far);
     test_free(listed);
 }
 
