@@ -13,9 +13,11 @@ highest = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : start_max > 0 ? start_max :
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'pressure.png'
 set multiplot title heading noenhanced
-set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
-set cbrange [0:highest]
-set cblabel 'pressure [kPa]'
+# Tension has colours of its own; who lies beyond an end of the scale has the colour of the end.
+set palette defined (-2.5 '#d73027', -0.01 '#fdbfae', 0 '#440154', 1 '#414487', 2 '#2a788e', \
+    3 '#22a884', 4 '#7ad151', 5 '#fde725')
+set cbrange [-highest / 2:highest]
+set cblabel 'pressure [kPa], red: tension, ends: and beyond'
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7

@@ -9,6 +9,7 @@
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static int list(const char *what)
 {
@@ -35,7 +36,12 @@ static int explain(const char *name)
 
 static int plot(const char *directory)
 {
-    char scripts[4200], reference[4200];
+    char scripts[4200], reference[4200], report[4200];
+
+    snprintf(report, sizeof report, "%.4096s/run.json", directory);
+    if (access(report, R_OK) != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s cannot be read)", directory,
+                           report);
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
     snprintf(reference, sizeof reference, "%.4096s/data/reference", cli_data());

@@ -35,7 +35,7 @@ static void own_directory(char *to, size_t size)
 
 const char *cli_data(void)
 {
-    static char own[PATH_MAX - 32];
+    static char own[PATH_MAX - 64];
     char plots[PATH_MAX];
 
     own_directory(own, sizeof own);
@@ -47,10 +47,12 @@ const char *cli_data(void)
 
 int cli_exec(int dimension, char **argv)
 {
-    char own[PATH_MAX - 32], path[PATH_MAX];
+    char own[PATH_MAX - 64], path[PATH_MAX];
 
     own_directory(own, sizeof own);
     snprintf(path, sizeof path, "%s/stiffwater-%dd", own, dimension);
+    if (access(path, X_OK) != 0) /* installed, perhaps moved with its whole prefix */
+        snprintf(path, sizeof path, "%s/../libexec/stiffwater/stiffwater-%dd", own, dimension);
     if (access(path, X_OK) != 0)
         snprintf(path, sizeof path, "%s/stiffwater-%dd", STIFFWATER_LIBEXECDIR, dimension);
     execv(path, argv);

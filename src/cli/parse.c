@@ -41,8 +41,8 @@ static const struct command commands[] = {
       "Simulates nothing, writes nothing.", run_options, 1, true },
     { "plot", CLI_PLOT, "DIR", "Draws the figures of a run again, by gnuplot.", no_options, 1,
       false },
-    { "list", CLI_LIST, "effects|kernels|eos|pressure|walls|bodies|methods",
-      "Lists what there is, a line each.", no_options, 1, false },
+    { "list", CLI_LIST, "TABLE",
+      "Lists what there is: effects, kernels, eos, pressure, walls, bodies or methods.", no_options, 1, false },
     { "explain", CLI_EXPLAIN, "NAME",
       "Explains an effect, kernel, equation of state, wall model, body or group of keys: "
       "equation, source, parameters with units and defaults.", no_options, 1, false },
@@ -52,24 +52,24 @@ static const struct command commands[] = {
       "Runs a scene with many methods (not there yet).", no_options, 1, true },
 };
 
-enum { COMMANDS = sizeof commands / sizeof commands[0], TEXT = 128, TEXTS = 4 };
+enum { COMMANDS = sizeof commands / sizeof commands[0], TEXT = 128 };
 
 struct state {
     const struct command *command;
     struct cli *cli;
-    char text[TEXTS][TEXT]; /* overrides made of options live as long as the program */
-    int texts;
+    char text[CLI_OVERRIDES][TEXT]; /* overrides made of options live as long as the program */
 };
 
 static void add_override(struct argp_state *argp, const char *key, const char *value)
 {
     struct state *s = argp->input;
-    char *text = s->text[s->texts++ % TEXTS];
+    char *text;
 
-    if (value)
-        snprintf(text, TEXT, "%s=%s", key, value);
     if (s->cli->overrides == CLI_OVERRIDES)
         argp_error(argp, "more than %d settings", CLI_OVERRIDES);
+    text = s->text[s->cli->overrides];
+    if (value && snprintf(text, TEXT, "%s=%s", key, value) >= TEXT)
+        argp_error(argp, "%.32s...: a %s this long cannot be right", value, key);
     s->cli->override[s->cli->overrides++] = value ? text : key;
 }
 
@@ -125,7 +125,7 @@ static void help(FILE *to)
           "Particle hydrodynamics and the structures it hits, as one ordinary differential\n"
           "equation that SUNDIALS integrates with error control.\n\n", to);
     for (int i = 0; i < COMMANDS; i++)
-        fprintf(to, "  %-8s %-34.34s %.*s\n", commands[i].name, commands[i].args,
+        fprintf(to, "  %-8s %-22.22s %.*s\n", commands[i].name, commands[i].args,
                 (int)strcspn(commands[i].doc, ".\v") + 1, commands[i].doc);
     fputs("\n  COMMAND --help      options of a command\n"
           "  --version           versions of the program and its libraries\n", to);

@@ -46,7 +46,7 @@ const struct part LANE_NAME(effects_gravity) = {
     .name = "gravity",
     .about = "weight of the fluid (the scene's `gravity` calls for it)",
     .equation = "(G1) dv_a/dt = g",
-    .source = "seed (32)",
+    .source = "Toth 2012, (32)",
     .size = sizeof(struct gravity),
     .prepare = prepare,
     .field = field,

@@ -5,9 +5,12 @@
 
 #include "base/status.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+static_assert(PLAN_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "a work of everybody fits");
 
 int plan_book_rows(struct plan *p)
 {

@@ -285,6 +285,18 @@ static int make_layout(struct plan *p)
     return p->scratch ? STATUS_DONE : STATUS_FAILED;
 }
 
+/* How far walls move along axis d until the end [m]: who leaves the tank that moves
+ * has left, not who is carried along with it. */
+static double wall_reach(const struct plan *p, int d)
+{
+    double most = 0;
+
+    for (int i = 0; i < p->walls; i++)
+        most = fmax(most, fabs(p->wall[i].motion.velocity[d]) * p->in.set.until
+                              + fabs(p->wall[i].motion.amplitude[d]));
+    return most;
+}
+
 static void make_list_def(struct plan *p)
 {
     struct list_def *d = &p->list_def;
@@ -293,7 +305,7 @@ static void make_list_def(struct plan *p)
     d->support = p->scales.support;
     d->skin = p->in.kernel.skin * p->scales.support;
     for (int i = 0; i < DIM; i++) { /* walls stand outside of the domain */
-        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx;
+        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx + wall_reach(p, i);
         d->low[i] = p->scales.low[i] - room;
         d->high[i] = p->scales.high[i] + room;
     }

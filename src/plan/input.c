@@ -274,6 +274,9 @@ static int read_bodies(struct scene *scene, struct input *in)
         TRY(check_objects(group, bodies_table[k]->group));
         n += scene_count(group);
     }
+    if (n > INPUT_BODIES)
+        return status_fail(STATUS_BAD_SCENE, "%s: %d beams are more than the %d that a scene may "
+                           "have", scene_path(scene), n, INPUT_BODIES);
     if (!(in->body = status_alloc(n + 1, sizeof *in->body)))
         return STATUS_FAILED;
     for (int k = 0; bodies_table[k]; k++)

@@ -38,7 +38,7 @@ struct input_effect {
     void *self; /* part->size bytes, owned; NULL when size is 0 */
 };
 
-enum { INPUT_EFFECTS = 24 };
+enum { INPUT_EFFECTS = 24, INPUT_BODIES = 16 };
 
 struct input {
     struct settings set;

@@ -5,6 +5,7 @@
 #include "plan/inside.h"
 #include "space/record.h"
 
+#include <math.h>
 #include <string.h>
 
 void plan_view(struct plan *p, double t, const double *y, struct view *v)
@@ -117,6 +118,32 @@ int plan_escaped(struct plan *p, double t, const double *y)
 int plan_lanes(const struct plan *p)
 {
     return p->engine->lanes;
+}
+
+static double length_of(const double *v)
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + (DIM == 3 ? v[2] * v[2] : 0));
+}
+
+double plan_speed_expected(const struct plan *p)
+{
+    double most = 0, fall2 = 0;
+
+    for (int i = 0; i < p->in.fluids; i++) {
+        double low[DIM], high[DIM];
+        shape_bounds(&p->in.fluid[i].set.shape, low, high);
+        for (int d = 0; d < DIM; d++) {
+            const double g = p->scales.g[d];
+            fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
+                                               : p->scales.high[d] - low[d]));
+        }
+        most = fmax(most, length_of(p->in.fluid[i].set.velocity));
+    }
+    for (int i = 0; i < p->walls; i++) {
+        const struct walls_motion *m = &p->wall[i].motion;
+        most = fmax(most, length_of(m->velocity) + 2 * M_PI * m->frequency * length_of(m->amplitude));
+    }
+    return fmax(most, sqrt(fall2));
 }
 
 int plan_parts(const struct plan *p)

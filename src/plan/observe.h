@@ -9,7 +9,7 @@
 #include "plan/settings.h"
 #include "state/part.h"
 
-enum { PLAN_WORKS = 48 };
+enum { PLAN_WORKS = 72 }; /* of all parts, walls, and two of each body */
 
 /* The book at one moment.  Identity: total - total(0) - sum of work = defect of
  * time integration; momentum - momentum(0) - momentum_given likewise. */
@@ -52,6 +52,10 @@ int plan_probes(const struct plan *plan);
 const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
 int plan_escaped(struct plan *plan, double t, const double *y); /* fluid outside the box */
 int plan_lanes(const struct plan *plan);
+
+/* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a
+ * fall through the domain. */
+double plan_speed_expected(const struct plan *plan);
 
 /* Parts in the plan, a line each, for `check`. */
 int plan_parts(const struct plan *plan);

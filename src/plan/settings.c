@@ -43,7 +43,7 @@ const struct param settings_kernel_params[] = {
     { .key = "support", .unit = "spacings", AT(settings_kernel, support), .fallback = 3,
       .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
     { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.1, .min = 0.001,
-      .max = 1, .about = "extra radius of the pair list; changes speed, not results" },
+      .max = 1, .about = "extra radius of the pair list; changes speed, and only the last bits of results" },
     { 0 },
 };
 

@@ -74,7 +74,7 @@ const struct part pressure_tait = {
     .name = "tait",
     .about = "pressure of a slightly compressible liquid",
     .equation = "(E2) p = rho0 c0^2/gamma ((rho/rho0)^gamma - 1)",
-    .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406; seed (20)",
+    .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406; Toth 2012, (20)",
     .size = sizeof(struct tait),
     .params = params,
     .needs = FIELD_DENSITY,

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 512, NAME = 80 };
+enum { COLUMNS = 4096, NAME = 80 };
 
 static const char axes[] = "xyz";
 
@@ -41,7 +41,7 @@ struct outputs {
 
 /* Column names and units on their way to a file. */
 struct head {
-    int n;
+    int n; /* columns asked for; open_series() refuses more than there is room for */
     char name[COLUMNS][NAME], unit[COLUMNS][16];
 };
 
@@ -53,12 +53,12 @@ static void column(struct head *h, const char *unit, const char *format, ...)
 {
     va_list args;
 
-    if (h->n == COLUMNS)
+    if (h->n++ >= COLUMNS)
         return;
     va_start(args, format);
-    vsnprintf(h->name[h->n], NAME, format, args);
+    vsnprintf(h->name[h->n - 1], NAME, format, args);
     va_end(args);
-    snprintf(h->unit[h->n++], sizeof h->unit[0], "%s", unit);
+    snprintf(h->unit[h->n - 1], sizeof h->unit[0], "%s", unit);
 }
 
 static int open_series(struct series **out, const char *dir, const char *file, struct head *h)
@@ -66,12 +66,25 @@ static int open_series(struct series **out, const char *dir, const char *file, s
     const char *name[COLUMNS], *unit[COLUMNS];
     char path[ASIDE_PATH];
 
+    if (h->n > COLUMNS)
+        return status_fail(STATUS_BAD_SCENE, "%s would have %d columns, more than %d: use fewer "
+                           "walls, beams or probes", file, h->n, COLUMNS);
     for (int i = 0; i < h->n; i++) {
         name[i] = h->name[i];
         unit[i] = h->unit[i];
     }
     TRY(aside_join(path, dir, file));
     return series_open(out, path, h->n, name, unit);
+}
+
+/* A table that this scene does not have: one of an earlier run would be taken for it. */
+static int no_series(const char *dir, const char *file)
+{
+    char path[ASIDE_PATH];
+
+    TRY(aside_join(path, dir, file));
+    remove(path);
+    return STATUS_DONE;
 }
 
 static void head_start(struct head *h)
@@ -118,7 +131,7 @@ static int open_forces(struct outputs *o, struct plan *plan, const char *dir, st
         for (int d = 0; d < DIM; d++)
             column(h, UNIT("N s"), "%s.i%c", all->object[i].name, axes[d]);
     }
-    return h->n > 1 ? open_series(&o->forces, dir, "forces.csv", h) : STATUS_DONE;
+    return h->n > 1 ? open_series(&o->forces, dir, "forces.csv", h) : no_series(dir, "forces.csv");
 }
 
 static int open_beam(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
@@ -134,7 +147,7 @@ static int open_beam(struct outputs *o, struct plan *plan, const char *dir, stru
         column(h, UNIT("N"), "%s.root_force", name);
         column(h, UNIT("N m"), "%s.root_moment", name);
     }
-    return h->n > 1 ? open_series(&o->beam, dir, "beam.csv", h) : STATUS_DONE;
+    return h->n > 1 ? open_series(&o->beam, dir, "beam.csv", h) : no_series(dir, "beam.csv");
 }
 
 static int open_probes(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
@@ -145,13 +158,13 @@ static int open_probes(struct outputs *o, struct plan *plan, const char *dir, st
         const struct settings_probe *p = plan_probe(plan, i, &name);
         column(h, p->what[0] == 'p' ? "Pa" : p->what[0] == 'h' ? "m" : "m/s", "%s", name);
     }
-    return h->n > 1 ? open_series(&o->probes, dir, "probes.csv", h) : STATUS_DONE;
+    return h->n > 1 ? open_series(&o->probes, dir, "probes.csv", h) : no_series(dir, "probes.csv");
 }
 
 static int open_front(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
 {
     if (particles_count(plan_particles(plan), KIND_FLUID) == 0)
-        return STATUS_DONE;
+        return no_series(dir, "front.csv");
     TRY(crowd_create(plan_particles(plan), &o->crowd));
     head_start(h);
     column(h, "m", "x");
@@ -255,7 +268,7 @@ static int row_forces(struct outputs *o, struct plan *plan, double t, const doub
     int n = 0;
 
     v[n++] = t;
-    for (int i = 0; i < all->objects && n + 2 * DIM <= COLUMNS; i++) {
+    for (int i = 0; i < all->objects; i++) {
         if (!solid(&all->object[i]))
             continue;
         for (int d = 0; d < DIM; d++)
@@ -272,7 +285,7 @@ static int row_beam(struct outputs *o, struct plan *plan, double t, const double
     int n = 0;
 
     v[n++] = t;
-    for (int i = 0; i < plan_bodies(plan) && n + 7 <= COLUMNS; i++) {
+    for (int i = 0; i < plan_bodies(plan); i++) {
         struct body_view b;
         plan_body_view(plan, i, t, y, &b);
         v[n++] = b.tip[0];
@@ -324,7 +337,7 @@ static int row_water(struct outputs *o, struct plan *plan, double t, const doubl
     v[n++] = front.height;
     TRY(series_row(o->front, v));
     n = 1;
-    for (int i = 0; i < plan_probes(plan) && n < COLUMNS; i++) {
+    for (int i = 0; i < plan_probes(plan); i++) {
         const char *name;
         const struct settings_probe *p = plan_probe(plan, i, &name);
         v[n++] = probe_value(o, plan, p);

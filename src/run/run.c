@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -22,6 +23,8 @@ struct ticks {
 };
 
 enum { TICKS = 3 };
+
+static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
 static const char *const limiters[] = { "error", "stability", "output" };
 
@@ -37,6 +40,22 @@ static void make_ticks(const struct run *r, struct ticks tick[TICKS])
         tick[2].next = 1;
 }
 
+static int stopped(const struct run *r, const char *files)
+{
+    return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", stop_asked(),
+                       r->tally.t, r->until, files);
+}
+
+/* A step may owe a million rows: too many to wait for. */
+static bool is_impatient(struct run *r)
+{
+    if (!stop_asked())
+        return false;
+    if (r->clock_stop == 0)
+        r->clock_stop = run_clock();
+    return run_clock() - r->clock_stop > patience;
+}
+
 /* Every output that is due in (.., t]; at t itself the state is exact. */
 static int write_due(struct run *r, struct ticks tick[TICKS], double t)
 {
@@ -47,6 +66,8 @@ static int write_due(struct run *r, struct ticks tick[TICKS], double t)
         for (; tick[i].next * tick[i].every <= t + slack
                && tick[i].next * tick[i].every <= r->until + slack; tick[i].next++) {
             const double due = fmin(tick[i].next * tick[i].every, t);
+            if (is_impatient(r))
+                return stopped(r, "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
             TRY(tick[i].write(r->outputs, r->plan, due, due < t ? r->y : end));
@@ -105,9 +126,7 @@ static int go(struct run *r, struct progress *progress)
         TRY(write_due(r, tick, r->tally.t));
         TRY(next_segment(r));
         if (stop_asked() && r->tally.t < r->until)
-            return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; all "
-                               "files are complete up to there", stop_asked(), r->tally.t,
-                               r->until);
+            return stopped(r, "all files are complete up to there");
     }
     return STATUS_DONE;
 }
@@ -154,14 +173,40 @@ static int write_constants(const struct run *r)
     return figures_constants(r->directory, &c);
 }
 
+/* Of an earlier run: who finds run.json finds how this run ended. */
+static int forget_report(const struct run *r)
+{
+    char path[ASIDE_PATH];
+
+    TRY(aside_join(path, r->directory, "run.json"));
+    remove(path);
+    return STATUS_DONE;
+}
+
 static int start(struct run *r)
 {
     plan_start(r->plan, r->y);
     TRY(r->method->create(r->method, &r->def, r->plan, 0, r->y, &r->self));
     snprintf(r->table, sizeof r->table, "%s", r->method->table ? r->method->table(r->self) : "");
+    TRY(forget_report(r));
     TRY(outputs_open(&r->outputs, r->plan, r->directory));
     keep_density(r, 0, r->y);
     return write_used(r);
+}
+
+/* What a user should hear of a run that ended well, even a quiet one. */
+static void tell_doubts(struct run *r)
+{
+    const double rho0 = plan_scales(r->plan)->rho0;
+    const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
+
+    if (out > 0)
+        status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
+                    "the book count them", out);
+    if (r->tally.density[1] > 1.2 * rho0)
+        status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
+                    "the largest speed)", r->tally.density[1],
+                    100 * (r->tally.density[1] / rho0 - 1));
 }
 
 /* The last row of a run that ended early: where it ended. */
@@ -195,6 +240,8 @@ int run_scene(const struct run_order *order)
         snprintf(message, sizeof message, "%s", status_message());
         write_end(&r);
     }
+    if (status == STATUS_DONE)
+        tell_doubts(&r);
     last = write_constants(&r);
     if (status == STATUS_DONE)
         status = last;

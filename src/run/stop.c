@@ -1,21 +1,43 @@
-/* stop.c -- notes SIGINT and SIGTERM. */
+/* stop.c -- notes SIGINT and SIGTERM.
+ *
+ * timeout(1) and batch systems signal the process and then its group, so that one
+ * wish comes twice: what follows within a second is the same wish. */
 #include "run/stop.h"
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <time.h>
 
 static volatile sig_atomic_t asked;
+static struct timespec first; /* touched by the handler only */
 
-static void note(int signal)
+static bool is_again(const struct timespec *now)
 {
-    asked = signal;
+    return (double)(now->tv_sec - first.tv_sec) + 1e-9 * (double)(now->tv_nsec - first.tv_nsec) > 1;
+}
+
+static void note(int number)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (!asked) {
+        first = now;
+        asked = number;
+    } else if (is_again(&now)) {
+        signal(number, SIG_DFL);
+        raise(number); /* waits until this handler is left */
+    }
 }
 
 void stop_listen(void)
 {
-    struct sigaction action = { .sa_handler = note, .sa_flags = SA_RESETHAND };
+    struct sigaction action = { .sa_handler = note, .sa_flags = SA_RESTART };
 
     sigemptyset(&action.sa_mask);
+    sigaddset(&action.sa_mask, SIGINT);
+    sigaddset(&action.sa_mask, SIGTERM);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }

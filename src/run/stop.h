@@ -2,7 +2,8 @@
 #ifndef RUN_STOP_H
 #define RUN_STOP_H
 
-void stop_listen(void); /* from now on signals are only noted; a second one kills */
-int stop_asked(void);   /* the signal that came, 0: none                          */
+void stop_listen(void); /* from now on signals are only noted; one that comes
+                         * more than a second after the first kills            */
+int stop_asked(void);   /* the signal that came, 0: none                       */
 
 #endif

@@ -107,6 +107,15 @@ static void count(struct list *list, const struct cloud *cloud, int kind, struct
         c->start[k] += c->start[k - 1];
 }
 
+/* Two coordinates (one, if no more are left) as the scan compares them. */
+static int word(const double *x, int left, double per_metre)
+{
+    const unsigned low = (unsigned)(long long)(x[0] * per_metre);
+    const unsigned high = left > 1 ? (unsigned)(long long)(x[1] * per_metre) : 0;
+
+    return (int)(high << 16 | (low & 0xffff));
+}
+
 static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
     struct list_private *own = list->own;
@@ -124,10 +133,10 @@ static void place(struct list *list, const struct cloud *cloud, int kind, struct
         const int s = c->start[list->slot[i] + 1]++;
         list->slot[i] = s;
         list->order[s] = i;
-        for (int d = 0; d < DIM; d++) {
-            own->place[d][s] = (unsigned)(long long)(x[d] * per_metre);
+        for (int d = 0; d < DIM; d++)
             built[d] = x[d];
-        }
+        for (int w = 0; w < LIST_WORDS; w++)
+            own->place[w][s] = word(x + 2 * w, DIM - 2 * w, per_metre);
     }
 }
 
@@ -148,7 +157,7 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         list->start[kind + 1] = list->start[kind] + inside;
     }
     list->listed = list->start[KINDS];
-    for (int d = 0; d < DIM; d++)
-        memset(list->own->place[d] + list->listed, 0, LIST_PAD * sizeof(unsigned));
+    for (int w = 0; w < LIST_WORDS; w++)
+        memset(list->own->place[w] + list->listed, 0, LIST_PAD * sizeof(int));
     return STATUS_DONE;
 }

@@ -6,8 +6,9 @@
 #include "space/list.h"
 
 enum {
-    LIST_PAD = 32,        /* places may be read this far beyond the last slot  */
-    LIST_UNITS = 1 << 22  /* of places in support + skin                       */
+    LIST_PAD = 32,              /* places are read so far beyond the last slot */
+    LIST_UNITS = 1 << 13,       /* of places in support + skin                 */
+    LIST_WORDS = (DIM + 1) / 2  /* of two coordinates each                     */
 };
 
 /* The rows one thread made; what a thread needs to make them. */
@@ -30,8 +31,8 @@ struct list_found {
 struct list_private {
     double *built;      /* [n][DIM] position at the last rebuild [m];
                            infinite for those left out                       */
-    unsigned *place[DIM]; /* [listed + LIST_PAD] the same in slot order, in
-                             units, modulo 2^32                              */
+    int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same in slot order and
+                           units, two coordinates modulo 2^16 in a word      */
     double farthest;    /* from 0, of a coordinate                    [m]    */
     struct cells cells[KINDS];
     int stores;

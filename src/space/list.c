@@ -62,8 +62,8 @@ int list_create(struct list **list, const struct list_def *def, int lanes)
     made->slot = array(n, sizeof *made->slot);
     own->built = array(n * DIM, sizeof *own->built);
     bool good = made->order && made->slot && own->built;
-    for (int d = 0; d < DIM; d++)
-        good = good && (own->place[d] = array(n + LIST_PAD, sizeof(unsigned)));
+    for (int w = 0; w < LIST_WORDS; w++)
+        good = good && (own->place[w] = array(n + LIST_PAD, sizeof(int)));
     made->group_slot = own->group_slot = array(groups, sizeof *own->group_slot);
     made->group_kind = own->group_kind = array(groups, sizeof *own->group_kind);
     made->segment_from = own->segment_from = array(groups + 1, sizeof *own->segment_from);
@@ -87,8 +87,8 @@ void list_free(struct list **list)
     }
     for (int kind = 0; kind < KINDS; kind++)
         free(own->cells[kind].start);
-    for (int d = 0; d < DIM; d++)
-        free(own->place[d]);
+    for (int w = 0; w < LIST_WORDS; w++)
+        free(own->place[w]);
     free(own->store);
     free(own->built);
     free(own->group_slot);

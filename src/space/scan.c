@@ -1,19 +1,37 @@
 /* scan.c -- finds neighbours by comparing with all who are in the cells around.
  *
- * Places are whole numbers, so their differences are exact however large the
- * domain is; they are squared in single precision, SCAN_WIDE candidates at a
- * time.  The radius is widened by more than all roundings together, so no pair
- * is ever missed. */
+ * Places are whole numbers of 16 bits, so that one instruction squares and adds
+ * two differences of each of SCAN_WIDE candidates.  They count modulo 8 radii:
+ * those in the cells around are nearer than 4, and where cells had to be coarse
+ * somebody far away may be listed, which changes no sum.  The radius is widened
+ * by more than all roundings together, so no pair is ever missed. */
 #include "space/scan.h"
 
 #include <float.h>
+#include <limits.h>
 #include <string.h>
 #if LANES == 4 || defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
-/* Bit l of the answer: lane l is below the bound. */
-static inline unsigned below(scan_floats a, float bound)
+/* a[2i]^2 + a[2i+1]^2 */
+static inline scan_ints squares(scan_places a)
+{
+#if LANES == 4
+    return (scan_ints)_mm256_madd_epi16((__m256i)a, (__m256i)a);
+#elif defined(__SSE2__)
+    return (scan_ints)_mm_madd_epi16((__m128i)a, (__m128i)a);
+#else
+    scan_ints sum;
+
+    for (int i = 0; i < SCAN_WIDE; i++)
+        sum[i] = (int)((unsigned)(a[2 * i] * a[2 * i]) + (unsigned)(a[2 * i + 1] * a[2 * i + 1]));
+    return sum;
+#endif
+}
+
+/* Bit i of the answer: a[i] < bound. */
+static inline unsigned below(scan_ints a, scan_ints bound)
 {
 #if LANES == 4
     return (unsigned)_mm256_movemask_ps((__m256)(a < bound));
@@ -22,8 +40,8 @@ static inline unsigned below(scan_floats a, float bound)
 #else
     unsigned mask = 0;
 
-    for (int l = 0; l < SCAN_WIDE; l++)
-        mask |= (unsigned)(a[l] < bound) << l;
+    for (int i = 0; i < SCAN_WIDE; i++)
+        mask |= (unsigned)(a[i] < bound[i]) << i;
     return mask;
 #endif
 }
@@ -39,42 +57,34 @@ static inline int bits(unsigned mask)
 #endif
 }
 
-static inline scan_units units_at(const unsigned *place)
+static inline scan_places places_at(const int *place)
 {
-    scan_units u;
+    scan_places p;
 
-    memcpy(&u, place, sizeof u);
-    return u;
-}
-
-/* Square of the distance of SCAN_WIDE candidates from one owner [units^2]. */
-static inline scan_floats distance2(const scan_units *x, const unsigned *owner)
-{
-    scan_floats r2;
-
-    for (int d = 0; d < DIM; d++) {
-        const scan_floats away = __builtin_convertvector((scan_ints)(x[d] - owner[d]), scan_floats);
-        r2 = d == 0 ? away * away : r2 + away * away;
-    }
-    return r2;
+    memcpy(&p, place, sizeof p);
+    return p;
 }
 
 /* Appends those of the chunks that are near to what each lane has got. */
 static void flush(struct scan *s)
 {
-    unsigned *const *place = s->list->own->place;
+    int *const *place = s->list->own->place;
+    const scan_ints bound = s->bound - (scan_ints){ 0 };
+    scan_places owner[LANES][LIST_WORDS];
     int *end[LANES];
 
+    memcpy(owner, s->owner, sizeof owner);
     for (int l = 0; l < LANES; l++)
         end[l] = s->near[l] + s->count[l];
     for (int c = 0; c < s->chunks; c++) {
-        scan_units x[DIM];
+        const int at = s->slot[c];
 
-        for (int d = 0; d < DIM; d++)
-            x[d] = units_at(place[d] + s->slot[c]);
         for (int l = 0; l < LANES; l++) {
-            const unsigned hits = below(distance2(x, s->place[l]), s->bound) & s->there[c][l];
-            const scan_ints slots = s->hit[hits] + s->slot[c];
+            scan_ints r2 = squares(places_at(place[0] + at) - owner[l][0]);
+            for (int w = 1; w < LIST_WORDS; w++)
+                r2 += squares(places_at(place[w] + at) - owner[l][w]);
+            const unsigned hits = below(r2, bound) & s->there[c][l];
+            const scan_ints slots = s->hit[hits] + at;
 
             memcpy(end[l], &slots, sizeof slots);
             end[l] += bits(hits);
@@ -102,14 +112,16 @@ static void leave_out_owners(struct scan *s, int from, int first)
 static inline void collect(struct scan *s, int from, int to)
 {
     const int first = s->chunks;
+    const unsigned char last = (SCAN_HITS - 1) >> (-(unsigned)(to - from) % SCAN_WIDE);
 
     for (int at = from; at < to; at += SCAN_BLOCK * SCAN_WIDE, s->chunks += SCAN_BLOCK)
         for (int c = 0; c < SCAN_BLOCK; c++) {
             s->slot[s->chunks + c] = at + c * SCAN_WIDE;
-            memset(s->there[s->chunks + c], SCAN_HITS - 1, LANES);
+            memcpy(s->there[s->chunks + c], s->looks, LANES);
         }
     s->chunks = first + (to - from + SCAN_WIDE - 1) / SCAN_WIDE;
-    memset(s->there[s->chunks - 1], (SCAN_HITS - 1) >> (-(unsigned)(to - from) % SCAN_WIDE), LANES);
+    for (int l = 0; l < LANES; l++)
+        s->there[s->chunks - 1][l] &= last;
     if (from < s->group + LANES && to > s->group)
         leave_out_owners(s, from, first);
 }
@@ -166,16 +178,16 @@ static void make_hits(scan_ints *hit)
 }
 
 /* Places are whole, so a distance is off by 2 sqrt(3) units at most; products of
- * coordinates are rounded; so are squares in single precision, by half a unit. */
+ * coordinates are rounded. */
 void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 {
     const double radius = list->def.support + list->def.skin;
-    const double wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 5;
+    const double wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 4;
 
     s->list = list;
     s->chunks = 0;
     s->reach = radius * wide / LIST_UNITS;
-    s->bound = (float)(wide * wide);
+    s->bound = wide * wide < INT_MAX ? (int)(wide * wide) : INT_MAX;
     for (int l = 0; l < LANES; l++)
         s->near[l] = near + (size_t)l * room;
     make_hits(s->hit);
@@ -186,18 +198,11 @@ static const double *position(const struct scan *s, int lane)
     return s->list->own->built + (size_t)DIM * (size_t)s->list->order[s->group + lane];
 }
 
-/* The lane looks for neighbours. */
-static void set_place(struct scan *s, int lane)
+/* From now on lanes from..to-1 look for neighbours. */
+static void let_look(struct scan *s, int from, int to)
 {
-    for (int d = 0; d < DIM; d++)
-        s->place[lane][d] = s->list->own->place[d][s->group + lane];
-}
-
-/* It does not: as far from the group as places can be. */
-static void set_nowhere(struct scan *s, int lane)
-{
-    for (int d = 0; d < DIM; d++)
-        s->place[lane][d] = s->list->own->place[d][s->group] + (1u << 31);
+    for (int l = 0; l < LANES; l++)
+        s->looks[l] = l >= from && l < to ? SCAN_HITS - 1 : 0;
 }
 
 /* The box of lanes from..to-1, widened by the reach. */
@@ -217,12 +222,19 @@ static void set_box(struct scan *s, int from, int to)
     }
 }
 
+static void set_owners(struct scan *s)
+{
+    for (int l = 0; l < LANES; l++)
+        for (int w = 0; w < LIST_WORDS; w++)
+            s->owner[l][w] = (scan_places)(s->list->own->place[w][s->group + l] - (scan_ints){ 0 });
+}
+
 void scan_group(struct scan *s, int group, int owners)
 {
     s->group = group;
     s->owners = owners;
-    for (int l = 0; l < LANES; l++)
-        l < owners ? set_place(s, l) : set_nowhere(s, l);
+    set_owners(s);
+    let_look(s, 0, owners);
     set_box(s, 0, owners);
     s->apart = false;
     for (int d = 0; d < DIM; d++)
@@ -240,12 +252,12 @@ static void take_box(struct scan *s, const struct cells *c)
 /* Owners so far apart that their common box holds too many: one by one. */
 static void take_apart(struct scan *s, const struct cells *c)
 {
-    for (int lane = 0; lane < s->owners; lane++) {
-        for (int l = 0; l < LANES; l++)
-            l == lane ? set_place(s, l) : set_nowhere(s, l);
-        set_box(s, lane, lane + 1);
+    for (int l = 0; l < s->owners; l++) {
+        let_look(s, l, l + 1);
+        set_box(s, l, l + 1);
         take_box(s, c);
     }
+    let_look(s, 0, s->owners);
 }
 
 void scan_near(struct scan *s, const struct cells *c)

@@ -17,9 +17,8 @@ enum {
 };
 _Static_assert(SCAN_WIDE <= (int)LIST_PAD, "places are read SCAN_WIDE at a time");
 
-typedef float scan_floats __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
-typedef unsigned scan_units __attribute__((vector_size(4 * SCAN_WIDE)));
+typedef short scan_places __attribute__((vector_size(4 * SCAN_WIDE)));
 
 struct scan {
     int count[LANES];        /* neighbours found of each owner               */
@@ -29,7 +28,8 @@ struct scan {
     int group, owners;           /* first slot, lanes in use                 */
     double low[DIM], high[DIM];  /* the box around them, and the reach   [m] */
     bool apart;                  /* they are far from one another            */
-    unsigned place[LANES][DIM];  /* places of owners, lanes not in use nowhere */
+    unsigned char looks[LANES];  /* all bits: looks for neighbours, else 0   */
+    scan_places owner[LANES][LIST_WORDS]; /* places of owners                */
 
     /* Candidates in chunks of SCAN_WIDE consecutive slots. */
     int chunks;
@@ -39,7 +39,7 @@ struct scan {
     /* The same for all groups. */
     const struct list *list;
     double reach;             /* widened radius                        [m]    */
-    float bound;              /* its square                   [LIST_UNITS^-2] */
+    int bound;                /* its square                          [units^2] */
     scan_ints hit[SCAN_HITS]; /* the set bits of a mask in turn               */
 };
 

@@ -98,7 +98,7 @@ static void check_fresh(const struct space_cloud *c, const struct list *list)
         far = list_inside(&c->def, c->x + i / DIM * DIM) ? fmax(far, fabs(c->x[i])) : far;
     check_orders(list, c);
     mark(list, c, listed);
-    check_pairs(c, listed, radius, radius * (1 + 3e-6) + 4e-15 * far);
+    check_pairs(c, listed, radius, radius * (1 + 1e-3) + 4e-15 * far);
     test_free(listed);
 }
 
