@@ -45,7 +45,9 @@ static void scatter_fluid(const struct plan *p, const struct plan_workspace *w,
     double *xdot = ydot + layout_at(&p->layout, p->row_x);
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
 
-    memcpy(xdot, v->u[KIND_FLUID], (size_t)n * DIM * sizeof *xdot);
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int i = 0; i < n * DIM; i++)
+        xdot[i] = v->u[KIND_FLUID][i];
     if (l->start[KIND_FLUID + 1] - l->start[KIND_FLUID] < n)
         memset(udot, 0, (size_t)n * sizeof *udot); /* some have left the domain */
 #pragma omp parallel for schedule(static) if (n > 4096)

@@ -10,11 +10,15 @@
 #include "output/series.h"
 #include "output/snapshot.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 enum { COLUMNS = 4096, NAME = 80 };
 
@@ -28,6 +32,7 @@ static const char axes[] = "xyz";
 #endif
 
 struct outputs {
+    int lock; /* the directory, held against other runs; -1: not held */
     struct series *book, *front, *forces, *beam, *probes, *steps;
     struct fields *fields;
     struct snapshot *snapshot;
@@ -77,8 +82,8 @@ static int open_series(struct series **out, const char *dir, const char *file, s
     return series_open(out, path, h->n, name, unit);
 }
 
-/* A table that this scene does not have: one of an earlier run would be taken for it. */
-static int no_series(const char *dir, const char *file)
+/* A file of an earlier run would be taken for one of this run, which has none (yet). */
+static int no_file(const char *dir, const char *file)
 {
     char path[ASIDE_PATH];
 
@@ -131,7 +136,7 @@ static int open_forces(struct outputs *o, struct plan *plan, const char *dir, st
         for (int d = 0; d < DIM; d++)
             column(h, UNIT("N s"), "%s.i%c", all->object[i].name, axes[d]);
     }
-    return h->n > 1 ? open_series(&o->forces, dir, "forces.csv", h) : no_series(dir, "forces.csv");
+    return h->n > 1 ? open_series(&o->forces, dir, "forces.csv", h) : no_file(dir, "forces.csv");
 }
 
 static int open_beam(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
@@ -147,7 +152,7 @@ static int open_beam(struct outputs *o, struct plan *plan, const char *dir, stru
         column(h, UNIT("N"), "%s.root_force", name);
         column(h, UNIT("N m"), "%s.root_moment", name);
     }
-    return h->n > 1 ? open_series(&o->beam, dir, "beam.csv", h) : no_series(dir, "beam.csv");
+    return h->n > 1 ? open_series(&o->beam, dir, "beam.csv", h) : no_file(dir, "beam.csv");
 }
 
 static int open_probes(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
@@ -158,13 +163,13 @@ static int open_probes(struct outputs *o, struct plan *plan, const char *dir, st
         const struct settings_probe *p = plan_probe(plan, i, &name);
         column(h, p->what[0] == 'p' ? "Pa" : p->what[0] == 'h' ? "m" : "m/s", "%s", name);
     }
-    return h->n > 1 ? open_series(&o->probes, dir, "probes.csv", h) : no_series(dir, "probes.csv");
+    return h->n > 1 ? open_series(&o->probes, dir, "probes.csv", h) : no_file(dir, "probes.csv");
 }
 
 static int open_front(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
 {
     if (particles_count(plan_particles(plan), KIND_FLUID) == 0)
-        return no_series(dir, "front.csv");
+        return no_file(dir, "front.csv");
     TRY(crowd_create(plan_particles(plan), &o->crowd));
     head_start(h);
     column(h, "m", "x");
@@ -202,9 +207,22 @@ static int open_particles(struct outputs *o, struct plan *plan, const char *dir)
     return snapshot_open(&o->snapshot, dir);
 }
 
-static int open_all(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
+/* Two runs in one directory would mix their rows.  A file system that knows no
+ * locks has none. */
+static int lock_directory(struct outputs *o, const char *dir)
 {
     TRY(aside_directory(dir));
+    o->lock = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (o->lock >= 0 && flock(o->lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return status_fail(STATUS_IO, "%s: another run is writing there; wait until it has ended, "
+                           "or choose another directory (-o)", dir);
+    return STATUS_DONE;
+}
+
+static int open_all(struct outputs *o, struct plan *plan, const char *dir, struct head *h)
+{
+    TRY(lock_directory(o, dir));
+    TRY(no_file(dir, "run.json")); /* it is to say how this run ended */
     TRY(open_book(o, plan, dir, h));
     TRY(open_front(o, plan, dir, h));
     TRY(open_forces(o, plan, dir, h));
@@ -220,6 +238,8 @@ int outputs_open(struct outputs **out, struct plan *plan, const char *dir)
     int status;
 
     *out = status_alloc(1, sizeof **out);
+    if (*out)
+        (*out)->lock = -1;
     status = *out && h ? open_all(*out, plan, dir, h) : STATUS_FAILED;
     free(h);
     return status;
@@ -463,6 +483,8 @@ int outputs_close(struct outputs **outputs)
     free(o->x);
     free(o->u);
     free(o->kind);
+    if (o->lock >= 0)
+        close(o->lock);
     free(o);
     *outputs = NULL;
     return status;

@@ -32,21 +32,25 @@ double run_cpu(void)
 }
 
 /* "path/dam-break.scene" becomes "dam-break". */
-static void choose_directory(struct run *r, const struct run_order *order)
+static int choose_directory(struct run *r, const struct run_order *order)
 {
     const char *slash = strrchr(order->scene, '/');
+    const char *from = order->directory ? order->directory : slash ? slash + 1 : order->scene;
     char *dot;
 
-    if (order->directory) {
-        snprintf(r->directory, sizeof r->directory, "%s", order->directory);
-        return;
-    }
-    snprintf(r->directory, sizeof r->directory, "%s", slash ? slash + 1 : order->scene);
+    if (strlen(from) >= sizeof r->directory - 8)
+        return status_fail(STATUS_IO, "%.200s...: this output directory has %zu letters, more than "
+                           "%zu; choose one nearer to the root", from, strlen(from),
+                           sizeof r->directory - 8);
+    snprintf(r->directory, sizeof r->directory, "%s", from);
+    if (order->directory)
+        return STATUS_DONE;
     dot = strrchr(r->directory, '.');
     if (dot && strcmp(dot, ".scene") == 0)
         *dot = '\0';
     else
-        strncat(r->directory, ".run", sizeof r->directory - strlen(r->directory) - 1);
+        strcat(r->directory, ".run");
+    return STATUS_DONE;
 }
 
 static enum method_norm norm_of(const char *word)
@@ -103,7 +107,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     if (order->threads > 0)
         omp_set_num_threads(order->threads);
 #endif
-    choose_directory(r, order);
+    TRY(choose_directory(r, order));
     TRY(scene_read(order->scene, &r->scene));
     for (int i = 0; i < order->overrides; i++)
         TRY(scene_override(r->scene, order->override[i]));

@@ -173,22 +173,11 @@ static int write_constants(const struct run *r)
     return figures_constants(r->directory, &c);
 }
 
-/* Of an earlier run: who finds run.json finds how this run ended. */
-static int forget_report(const struct run *r)
-{
-    char path[ASIDE_PATH];
-
-    TRY(aside_join(path, r->directory, "run.json"));
-    remove(path);
-    return STATUS_DONE;
-}
-
 static int start(struct run *r)
 {
     plan_start(r->plan, r->y);
     TRY(r->method->create(r->method, &r->def, r->plan, 0, r->y, &r->self));
     snprintf(r->table, sizeof r->table, "%s", r->method->table ? r->method->table(r->self) : "");
-    TRY(forget_report(r));
     TRY(outputs_open(&r->outputs, r->plan, r->directory));
     keep_density(r, 0, r->y);
     return write_used(r);

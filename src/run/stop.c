@@ -40,6 +40,8 @@ void stop_listen(void)
     sigaddset(&action.sa_mask, SIGTERM);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN); /* nobody reads the progress line: no reason to end */
+    signal(SIGXFSZ, SIG_IGN); /* write() says it, and the run ends in order       */
 }
 
 int stop_asked(void)

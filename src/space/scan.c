@@ -24,8 +24,10 @@ static inline scan_ints squares(scan_places a)
 #else
     scan_ints sum;
 
-    for (int i = 0; i < SCAN_WIDE; i++)
-        sum[i] = (int)((unsigned)(a[2 * i] * a[2 * i]) + (unsigned)(a[2 * i + 1] * a[2 * i + 1]));
+    for (int i = 0; i < SCAN_WIDE; i++) { /* differences wrap, and have signs */
+        const int u = (short)a[2 * i], v = (short)a[2 * i + 1];
+        sum[i] = (int)((unsigned)(u * u) + (unsigned)(v * v));
+    }
     return sum;
 #endif
 }
@@ -80,10 +82,10 @@ static void flush(struct scan *s)
         const int at = s->slot[c];
 
         for (int l = 0; l < LANES; l++) {
-            scan_ints r2 = squares(places_at(place[0] + at) - owner[l][0]);
-            for (int w = 1; w < LIST_WORDS; w++)
-                r2 += squares(places_at(place[w] + at) - owner[l][w]);
-            const unsigned hits = below(r2, bound) & s->there[c][l];
+            scan_sums r2 = (scan_sums)squares(places_at(place[0] + at) - owner[l][0]);
+            for (int w = 1; w < LIST_WORDS; w++) /* of somebody far away it may wrap */
+                r2 += (scan_sums)squares(places_at(place[w] + at) - owner[l][w]);
+            const unsigned hits = below((scan_ints)r2, bound) & s->there[c][l];
             const scan_ints slots = s->hit[hits] + at;
 
             memcpy(end[l], &slots, sizeof slots);

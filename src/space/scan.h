@@ -18,7 +18,8 @@ enum {
 _Static_assert(SCAN_WIDE <= (int)LIST_PAD, "places are read SCAN_WIDE at a time");
 
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
-typedef short scan_places __attribute__((vector_size(4 * SCAN_WIDE)));
+typedef unsigned scan_sums __attribute__((vector_size(4 * SCAN_WIDE)));
+typedef unsigned short scan_places __attribute__((vector_size(4 * SCAN_WIDE)));
 
 struct scan {
     int count[LANES];        /* neighbours found of each owner               */
