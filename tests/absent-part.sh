@@ -12,7 +12,7 @@ directory=$(mktemp -d) || exit 99
 trap 'rm -rf "$directory"' EXIT
 export OMP_NUM_THREADS=1
 
-# instructions PROGRAM N: of a whole process that asks for N right-hand sides
+# instructions PROGRAM N: of a whole process that asks for N right-hand sides.
 instructions()
 {
     valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/tests/physics/$1" "$2" \
@@ -20,21 +20,30 @@ instructions()
     sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$directory/said"
 }
 
+# Copies of memory take a few instructions more or less by where they happen to lie, so
+# the less of two runs counts.
+keep_least()
+{
+    [ -f "$2" ] && [ "$(cat "$2")" -le "$1" ] || echo "$1" >"$2"
+}
+
 status=0
 for lanes in 2 4; do
     export STIFFWATER_LANES=$lanes
-    for program in absent absent-more; do
+    rm -f "$directory/absent" "$directory/absent-more"
+    for program in absent absent-more absent absent-more; do
         few=$(instructions $program 10) && many=$(instructions $program 40) ||
             { echo 'absent-part: skipped, valgrind does not run these programs'; exit 77; }
         [ -n "$few" ] && [ -n "$many" ] || { echo 'absent-part: nothing is counted'; exit 99; }
-        echo $((many - few)) >"$directory/$program"
+        keep_least $((many - few)) "$directory/$program"
     done
     as_is=$(cat "$directory/absent")
     more=$(cat "$directory/absent-more")
     echo "absent-part: up to $lanes lanes: 30 right-hand sides take $as_is instructions;" \
         "with one effect more in the table $more"
+    # less than one instruction a right-hand side: the smallest question costs two
     awk -v a="$as_is" -v b="$more" \
-        'BEGIN { d = b - a; exit !(a > 1e6 && d * d <= 1e-12 * a * a) }' || status=1
+        'BEGIN { d = b - a; exit !(a > 1e6 && d < 30 && d > -30) }' || status=1
 done
 grep -q 'as is' "$directory/absent.40" && grep -q 'more' "$directory/absent-more.40" ||
     { echo 'absent-part: both programs have the same table'; exit 99; }
