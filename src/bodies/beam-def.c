@@ -46,7 +46,8 @@ const struct param beam_def_params[] = {
     { .key = "alpha", .unit = "1/s", AT(alpha), .max = 1e9,
       .about = "damping by mass, D = alpha M + beta K; damps slow modes, ratio alpha/(2 omega)" },
     { .key = "beta", .unit = "s", AT(beta), .max = 1e3,
-      .about = "damping by stiffness; damps fast modes, ratio beta omega/2" },
+      .about = "damping by stiffness; damps fast modes, ratio beta omega/2; in water "
+               "its entry in the book needs a small tol: prefer damping_ratio" },
     { .key = "damping_ratio", .unit = "", AT(damping_ratio), .max = 10,
       .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha" },
     { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,

@@ -10,11 +10,17 @@
 #include <stdio.h>
 #include <string.h>
 
+/* The first reason of an attempt: the NaN that stands for it makes later stages
+ * refuse as well. */
 static void keep_refusal(struct arkode *a)
 {
     const bool said = status_message()[0] != '\0'; /* of memory, or of a solve */
 
-    snprintf(a->refusal, sizeof a->refusal, "%.95s",
+    if (a->refusal[0]) {
+        status_clear();
+        return;
+    }
+    snprintf(a->refusal, sizeof a->refusal, "%.319s",
              said ? status_message() : plan_refusal(a->plan));
     status_clear();
 }

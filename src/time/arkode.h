@@ -39,7 +39,7 @@ struct arkode_choice {
     enum method_limiter limiter;
     long entry;                   /* of the largest error, -1: none known yet  */
     struct limit limit;           /* of the stability bound                    */
-    char refusal[96];             /* "" unless f refused to answer             */
+    char refusal[320];             /* "" unless f refused to answer             */
 };
 
 enum {
@@ -72,7 +72,7 @@ struct arkode {
     double natural;              /* last step that no t_stop cut short [s]     */
     bool accepted;               /* by the last error test                     */
     long rejected;
-    char refusal[96];            /* of f since the last error test             */
+    char refusal[320];            /* of f since the last error test             */
 
     struct arkode_node {
         double t;

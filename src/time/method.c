@@ -44,7 +44,7 @@ const struct method *const method_table[] = {
 
 struct method_def method_def_default(void)
 {
-    return (struct method_def){ .tol = 1e-3, .norm = METHOD_NORM_MAX };
+    return (struct method_def){ .tol = 1e-2, .norm = METHOD_NORM_MAX };
 }
 
 const char *method_default(bool stiff)
