@@ -3,12 +3,14 @@
  *   F_ab = m_a m_b alpha c0 hs (v.x) / (rhobar (r^2 + 0.01 hs^2)) gradW_ab  (V2)
  *
  * with x = x_a - x_b, v = v_a - v_b, hs half the support and rhobar the harmonic
- * mean of both densities, 1/rhobar = (1/rho_a + 1/rho_b)/2: without a division,
- * and off the published arithmetic mean by (rho_a - rho_b)^2/(4 rhobar^2).  The published form acts on approaching pairs (v.x < 0) only; that
- * switch makes f rough and costs two to three digits of accuracy in time, so
- * it is off unless the scene asks.  F_ab . v is never positive: this effect
- * only takes energy out.  It is worth a kinematic viscosity of
- * alpha c0 hs / (2 (D + 2)).
+ * mean of both densities, 1/rhobar = (1/rho_a + 1/rho_b)/2, which needs no
+ * division and is less than the published arithmetic mean by a fraction of
+ * (rho_a - rho_b)^2/(4 rhobar^2).
+ *
+ * The published form acts on approaching pairs (v.x < 0) only; that switch makes
+ * f rough and costs two to three digits of accuracy in time, so it is off unless
+ * the scene asks.  F_ab . v is never positive: this effect only takes energy out.
+ * It is worth a kinematic viscosity of alpha c0 hs / (2 (D + 2)).
  * Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574, eq. 4.1-4.2.
  * Checked in tests/physics/laws.c. */
 #include "effects/effects.h"

@@ -5,11 +5,11 @@
  *                    / rhobar  x.gradW_ab / (r^2 + 0.01 hs^2)               (D2)
  *   rho_H = rho0 g.(x_a - x_b) / c0^2
  *
- * with rhobar the harmonic mean of both densities, 1/rhobar = (1/rho_a +
- * 1/rho_b)/2: without a division, and off the arithmetic mean by (rho_a -
- * rho_b)^2/(4 rhobar^2).  Antisymmetric, so mass-weighted density is kept.  Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009)
- * 861-872; subtracting the hydrostatic part: Fourtakas et al., Comput. Fluids
- * 190 (2019) 346-361, here linearised about rho0 so that both sides agree.
+ * with rhobar the harmonic mean of both densities, as in (V2).  Antisymmetric,
+ * so mass-weighted density is kept.
+ * Molteni, Colagrossi, Comput. Phys. Commun. 180 (2009) 861-872; subtracting the
+ * hydrostatic part: Fourtakas et al., Comput. Fluids 190 (2019) 346-361, here
+ * linearised about rho0 so that both sides agree.
  * Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
 

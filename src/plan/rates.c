@@ -36,34 +36,43 @@ static int sum_pairs(struct plan *p, struct plan_workspace *w)
     return p->engine->sum->pairs(&job, &w->scratch);
 }
 
-/* Everybody's rates to their places in ydot: x' = u, u' = f/m, rho'. */
+/* Rates of the fluid to their places in ydot: x' = u, u' = f/m, rho'; one pass,
+ * as it is memory that it waits for. */
 static void scatter_fluid(const struct plan *p, const struct plan_workspace *w,
                           const struct view *v, double *ydot)
 {
     const struct list *l = w->list;
-    const int n = particles_count(v->p, KIND_FLUID);
-    double *xdot = ydot + layout_at(&p->layout, p->row_x);
+    const int n = particles_count(v->p, KIND_FLUID), row = p->density_row[KIND_FLUID];
+    const double (*u)[DIM] = (const double (*)[DIM])v->u[KIND_FLUID];
+    double (*xdot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_x));
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
+    double *rhodot = row < 0 ? NULL : ydot + layout_at(&p->layout, row);
 
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n * DIM; i++)
-        xdot[i] = v->u[KIND_FLUID][i];
-    if (l->start[KIND_FLUID + 1] - l->start[KIND_FLUID] < n)
-        memset(udot, 0, (size_t)n * sizeof *udot); /* some have left the domain */
+    if (l->start[KIND_FLUID + 1] - l->start[KIND_FLUID] < n) { /* some have left the domain */
+        memcpy(xdot, u, (size_t)n * sizeof *xdot);
+        memset(udot, 0, (size_t)n * sizeof *udot);
+        if (rhodot)
+            memset(rhodot, 0, (size_t)n * sizeof *rhodot);
+    }
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = l->start[KIND_FLUID]; s < l->start[KIND_FLUID + 1]; s++) {
         const int i = l->order[s];
         const double im = 1 / v->p->m[i];
-        for (int d = 0; d < DIM; d++)
+        for (int d = 0; d < DIM; d++) {
+            xdot[i][d] = u[i][d];
             udot[i][d] = w->f[(size_t)s * DIM + d] * im;
+        }
+        if (rhodot)
+            rhodot[i] = w->drho[s];
     }
 }
 
-static void scatter_density(const struct plan *p, const struct plan_workspace *w, double *ydot)
+/* Rates of density of solids that have one of their own. */
+static void scatter_solids(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
     const struct list *l = w->list;
 
-    for (int k = 0; k < KINDS; k++) {
+    for (int k = KIND_FLUID + 1; k < KINDS; k++) {
         const int first = p->particles->from[k], n = particles_count(p->particles, k);
         double *rhodot;
         if (p->density_row[k] < 0)
@@ -136,7 +145,7 @@ int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double 
     }
     if (p->row_x >= 0) {
         scatter_fluid(p, w, &v, ydot);
-        scatter_density(p, w, ydot);
+        scatter_solids(p, w, ydot);
         add_fields(p, &v, ydot);
     }
     sum_solids(p, w);

@@ -135,7 +135,7 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
                 a->x[d][l] = -a->x[d][l];
 }
 
-/* The division stands apart: beside the root it would wait for the divider. */
+/* One division for all laws that soften 1/r^2. */
 static void soften(double support, struct block *b)
 {
     const double eta2 = 0.01 * (support / 2) * (support / 2);

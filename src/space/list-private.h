@@ -31,7 +31,7 @@ struct list_found {
 struct list_private {
     double *built;      /* [n][DIM] position at the last rebuild [m];
                            infinite for those left out                       */
-    int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same in slot order and
+    int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same in slot order and in
                            units, two coordinates modulo 2^16 in a word      */
     double farthest;    /* from 0, of a coordinate                    [m]    */
     struct cells cells[KINDS];

@@ -1,0 +1,336 @@
+/* rhs.c -- how fast the whole right-hand side is, and where its time goes, by
+ * number of particles, neighbours, skin, lane width and effects.
+ *
+ * A plan made from a scene (see water.h) answers plan_rhs().  All times are CPU
+ * time on one thread in ns per particle, walls counted; RHS is the median of 7,
+ * its parts are the least of 7, as differences of medians say little on a machine
+ * with other work:
+ *
+ *     gather   neighbours fetched, separations and roots formed
+ *     geom     kernel gradient, its division by r^2 + 0.01 hs^2
+ *     effects  the laws
+ *     pack     records of everybody with the equation of state
+ *     rest     check of displacements, rates written to their places
+ *     list     sorting and finding, times the share of rebuilds
+ *     fresh    one plan_rhs() that rebuilds nothing
+ *     RHS      one plan_rhs() after the other with that share of rebuilds
+ *
+ * The share is that of the default method in data/scenes/dam-break.scene from 0
+ * to 0.3 s: 57, 35, 19 % of right-hand sides at skins of 0.05, 0.1, 0.2. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+#include "space/cells.h"
+#include "space/record.h"
+#include "tools.h"
+#include "water.h"
+#define LANES 2 /* only sizes without lanes are used here */
+#include "space/pairs.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KERNEL_BITS = NEED_GRADW | NEED_GRADW_R2 | NEED_W };
+
+static FILE *csv;
+
+/* What one case took [ns per particle]. */
+struct parts {
+    double gather, geometry, effects, pack, rest, fresh, sort, rebuild;
+    struct bench_times rhs;
+};
+
+static struct plan *plan_of(void *water)
+{
+    return ((struct water *)water)->plan;
+}
+
+static void add_up(void *water)
+{
+    struct plan *p = plan_of(water);
+    const struct sum_job job = {
+        .list = p->main.list, .record = p->main.record, .table = p->table, .slots = p->slots,
+        .f = p->main.f, .drho = p->main.drho, .power = p->main.power,
+    };
+
+    bench_must(p->engine->sum->pairs(&job, &p->main.scratch));
+}
+
+static void pack_only(void *water)
+{
+    struct water *w = water;
+    struct view v;
+
+    plan_view_make(w->plan, 0, w->y[w->now], &v);
+    bench_must(plan_pack(w->plan, &w->plan->main, &v));
+}
+
+static struct cloud cloud_of(struct water *w)
+{
+    struct cloud cloud;
+    struct view v;
+
+    plan_view_make(w->plan, 0, w->y[w->now], &v);
+    memcpy(cloud.from, v.p->from, sizeof cloud.from);
+    memcpy(cloud.x, v.x, sizeof cloud.x);
+    return cloud;
+}
+
+static void sort_only(void *water)
+{
+    const struct cloud cloud = cloud_of(water);
+
+    bench_must(cells_sort(plan_of(water)->main.list, &cloud));
+}
+
+static void rebuild(void *water)
+{
+    struct water *w = water;
+
+    w->now = !w->now;
+    const struct cloud cloud = cloud_of(w);
+    bench_must(w->plan->engine->sum->list->update(w->plan->main.list, &cloud));
+}
+
+/* A law of nothing: what the engine costs without effects. */
+static void idle(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    (void)self;
+    (void)a;
+    (void)b;
+    (void)to;
+}
+
+/* The time of the sum with at most `laws` laws, of all needs but `without`. */
+static double sum_of(struct water *w, int laws, unsigned without)
+{
+    struct pairs_table *table = w->plan->table, old[KINDS * KINDS];
+    double time;
+
+    memcpy(old, table, sizeof old);
+    for (int i = 0; i < KINDS * KINDS; i++) {
+        if (table[i].n > laws)
+            table[i].n = laws > 0 ? laws : 1;
+        if (laws == 0)
+            table[i].work[0].law = idle;
+        table[i].needs &= ~without;
+    }
+    time = bench_time(add_up, w, w->all).least;
+    memcpy(table, old, sizeof old);
+    return time;
+}
+
+static struct parts measure(struct water *w, double share)
+{
+    struct parts t;
+
+    w->share = share;
+    t.rhs = bench_time(water_rates, w, w->all);
+    w->share = 0;
+    t.fresh = bench_time(water_rates, w, w->all).least;
+    t.gather = sum_of(w, 0, KERNEL_BITS);
+    t.geometry = sum_of(w, 0, 0) - t.gather;
+    t.effects = sum_of(w, PAIRS_LAWS, 0) - t.geometry - t.gather;
+    t.pack = bench_time(pack_only, w, w->all).least;
+    t.rest = t.fresh - t.pack - t.effects - t.geometry - t.gather;
+    t.rebuild = bench_time(rebuild, w, w->all).least;
+    t.sort = bench_time(sort_only, w, w->all).least;
+    rebuild(w);
+    rebuild(w);
+    return t;
+}
+
+/* Useful neighbours of everybody, and entries of the rows, per particle. */
+static void count(const struct water *w, double *useful, double *entries)
+{
+    const struct list *list = w->plan->main.list;
+    const double *record = w->plan->main.record, H = w->plan->scales.support;
+    long n = 0;
+
+    for (int g = 0; g < list->groups; g++)
+        for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++)
+            for (int k = 0; k < list->segment[s].rows * list->lanes; k++) {
+                const int a = list->group_slot[g] + k % list->lanes, b = list->segment[s].j[k];
+                const double *ra = record + (size_t)a * RECORD, *rb = record + (size_t)b * RECORD;
+                double r2 = 0;
+
+                for (int d = RECORD_X; d < RECORD_X + DIM; d++) /* z follows y */
+                    r2 += (ra[d] - rb[d]) * (ra[d] - rb[d]);
+                n += r2 < H * H;
+            }
+    *useful = (double)n / w->all;
+    *entries = (double)list->rows_before[list->groups] * list->lanes / w->all;
+}
+
+/* The same bits on 1, 2 and 4 threads, list rebuilt by each? */
+static const char *threads_agree(struct water *w, uint64_t *hash)
+{
+    const char *answer = "same";
+
+    for (int threads = 1; threads <= 4; threads *= 2) {
+        bench_threads(threads);
+        w->now = 0;
+        w->share = 1;
+        water_rates(w); /* goes to y[1] and back: two rebuilds */
+        water_rates(w);
+        const uint64_t h = bench_hash(BENCH_HASH, w->ydot, (size_t)w->size * sizeof(double));
+        if (threads == 1)
+            *hash = h;
+        else if (h != *hash)
+            answer = "DIFFERS";
+    }
+    bench_threads(1);
+    return answer;
+}
+
+static void report(struct water *w, double support, double skin, double share)
+{
+    const struct parts t = measure(w, share);
+    const int width = w->plan->engine->lanes;
+    double useful, entries;
+    uint64_t hash = 0;
+
+    water_rates(w);
+    count(w, &useful, &entries);
+    const char *same = threads_agree(w, &hash);
+    printf("%dD %7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %5.1f %6.1f %5.1f %5.1f %5.1f"
+           " |%6.1f %6.1f (%.1f-%.1f) %6.2f %6.1f  %016" PRIx64 " %s\n",
+           DIM, w->fluid, w->all, width, support, skin, 100 * share, useful, entries / useful,
+           t.gather, t.geometry, t.effects, t.pack, t.rest, share * t.rebuild, t.fresh,
+           t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
+           1e3 * useful / t.rhs.median, hash, same);
+    fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
+            PRIx64 ",%s\n", DIM, w->fluid, w->all, width, support, skin, share, useful,
+            entries / useful, t.gather, t.geometry, t.effects, t.pack, t.rest, t.sort, t.rebuild,
+            t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
+            1e3 * useful / t.rhs.median, share * t.rebuild / t.rhs.median, hash, same);
+    fflush(stdout);
+}
+
+static void run(int n, double support, double skin, double share)
+{
+    struct water w;
+
+    water_make(&w, n, support, skin, 1, NULL);
+    report(&w, support, skin, share);
+    water_free(&w);
+}
+
+static void head(void)
+{
+    printf("%2s %7s %7s %s %4s %4s %4s %5s %5s |%6s %5s %6s %5s %5s %5s |%6s %6s %13s %6s %6s\n",
+           "", "fluid", "all", "L", "H/dx", "skin", "reb.", "nb", "rows", "gather", "geom",
+           "effect", "pack", "rest", "list", "fresh", "RHS", "(least-most)", "M/s", "Mpr/s");
+}
+
+static void per_effect(int n, double support)
+{
+    struct water w;
+    double before = 0;
+
+    water_make(&w, n, support, 0.1, 1, NULL);
+    printf("one effect after the other (%dD, %d particles, H = %.2f dx), ns per particle:\n",
+           DIM, w.all, support);
+    const struct pairs_table *t = &w.plan->table[KIND_FLUID * KINDS + KIND_FLUID];
+    for (int laws = 0; laws <= t->n; laws++) {
+        const double time = sum_of(&w, laws, 0);
+        const char *name = "none";
+
+        for (int i = 0; i < w.plan->parts && laws > 0; i++)
+            if (w.plan->part[i].slot == t->work[laws - 1].slot)
+                name = w.plan->part[i].part->name;
+        printf("    %-22s %6.1f  (%+.1f)\n", name, time, laws > 0 ? time - before : 0.0);
+        before = time;
+    }
+    water_free(&w);
+}
+
+static void rebuild_parts(int n, double support)
+{
+    static const double skins[] = { 0.05, 0.1, 0.2 }, shares[] = { 0.57, 0.35, 0.19 };
+
+    printf("rebuilding the list, ns per particle:\n");
+    for (int i = 0; i < 3; i++) {
+        struct water w;
+        water_make(&w, n, support, skins[i], 1, NULL);
+        const struct parts t = measure(&w, shares[i]);
+        const double list = shares[i] * t.rebuild;
+        printf("    skin %.2f: sort %5.1f, find %5.1f, share of RHS %4.1f %%, RHS %6.1f\n",
+               skins[i], t.sort, t.rebuild - t.sort, 100 * list / (t.fresh + list),
+               t.rhs.median);
+        water_free(&w);
+    }
+}
+
+/* Wall time of one thread over that of two, in turn, and CPU time likewise. */
+static void two_threads(int n, double support)
+{
+    enum { CALLS = 20 };
+    double wall[BENCH_REPEATS], cpu[BENCH_REPEATS];
+    struct water w;
+
+    water_make(&w, n, support, 0.1, 1, NULL);
+    w.share = 0.35;
+    for (int r = 0; r < BENCH_REPEATS; r++) {
+        double took[2], used[2];
+
+        for (int threads = 1; threads <= 2; threads++) {
+            bench_threads(threads);
+            water_rates(&w);
+            const double start = bench_wall(), start_cpu = bench_cpu();
+            for (int i = 0; i < CALLS; i++)
+                water_rates(&w);
+            took[threads - 1] = bench_wall() - start;
+            used[threads - 1] = bench_cpu() - start_cpu;
+        }
+        wall[r] = took[0] / took[1];
+        cpu[r] = used[1] / used[0];
+    }
+    bench_threads(1);
+    const struct bench_times a = bench_sort(wall, BENCH_REPEATS);
+    const struct bench_times c = bench_sort(cpu, BENCH_REPEATS);
+    printf("two threads, %d particles: %.2f times as fast (%.2f-%.2f), CPU time %.2f-fold "
+           "(%.2f-%.2f)\n", w.all, a.median, a.least, a.most, c.median, c.least, c.most);
+    water_free(&w);
+}
+
+#if DIM == 2
+static void cases(void)
+{
+    static const int n[] = { 5000, 50000, 500000 };
+
+    for (int i = 0; i < 3; i++)
+        for (int wide = 0; wide < 2; wide++)
+            run(n[i], wide ? 3.0 : 2.52, 0.1, 0.35);
+}
+#else
+static void cases(void)
+{
+    run(50000, 2.5, 0.1, 0.35);
+}
+#endif
+
+int main(int argc, char **argv)
+{
+    const double support = DIM == 2 ? 2.52 : 2.5;
+
+    (void)argc;
+    bench_start(argv);
+    bench_head(DIM == 2 ? "whole right-hand side in 2D" : "whole right-hand side in 3D",
+               engine_pick()->lanes);
+    csv = bench_csv(argv[0], "dimension,fluid,all,lanes,support,skin,share,neighbours,rows,gather,"
+                    "geometry,effects,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
+                    "million_rhs_per_s,million_pairs_per_s,list_share,hash,threads_1_2_4");
+    head();
+    cases();
+    setenv("STIFFWATER_LANES", "2", 1);
+    run(50000, support, 0.1, 0.35);
+    unsetenv("STIFFWATER_LANES");
+    per_effect(50000, support);
+    rebuild_parts(50000, support);
+    two_threads(50000, support);
+    fclose(csv);
+    return 0;
+}

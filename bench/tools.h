@@ -1,0 +1,47 @@
+/* tools.h -- what the benchmarks share: clocks, repeats, hashes, threads. */
+#ifndef BENCH_TOOLS_H
+#define BENCH_TOOLS_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { BENCH_REPEATS = 7 };
+
+/* Of BENCH_REPEATS repeats. */
+struct bench_times {
+    double median, least, most;
+};
+
+double bench_cpu(void);  /* of this process, all threads [s] */
+double bench_wall(void); /* [s]                              */
+
+/* CPU time of one call(of), in ns over `each`; a repeat lasts 30 ms at least and
+ * has an even number of calls. */
+struct bench_times bench_time(void (*call)(void *of), void *of, double each);
+
+struct bench_times bench_sort(double *values, int n);
+
+/* FNV-1a; start from BENCH_HASH. */
+#define BENCH_HASH UINT64_C(14695981039346656037)
+uint64_t bench_hash(uint64_t hash, const void *bytes, size_t n);
+
+void bench_threads(int n);
+
+/* First of all: one thread, and threads that wait leave their core to others as
+ * in the real program (which means starting once more). */
+void bench_start(char **argv);
+
+/* Processor, clock, lanes, compiler, load; a warning when others are at work. */
+void bench_head(const char *what, int lanes);
+
+/* The file that goes with the program, "bench/rhs2.csv" for bench/rhs2. */
+FILE *bench_csv(const char *program, const char *columns);
+
+/* Zeroed, on cache lines; ends the program when there is none. */
+void *bench_room(size_t bytes);
+
+/* Ends the program with the message that status_fail() kept. */
+void bench_must(int status);
+
+#endif

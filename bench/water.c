@@ -1,0 +1,130 @@
+/* water.c -- a box full of moving water between walls. */
+#include "water.h"
+
+#include "base/status.h"
+#include "scene/scene.h"
+#include "tools.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *const effects =
+    "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.02; };"
+    " density-diffusion = { delta = 0.1; }; };";
+
+static void write_scene(FILE *f, double dx, double support, double skin, double width,
+                        const char *more)
+{
+    const char *o = DIM == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]";
+    const char *y = DIM == 2 ? "" : "1.0, ";
+
+    fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g; gravity = [0.0, %s-9.81];\n"
+            "domain = { from = %s; to = [1.0, %s1.0]; };\n"
+            "fluid = { water = { type = \"box\"; from = %s; to = [%.17g, %s1.0]; }; };\n"
+            "wall = { tank = { type = \"frame\"; }; };\n"
+            "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx, DIM == 2 ? "" : "0.0, ",
+            o, y, o, width, y, support, skin, effects, more ? more : "");
+}
+
+static void read_plan(struct water *w, double dx, double support, double skin, double width,
+                      const char *more)
+{
+    char path[] = "/tmp/water-XXXXXX";
+    const int file = mkstemp(path);
+    FILE *f = file >= 0 ? fdopen(file, "w") : NULL;
+
+    if (!f) {
+        fprintf(stderr, "no scene can be written to /tmp\n");
+        exit(1);
+    }
+    write_scene(f, dx, support, skin, width, more);
+    fclose(f);
+    bench_must(scene_read(path, &w->scene));
+    bench_must(plan_create(w->scene, &w->plan));
+    unlink(path);
+}
+
+static uint64_t seed;
+
+/* From -0.5 to 0.5: linear congruence with Knuth's constants. */
+static double noise(void)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(seed >> 11) / (double)(UINT64_C(1) << 53) - 0.5;
+}
+
+static double *row(const struct water *w, double *y, const char *name)
+{
+    const struct layout *l = plan_layout(w->plan);
+
+    for (int i = 0; i < l->rows; i++)
+        if (strcmp(l->row[i].name, name) == 0)
+            return y + l->row[i].offset;
+    fprintf(stderr, "the layout has no row \"%s\"\n", name);
+    exit(1);
+}
+
+/* Positions jittered, densities uneven, the velocity of a vortex in the box. */
+static void stir(struct water *w, double dx)
+{
+    double *x = row(w, w->y[0], "position of fluid"), *u = row(w, w->y[0], "velocity of fluid");
+    double *rho = row(w, w->y[0], "density of fluid");
+
+    seed = 1; /* the same water every time */
+    for (int i = 0; i < w->fluid; i++, x += DIM, u += DIM) {
+        for (int d = 0; d < DIM; d++)
+            x[d] += 0.3 * dx * noise();
+        rho[i] += 4 * noise();
+        u[0] = sin(M_PI * x[0]) * cos(M_PI * x[DIM - 1]);
+        u[DIM - 1] = -cos(M_PI * x[0]) * sin(M_PI * x[DIM - 1]);
+    }
+}
+
+void water_make(struct water *w, int n, double support, double skin, double width,
+                const char *more)
+{
+    const double dx = 1 / round(pow(n / width, 1.0 / DIM));
+
+    *w = (struct water){ 0 };
+    read_plan(w, dx, support, skin, width, more);
+    w->size = plan_size(w->plan);
+    w->fluid = particles_count(plan_particles(w->plan), KIND_FLUID);
+    w->all = plan_particles(w->plan)->n;
+    for (int k = 0; k < 2; k++)
+        w->y[k] = bench_room((size_t)w->size * sizeof(double));
+    w->ydot = bench_room((size_t)w->size * sizeof(double));
+    plan_start(w->plan, w->y[0]);
+    stir(w, dx);
+    memcpy(w->y[1], w->y[0], (size_t)w->size * sizeof(double));
+    const double *u = row(w, w->y[0], "velocity of fluid");
+    double *x = row(w, w->y[1], "position of fluid");
+    for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed half the skin */
+        x[i] += 0.51 * skin * support * dx * u[i];
+    water_rates(w);
+}
+
+void water_rates(void *water)
+{
+    struct water *w = water;
+
+    w->due += w->share;
+    if (w->due >= 1) {
+        w->due -= 1;
+        w->now = !w->now;
+    }
+    if (plan_rhs(w->plan, PLAN_EXPLICIT, 0, w->y[w->now], w->ydot) != STATUS_DONE) {
+        fprintf(stderr, "%s\n", plan_refusal(w->plan));
+        exit(1);
+    }
+}
+
+void water_free(struct water *w)
+{
+    for (int k = 0; k < 2; k++)
+        free(w->y[k]);
+    free(w->ydot);
+    plan_free(&w->plan);
+    scene_free(&w->scene);
+}
