@@ -42,13 +42,14 @@ struct bench_times bench_sort(double *values, int n)
     return (struct bench_times){ values[n / 2], values[0], values[n - 1] };
 }
 
-struct bench_times bench_time(void (*call)(void *of), void *of, double each)
+struct bench_times bench_time(void (*call)(void *of), void *of, double each, int round)
 {
     double ns[BENCH_REPEATS], start = bench_cpu();
 
     call(of);
     call(of);
-    const int calls = 2 * (int)(1 + 0.03 / (bench_cpu() - start + 1e-6));
+    const double once = 0.5 * (bench_cpu() - start) + 1e-6;
+    const int calls = round * (1 + (int)(0.03 / (once * round)));
     for (int r = 0; r < BENCH_REPEATS; r++) {
         start = bench_cpu();
         for (int i = 0; i < calls; i++)

@@ -17,8 +17,8 @@ double bench_cpu(void);  /* of this process, all threads [s] */
 double bench_wall(void); /* [s]                              */
 
 /* CPU time of one call(of), in ns over `each`; a repeat lasts 30 ms at least and
- * has an even number of calls. */
-struct bench_times bench_time(void (*call)(void *of), void *of, double each);
+ * has a multiple of `round` calls. */
+struct bench_times bench_time(void (*call)(void *of), void *of, double each, int round);
 
 struct bench_times bench_sort(double *values, int n);
 
