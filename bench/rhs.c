@@ -119,6 +119,8 @@ static double sum_of(struct water *w, int laws, unsigned without)
         if (laws == 0)
             table[i].work[0].law = idle;
         table[i].needs &= ~without;
+        for (int k = 0; k < table[i].n; k++)
+            table[i].work[k].needs &= ~without;
     }
     time = bench_time(add_up, w, w->all, 2).least;
     memcpy(table, old, sizeof old);

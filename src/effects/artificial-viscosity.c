@@ -77,7 +77,7 @@ static int prepare(void *self, const struct scales *scales)
     const double nu = s->alpha * scales->c0 * scales->hs / (2 * (DIM + 2));
 
     s->strength = s->alpha * scales->c0 * scales->hs / 2;
-    s->rate = 3 * SCALES_LAPLACE * nu / (scales->hs * scales->hs);
+    s->rate = 3 * SCALES_LAPLACE * scales->laplace * nu / (scales->hs * scales->hs);
     return 0;
 }
 
@@ -101,6 +101,7 @@ const struct part LANE_NAME(effects_artificial_viscosity) = {
     .needs = FIELD_DENSITY,
     .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
     .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
     .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
     .pairs = pairs,

@@ -5,17 +5,14 @@
  * Monaghan, J. Comput. Phys. 110 (1994) 399-406, eq. 2.3.  Together with the
  * pressure force (P1) it moves energy between kinetic and internal without
  * making or losing any.  Checked in tests/physics/laws.c. */
+#include "effects/density-rate.h"
 #include "effects/effects.h"
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    lanes drho = to->drho;
-
     (void)self;
     (void)a;
-    for (int k = 0; k < b->n; k++)
-        drho += b->gw[k] * b->xv[k];
-    to->drho = drho;
+    density_rate(b, to);
 }
 
 /* The fluid's own density; solids get theirs from their wall model. */
@@ -36,7 +33,7 @@ const struct part LANE_NAME(effects_continuity) = {
     .about = "density that evolves with the flow",
     .equation = "(D1) d rho_a/dt = sum_b m_b (v_a - v_b) . gradW_ab",
     .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406",
-    .provides = FIELD_DENSITY,
+    .provides = FIELD_DENSITY | FIELD_DENSITY_RATE,
     .rows = NEED_XV | NEED_GRADW,
     .columns = COLUMN_DRHO,
     .acts = EFFECTS_ACT_ALL,

@@ -48,7 +48,7 @@ static int prepare(void *self, const struct scales *scales)
     s->strength = s->delta * scales->hs * scales->c0;
     for (int d = 0; d < DIM; d++)
         s->slope[d] = scales->rho0 * scales->g[d] / (scales->c0 * scales->c0);
-    s->rate = SCALES_LAPLACE * s->delta * scales->c0 / scales->hs;
+    s->rate = SCALES_LAPLACE * scales->laplace * s->delta * scales->c0 / scales->hs;
     return 0;
 }
 
@@ -71,7 +71,7 @@ const struct part LANE_NAME(effects_density_diffusion) = {
               "Fourtakas et al., Comput. Fluids 190 (2019) 346-361",
     .size = sizeof(struct density_diffusion),
     .params = params,
-    .needs = FIELD_DENSITY,
+    .needs = FIELD_DENSITY | FIELD_DENSITY_RATE,
     .rows = NEED_X | NEED_RHO | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
     .columns = COLUMN_DRHO,
     .acts = EFFECTS_ACT_FLUID,

@@ -2,17 +2,25 @@
 #include "effects/effects.h"
 
 extern const struct part LANE_NAME(effects_continuity);
+extern const struct part LANE_NAME(effects_summation);
 extern const struct part LANE_NAME(effects_pressure_force);
+extern const struct part LANE_NAME(effects_pressure_printed);
 extern const struct part LANE_NAME(effects_artificial_viscosity);
 extern const struct part LANE_NAME(effects_laminar_viscosity);
+extern const struct part LANE_NAME(effects_laplacian_viscosity);
+extern const struct part LANE_NAME(effects_viscosity_printed);
 extern const struct part LANE_NAME(effects_density_diffusion);
 extern const struct part LANE_NAME(effects_gravity);
 
 const struct part *const effects_table[] = {
     &LANE_NAME(effects_continuity),
+    &LANE_NAME(effects_summation),
     &LANE_NAME(effects_pressure_force),
+    &LANE_NAME(effects_pressure_printed),
     &LANE_NAME(effects_artificial_viscosity),
     &LANE_NAME(effects_laminar_viscosity),
+    &LANE_NAME(effects_laplacian_viscosity),
+    &LANE_NAME(effects_viscosity_printed),
     &LANE_NAME(effects_density_diffusion),
     &LANE_NAME(effects_gravity),
     NULL,

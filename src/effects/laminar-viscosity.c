@@ -12,8 +12,8 @@
 #include <math.h>
 
 struct laminar_viscosity {
-    double mu;  /* dynamic viscosity                  [Pa s] */
-    double hs2; /* hs^2                               [m^2]  */
+    double mu;   /* dynamic viscosity                 [Pa s] */
+    double rate; /* fastest decay with nu = 1         [1/m^2] */
 };
 
 static const struct param params[] = {
@@ -39,7 +39,7 @@ static int prepare(void *self, const struct scales *scales)
 {
     struct laminar_viscosity *s = self;
 
-    s->hs2 = scales->hs * scales->hs;
+    s->rate = SCALES_LAPLACE * scales->laplace / (scales->hs * scales->hs);
     return 0;
 }
 
@@ -55,7 +55,7 @@ static void limit(const void *self, const struct view *v, struct limit *out)
             least = v->rho[KIND_FLUID][i];
             out->where = i;
         }
-    out->rate = SCALES_LAPLACE * s->mu / (least * s->hs2);
+    out->rate = s->rate * s->mu / least;
     out->decay = true;
 }
 
@@ -69,6 +69,7 @@ const struct part LANE_NAME(effects_laminar_viscosity) = {
     .needs = FIELD_DENSITY,
     .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
     .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
     .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
     .pairs = pairs,

@@ -28,6 +28,7 @@ const struct part LANE_NAME(effects_pressure_force) = {
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
     .rows = NEED_X | NEED_P2 | NEED_GRADW,
     .columns = COLUMN_FORCE,
+    .kernel = PART_PRESSURE,
     .acts = EFFECTS_ACT_ALL,
     .conservative = true,
     .pairs = pairs,

@@ -1,4 +1,4 @@
-/* eos.c -- the Tait equation of state and what follows from it.
+/* eos.c -- the Tait and the linear equation of state and what follows from them.
  *
  * Everything is written in d = (rho - rho0)/rho0, which a double holds exactly
  * near rho0: weakly compressible water lives at |d| of 1e-6 to 1e-2, where
@@ -38,18 +38,25 @@ static double second_remainder(double z)
 }
 
 /* (E2) p = B ((rho/rho0)^gamma - 1).  Monaghan, J. Comput. Phys. 110 (1994)
- * 399-406, takes gamma = 7 for water; gamma = 1 is p = c0^2 (rho - rho0). */
+ * 399-406, takes gamma = 7 for water; gamma = 1 is (E1), p = c0^2 (rho - rho0),
+ * the seed's (19) with k = c0^2. */
 double eos_pressure(const struct eos *e, double rho)
 {
     const double d = strain(e, rho);
 
+    if (e->clamped && d < 0)
+        return 0;
     if (e->gamma == 7)
         return stiffness(e) * seventh(d);
+    if (e->gamma == 1)
+        return stiffness(e) * d;
     return stiffness(e) * expm1(e->gamma * log1p(d));
 }
 
 double eos_density(const struct eos *e, double p)
 {
+    if (e->clamped && p < 0)
+        return e->rho0;
     return e->rho0 * (1 + expm1(log1p(p / stiffness(e)) / e->gamma));
 }
 
@@ -69,6 +76,8 @@ double eos_sound(const struct eos *e, double rho)
  * the second line without the cancellation of the first, and good for gamma = 1. */
 double eos_energy(const struct eos *e, double rho)
 {
+    if (e->clamped && rho < e->rho0)
+        return 0;
     const double a = e->gamma - 1, log_s = log1p(strain(e, rho));
     const double sum = a * second_remainder(a * log_s) + second_remainder(-log_s);
 
@@ -83,7 +92,7 @@ static void sevenths(double b, double rho0, int n, const double *restrict rho, d
 
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
 {
-    if (e->gamma == 7) {
+    if (e->gamma == 7 && !e->clamped) {
         sevenths(stiffness(e), e->rho0, n, rho, p);
         return;
     }

@@ -121,7 +121,7 @@ void plan_sheet_make(struct plan *p, double t, const double *y, struct plan_shee
     const double *book = y + layout_at(&p->layout, p->book.row);
     struct view v;
 
-    plan_view_make(p, t, y, &v);
+    plan_view(p, t, y, &v);
     *s = (struct plan_sheet){ .t = t };
     s->energy.kinetic = fluid_motion(&v, s->momentum);
     for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++)

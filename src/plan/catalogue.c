@@ -29,7 +29,7 @@ static const struct group {
     { "domain", "the box that counts; a wall of type \"frame\" surrounds it",
       { settings_domain_params } },
     { "reference", "scales of the flow", { settings_reference_params } },
-    { "eos", "equation of state; its own keys: see `explain tait`", { settings_eos_params } },
+    { "eos", "equation of state; its own keys: see `explain tait`, `explain linear`", { settings_eos_params } },
     { "output", "how often files are written", { settings_output_params } },
     { "fluid", "fluid.NAME: a region filled with fluid", { shape_params, settings_fluid_params } },
     { "wall", "wall.NAME: a region filled with wall",
@@ -69,7 +69,7 @@ void catalogue_prepare(const struct engine *engine)
 
     kernels_names(engine, kernels, NAMES);
     part_names(pressure_table, eos);
-    part_names(walls_table, walls);
+    part_names(engine->walls, walls);
     settings_prepare(kernels, eos, walls);
 }
 
@@ -98,7 +98,7 @@ int catalogue_list(const char *what, FILE *to)
     else if (strcmp(what, "eos") == 0 || strcmp(what, "pressure") == 0)
         list_parts(pressure_table, to);
     else if (strcmp(what, "walls") == 0)
-        list_parts(walls_table, to);
+        list_parts(engine_pick()->walls, to);
     else if (strcmp(what, "bodies") == 0)
         list_bodies(to);
     else {
@@ -198,7 +198,8 @@ static bool explain_body(const char *name, FILE *to)
 /* Every name that `explain` knows, for the nearest one. */
 static void all_names(const char **names)
 {
-    const struct part *const *tables[] = { engine_pick()->effects, pressure_table, walls_table };
+    const struct part *const *tables[] = { engine_pick()->effects, pressure_table,
+                                          engine_pick()->walls };
     int n = 0;
 
     for (int t = 0; t < 3; t++)
@@ -220,7 +221,7 @@ int catalogue_explain(const char *name, FILE *to)
     if (strncmp(name, "effects.", 8) == 0)
         name += 8;
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
-        || explain_part(walls_table, name, to) || explain_body(name, to)
+        || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)
         || explain_group(name, to) || kernels_explain(engine_pick(), name, to))
         return STATUS_DONE;
     all_names(names);

@@ -77,7 +77,13 @@ static int make_scales(struct plan *p, struct scene *scene)
     s->rho0 = e->rho0;
     s->c0 = e->c0;
     s->gamma = e->gamma;
-    s->mass = s->rho0 * pow(s->dx, DIM);
+    s->clamped = e->clamped;
+    s->mass = p->in.set.particle_mass;
+    if (isnan(s->mass)) {
+        s->mass = s->rho0 * pow(s->dx, DIM);
+        if (s->fluid)
+            scene_computed(scene, "", "particle_mass", s->mass);
+    }
     s->speed = p->in.reference.speed;
     memcpy(s->g, p->in.set.gravity, sizeof s->g);
     for (int d = 0; d < DIM; d++) { /* a beam alone needs no domain */
@@ -117,9 +123,33 @@ static int take_parts(struct plan *p)
     if (needs & FIELD_PRESSURE)
         TRY(take_part(p, p->in.pressure, &p->in.pressure_self, "eos"));
     if (needs & FIELD_DENSITY)
-        TRY(take_part(p, p->in.walls, NULL, "walls"));
+        TRY(take_part(p, p->in.walls, p->in.walls->size ? &p->in.walls_self : NULL, "walls"));
     for (int i = 0; i < p->in.effects; i++)
         TRY(take_part(p, p->in.effect[i].part, &p->in.effect[i].self, p->in.effect[i].path));
+    return STATUS_DONE;
+}
+
+static const struct plan_part *find_effect(const struct plan *p, const char *name)
+{
+    for (int i = 0; i < p->parts; i++)
+        if (strncmp(p->part[i].path, "effects.", 8) == 0
+            && strcmp(p->part[i].part->name, name) == 0)
+            return &p->part[i];
+    return NULL;
+}
+
+/* What one part cannot go with: another that does the same, a kernel. */
+static int check_part(const struct plan *p, const struct scene *scene, const struct plan_part *one)
+{
+    const char *kernel, *why = kernels_forbid(p->kernel, one->part, &kernel);
+
+    if (one->part->instead && find_effect(p, one->part->instead))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s stands for effects.%s, which the scene names "
+                           "too; leave one of them out", scene_path(scene), one->path,
+                           one->part->instead);
+    if (why)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s with the kernel \"%s\": it %s",
+                           scene_path(scene), one->path, kernel, why);
     return STATUS_DONE;
 }
 
@@ -130,11 +160,58 @@ static int check_needs(const struct plan *p, const struct scene *scene)
 
     for (int i = 0; i < p->parts; i++)
         provided |= p->part[i].part->provides;
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->needs & ~provided & FIELD_DENSITY)
+    for (int i = 0; i < p->parts; i++) {
+        const unsigned missing = p->part[i].part->needs & ~provided;
+        TRY(check_part(p, scene, &p->part[i]));
+        if (missing & FIELD_DENSITY)
             return status_fail(STATUS_BAD_SCENE, "%s: %s (%s) needs a density, which no effect "
                                "provides: name effects.continuity = { }", scene_path(scene),
                                p->part[i].path, p->part[i].part->name);
+        if (missing & FIELD_DENSITY_RATE)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s changes a density that evolves, but this "
+                               "scene's density is a sum over neighbours; leave %s out, or name "
+                               "effects.continuity instead of effects.summation",
+                               scene_path(scene), p->part[i].path, p->part[i].path);
+    }
+    return STATUS_DONE;
+}
+
+/* Which wall models the density of the fluid goes with, for the message. */
+static void list_walls(const struct plan *p, const char *density, char *text, size_t room)
+{
+    size_t n = 0;
+
+    for (int i = 0; p->engine->walls[i]; i++)
+        for (const char *const *w = p->engine->walls[i]->with; *w; w++)
+            if (strcmp(*w, density) == 0 && n < room)
+                n += (size_t)snprintf(text + n, room - n, "%s\"%s\"", n ? " or " : "",
+                                      p->engine->walls[i]->name);
+}
+
+static bool has_solids(const struct plan *p)
+{
+    return p->in.wall_count + p->in.bodies > 0;
+}
+
+/* A wall model goes with some ways to a density and not with others: the rule of
+ * doc/scene.md, "Walls". */
+static int check_walls(const struct plan *p, const struct scene *scene)
+{
+    char fits[128] = "";
+
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *density = p->part[i].part;
+        bool good = false;
+        if (!(density->provides & FIELD_DENSITY) || !has_solids(p))
+            continue;
+        for (const char *const *w = p->in.walls->with; *w; w++)
+            good |= strcmp(*w, density->name) == 0;
+        list_walls(p, density->name, fits, sizeof fits);
+        if (!good)
+            return status_fail(STATUS_BAD_SCENE, "%s: walls = \"%s\" does not go with "
+                               "effects.%s, where solids would have no density; set walls = %s",
+                               scene_path(scene), p->in.walls->name, density->name, fits);
+    }
     return STATUS_DONE;
 }
 
@@ -297,6 +374,7 @@ static double wall_reach(const struct plan *p, int d)
     return most;
 }
 
+/* Who meets whom was noted with the tables. */
 static void make_list_def(struct plan *p)
 {
     struct list_def *d = &p->list_def;
@@ -309,9 +387,6 @@ static void make_list_def(struct plan *p)
         d->low[i] = p->scales.low[i] - room;
         d->high[i] = p->scales.high[i] + room;
     }
-    for (int i = 0; i < p->parts; i++)
-        for (int k = 0; k < KINDS && p->part[i].part->pairs; k++)
-            d->acts[k] |= p->part[i].part->acts[k];
 }
 
 static int check_something(const struct plan *p, const struct scene *scene)
@@ -328,17 +403,20 @@ static int build(struct plan *p, struct scene *scene)
     TRY(input_read(scene, p->engine, &p->in));
     TRY(check_something(p, scene));
     TRY(make_scales(p, scene));
-    p->kernel = kernels_use(p->engine, p->in.kernel.type, p->scales.support);
-    if (!p->kernel)
-        return STATUS_FAILED;
+    TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
+                     p->kernel));
+    kernels_scales(p->engine, p->kernel, &p->scales);
+    p->walls_as_fluid = p->in.walls->as_fluid;
     TRY(make_bodies(p));
     TRY(fill(p));
     TRY(take_parts(p));
     TRY(check_needs(p, scene));
+    TRY(check_walls(p, scene));
+    plan_fields_make(p);
     TRY(name_objects(p));
     TRY(make_layout(p));
-    make_list_def(p);
     TRY(plan_tables_make(p));
+    make_list_def(p);
     return plan_workspace_make(p, &p->main);
 }
 
@@ -377,7 +455,7 @@ void plan_free(struct plan **plan)
     free(p->body);
     free(p->wall);
     free(p->force);
-    free(p->kernel);
+    kernels_free(p->kernel);
     free(p->table);
     free(p->scratch);
     free(p);

@@ -11,6 +11,7 @@ struct engine {
     int lanes;
     const struct sum_engine *sum;
     const struct part *const *effects;    /* NULL-ended */
+    const struct part *const *walls;      /* NULL-ended, the first is the default */
     const struct kernel *const *kernels;  /* NULL-ended */
 };
 

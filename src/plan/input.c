@@ -82,22 +82,45 @@ static int check_tank(const struct scene *scene, const struct input *in)
     return STATUS_DONE;
 }
 
-static int read_eos(struct scene *scene, struct input *in)
+/* A part does not know the line where its keys stand. */
+static int complete(const struct part *part, void *self, const char *where)
+{
+    char text[1024];
+    int status = part->complete ? part->complete(self) : STATUS_DONE;
+
+    if (status == STATUS_DONE)
+        return status;
+    snprintf(text, sizeof text, "%s", status_message());
+    status_clear();
+    return status_fail(status, "%s: %s", where, text);
+}
+
+static int read_eos(struct scene *scene, const struct engine *engine, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "eos");
     const char *also[KEYS] = { NULL };
+    struct eos *eos;
+    bool open;
     int n = 0;
 
     for (int i = 0; pressure_table[i]; i++)
         n = add_keys(pressure_table[i]->params, also, n);
     TRY(scene_fill(scene, group, "eos", settings_eos_params, also, DIM, &in->eos));
     in->pressure = catalogue_part(pressure_table, in->eos.type);
-    in->walls = catalogue_part(walls_table, in->set.walls);
+    in->walls = catalogue_part(engine->walls, in->set.walls);
     in->pressure_self = status_alloc(1, in->pressure->size);
     if (!in->pressure_self)
         return STATUS_FAILED;
     n = add_keys(settings_eos_params, also, 0);
-    return scene_fill(scene, group, "eos", in->pressure->params, also, DIM, in->pressure_self);
+    TRY(scene_fill(scene, group, "eos", in->pressure->params, also, DIM, in->pressure_self));
+    eos = in->pressure_self;
+    open = isnan(eos->c0);
+    TRY(complete(in->pressure, eos, group ? scene_where(group) : scene_path(scene)));
+    if (open && !isnan(eos->c0))
+        scene_computed(scene, "eos", "c0", eos->c0);
+    if (in->walls->size && !(in->walls_self = status_alloc(1, in->walls->size)))
+        return STATUS_FAILED;
+    return STATUS_DONE;
 }
 
 static bool has_gravity(const struct input *in)
@@ -290,7 +313,7 @@ int input_read(struct scene *scene, const struct engine *engine, struct input *i
     catalogue_prepare(engine);
     TRY(read_top(scene, in));
     TRY(check_tank(scene, in));
-    TRY(read_eos(scene, in));
+    TRY(read_eos(scene, engine, in));
     TRY(read_fluids(scene, in));
     TRY(read_effects(scene, engine, in));
     TRY(read_walls(scene, in));
@@ -305,6 +328,7 @@ void input_free(struct input *in)
     for (int i = 0; i < in->bodies; i++)
         free(in->body[i].params);
     free(in->pressure_self);
+    free(in->walls_self);
     free(in->fluid);
     free(in->wall);
     free(in->body);

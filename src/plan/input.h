@@ -50,6 +50,7 @@ struct input {
     const struct part *pressure; /* equation of state */
     void *pressure_self;         /* begins with struct eos */
     const struct part *walls;
+    void *walls_self;            /* NULL when its size is 0 */
     int effects, fluids, wall_count, bodies, probes;
     struct input_effect effect[INPUT_EFFECTS];
     struct input_fluid *fluid;

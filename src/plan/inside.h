@@ -6,7 +6,7 @@
 #include "plan/input.h"
 #include "plan/plan.h"
 
-enum { PLAN_PARTS = 32 };
+enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
 
 struct pairs_table;
 struct kernel_use;
@@ -47,6 +47,12 @@ struct plan_book {
     int n;
 };
 
+/* A density that is summed before there are forces. */
+struct plan_field {
+    const struct plan_part *part;
+    unsigned meets[KINDS]; /* partner kinds by owner kind                     */
+};
+
 /* What one evaluation of the pair sums works in; the observer has its own. */
 struct plan_workspace {
     struct list *list;
@@ -54,6 +60,8 @@ struct plan_workspace {
     double *f;       /* [n][DIM] by slot                                      */
     double *drho;    /* [n] by slot                                           */
     double *power;   /* [slots]                                               */
+    double *rho;     /* [n] densities that fields give, creation order; NULL  */
+    double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
     struct sum_scratch scratch;
 };
 
@@ -61,10 +69,13 @@ struct plan {
     struct input in;
     struct scales scales;
     const struct engine *engine;
-    struct kernel_use *kernel;
+    struct kernel_use *kernel[PART_KERNELS]; /* one may serve several uses   */
     int parts, slots;
     struct plan_part part[PLAN_PARTS];
     const struct plan_part *pressure;  /* NULL: none                          */
+    bool walls_as_fluid;               /* solids get their density as the fluid */
+    int fields;
+    struct plan_field field[PLAN_FIELDS]; /* in the order in which they are summed */
     int bodies, walls;
     struct plan_body *body;
     struct plan_wall *wall;
@@ -84,21 +95,27 @@ struct plan {
     struct plan_counts counts;
 };
 
-/* pairs.c: tables of laws, by lane-free arithmetic on pointers. */
+/* tables.c: tables of laws, by lane-free arithmetic on pointers; fields. */
 int plan_tables_make(struct plan *p);
+void plan_fields_make(struct plan *p);
 
 /* workspace.c */
 int plan_workspace_make(struct plan *p, struct plan_workspace *w);
 void plan_workspace_free(struct plan *p, struct plan_workspace *w);
 
-/* pack.c: records of everybody in list order.  STATUS_FAILED: refused. */
-int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v);
+/* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
+int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, unsigned kinds);
+
+/* fields.c: list and records of this moment, and the densities in v that are
+ * summed.  STATUS_FAILED: refused. */
+int plan_fields(struct plan *p, struct plan_workspace *w, struct view *v);
 
 /* rates.c: the explicit side into ydot, with this workspace. */
 int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double *y,
                double *ydot);
 
-/* view.c: moves solids to (t, y) and says where everything is. */
+/* view.c: moves solids to (t, y) and says where everything is, but for densities
+ * that are summed. */
 void plan_view_make(struct plan *p, double t, const double *y, struct view *v);
 
 /* book.c */

@@ -1,6 +1,7 @@
 /* limit.c -- the largest explicit step: the fastest wave and the fastest decay
  * of all parts, by name. */
 #include "plan/inside.h"
+#include "plan/observe.h"
 
 #include <stdio.h>
 
@@ -20,7 +21,7 @@ void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct li
 
     limit[0] = (struct limit){ .where = -1 };
     limit[1] = (struct limit){ .where = -1, .decay = true };
-    plan_view_make(p, t, y, &v);
+    plan_view(p, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
         if (p->part[i].part->limit) {

@@ -6,22 +6,16 @@
 #include "space/record.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-void plan_view(struct plan *p, double t, const double *y, struct view *v)
-{
-    plan_view_make(p, t, y, v);
-}
-
 /* The run's list if it fits the moment, else the observer's own. */
-static int choose(struct plan *p, double t, const double *y, struct plan_workspace **w)
+static int choose(struct plan *p, const struct view *v, struct plan_workspace **w)
 {
     struct cloud cloud;
-    struct view v;
 
-    plan_view_make(p, t, y, &v);
-    memcpy(cloud.from, v.p->from, sizeof cloud.from);
-    memcpy(cloud.x, v.x, sizeof cloud.x);
+    memcpy(cloud.from, v->p->from, sizeof cloud.from);
+    memcpy(cloud.x, v->x, sizeof cloud.x);
     *w = &p->main;
     if (p->particles->n == 0 || !p->engine->sum->list->stale(p->main.list, &cloud))
         return STATUS_DONE;
@@ -29,11 +23,29 @@ static int choose(struct plan *p, double t, const double *y, struct plan_workspa
     return p->observer.list ? STATUS_DONE : plan_workspace_make(p, &p->observer);
 }
 
-int plan_observe(struct plan *p, double t, const double *y)
+/* Densities out of bounds are looked at all the same: who asks for a view wants
+ * to see what is there. */
+void plan_view(struct plan *p, double t, const double *y, struct view *v)
 {
     struct plan_workspace *w;
 
-    TRY(choose(p, t, y, &w));
+    plan_view_make(p, t, y, v);
+    if (p->fields == 0)
+        return;
+    if (choose(p, v, &w) == STATUS_DONE)
+        plan_fields(p, w, v);
+    for (int k = 0; k < KINDS; k++) /* a position that is not finite has no sums */
+        if (!v->rho[k])
+            v->rho[k] = p->main.rho + p->particles->from[k];
+}
+
+int plan_observe(struct plan *p, double t, const double *y)
+{
+    struct plan_workspace *w;
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    TRY(choose(p, &v, &w));
     if (plan_rates(p, w, t, y, p->scratch) != STATUS_DONE)
         return status_fail(STATUS_FAILED, "%s", p->refusal);
     return STATUS_DONE;
@@ -113,6 +125,30 @@ int plan_escaped(struct plan *p, double t, const double *y)
     for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++)
         n += !list_inside(&p->list_def, v.x[KIND_FLUID] + (size_t)i * DIM);
     return n;
+}
+
+const char *plan_runaway(struct plan *p, double t, const double *y)
+{
+    static char text[320];
+    const double most = p->in.eos.fastest * p->scales.c0;
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++) {
+        const double *u = v.u[KIND_FLUID] + (size_t)i * DIM;
+        double u2 = 0;
+        for (int d = 0; d < DIM; d++)
+            u2 += u[d] * u[d];
+        if (!(u2 > most * most))
+            continue;
+        snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) moves at "
+                 "%.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
+                 "higher eos.c0 if that speed is real", t, i,
+                 v.p->object[v.p->object_of[i]].name, sqrt(u2), sqrt(u2) / p->scales.c0,
+                 p->scales.c0, p->in.eos.fastest);
+        return text;
+    }
+    return NULL;
 }
 
 int plan_lanes(const struct plan *p)

@@ -41,6 +41,15 @@ void plan_body_view(struct plan *plan, int body, double t, const double *y,
                     struct body_view *out);
 const double *plan_impulse(const struct plan *plan, const double *y, int object); /* [DIM] [N s] */
 
+/* For the message of a run that failed: which fluid particle is pushed hardest at
+ * (t, y), by which part, how hard, and what may be wrong; "" when there is nothing
+ * to say. */
+void plan_blame(struct plan *plan, double t, const double *y, char *text, size_t room);
+
+/* NULL, or why no run should go on from here: fluid that moves faster than
+ * eos.fastest times the sound speed.  Static buffer. */
+const char *plan_runaway(struct plan *plan, double t, const double *y);
+
 /* Pressure [Pa] of n densities. */
 void plan_pressures(const struct plan *plan, int n, const double *rho, double *p);
 

@@ -93,13 +93,15 @@ static int refuse_density(struct plan *p, const struct plan_workspace *w, const 
     return STATUS_FAILED;
 }
 
-int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v)
+int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, unsigned kinds)
 {
     const struct list *l = w->list;
     atomic_int bad = l->listed;
 
     for (int k = 0; k < KINDS; k++) {
         const int from = l->start[k], to = l->start[k + 1];
+        if (!(kinds & KIND_BIT(k)))
+            continue;
 #pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
         for (int s = from; s < to; s += CHUNK) {
             const int at = pack_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);

@@ -3,28 +3,7 @@
 
 #include "base/status.h"
 
-#include <stdio.h>
 #include <string.h>
-
-static int refuse_position(struct plan *p, const struct list *l, double t)
-{
-    const struct object *o = &p->particles->object[p->particles->object_of[l->bad]];
-
-    snprintf(p->refusal, sizeof p->refusal, "the position of particle %d (%s) is not finite at "
-             "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
-    return STATUS_FAILED;
-}
-
-static int update_list(struct plan *p, struct plan_workspace *w, const struct view *v)
-{
-    struct cloud cloud;
-
-    memcpy(cloud.from, v->p->from, sizeof cloud.from);
-    memcpy(cloud.x, v->x, sizeof cloud.x);
-    return p->engine->sum->list->update(w->list, &cloud) == STATUS_DONE
-               ? STATUS_DONE
-               : refuse_position(p, w->list, v->t);
-}
 
 static int sum_pairs(struct plan *p, struct plan_workspace *w)
 {
@@ -138,11 +117,9 @@ int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double 
     struct view v;
 
     plan_view_make(p, t, y, &v);
-    if (p->particles->n > 0) {
-        TRY(update_list(p, w, &v));
-        TRY(plan_pack(p, w, &v));
+    TRY(plan_fields(p, w, &v));
+    if (p->particles->n > 0)
         TRY(sum_pairs(p, w));
-    }
     if (p->row_x >= 0) {
         scatter_fluid(p, w, &v, ydot);
         scatter_solids(p, w, ydot);

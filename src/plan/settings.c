@@ -7,7 +7,7 @@
 enum { WORDS = 32 };
 
 /* Words that tables of other rooms bring; see settings_prepare(). */
-static const char *kernel_words[WORDS], *eos_words[WORDS], *wall_words[WORDS];
+static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS], *wall_words[WORDS];
 
 static const char *const norm_words[] = { "max", "p8", "wrms", NULL };
 static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
@@ -26,12 +26,19 @@ const struct param settings_params[] = {
       .about = "time at which the run ends" },
     { .key = "spacing", .unit = "m", AT(settings, spacing), .fallback = NAN, .min = 1e-9,
       .max = 1e6, .about = "distance of particles at the start; needed when there are any" },
+    { .key = "particle_mass", .unit = DIM == 2 ? "kg/m" : "kg", AT(settings, particle_mass),
+      .fallback = NAN, .min = 1e-30, .max = 1e12,
+      .about = "mass of every particle; computed: rho0 times the volume of a site. Another one "
+               "presses the fluid together or pulls it apart at the start" },
     { .key = "method", .unit = "", .type = PARAM_TEXT, AT(settings, method),
       .about = "time integration (see `list methods`); empty: the default for the scene" },
     { .key = "tol", .unit = "1", AT(settings, tol), .fallback = 1e-2, .min = 1e-12, .max = 10,
       .about = "error allowed in a step, in units of the scales of each block" },
     { .key = "norm", .unit = "", .type = PARAM_WORD, AT(settings, norm), .words = norm_words,
       .about = "how the errors of all entries become one: largest, mean 8th power, rms" },
+    { .key = "substep", .unit = "s", AT(settings, substep), .fallback = NAN, .min = 1e-9,
+      .max = 1e6, .about = "largest step of bodies in the method staggered; computed: no limit, "
+                           "one step as the fluid's" },
     { .key = "walls", .unit = "", .type = PARAM_WORD, AT(settings, walls), .words = wall_words,
       .about = "how solids meet the fluid (see `list walls`)" },
     { 0 },
@@ -40,6 +47,12 @@ const struct param settings_params[] = {
 const struct param settings_kernel_params[] = {
     { .key = "type", .unit = "", .type = PARAM_WORD, AT(settings_kernel, type),
       .words = kernel_words, .about = "smoothing kernel (see `list kernels`)" },
+    { .key = "density", .unit = "", .type = PARAM_WORD, AT(settings_kernel, use[PART_DENSITY]),
+      .words = use_words, .about = "kernel of densities, if another than type" },
+    { .key = "pressure", .unit = "", .type = PARAM_WORD, AT(settings_kernel, use[PART_PRESSURE]),
+      .words = use_words, .about = "kernel of the pressure force, if another than type" },
+    { .key = "viscosity", .unit = "", .type = PARAM_WORD, AT(settings_kernel, use[PART_VISCOSITY]),
+      .words = use_words, .about = "kernel of viscosities, if another than type" },
     { .key = "support", .unit = "spacings", AT(settings_kernel, support), .fallback = 3,
       .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
     { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.1, .min = 0.001,
@@ -72,6 +85,8 @@ const struct param settings_eos_params[] = {
       .max = 0.99, .about = "density below which the right-hand side refuses to answer" },
     { .key = "highest", .unit = "rho0", AT(settings_eos, highest), .fallback = 3, .min = 1.01,
       .max = 100, .about = "density above which it refuses" },
+    { .key = "fastest", .unit = "c0", AT(settings_eos, fastest), .fallback = 5, .min = 0.1,
+      .max = 1e6, .about = "speed of a fluid particle at which the run is given up" },
     { 0 },
 };
 
@@ -117,7 +132,7 @@ static void copy_words(const char **to, const char *const *from)
 {
     int n = 0;
 
-    while (from[n] && n < WORDS - 1) {
+    while (from[n] && n < WORDS - 2) {
         to[n] = from[n];
         n++;
     }
@@ -128,6 +143,7 @@ void settings_prepare(const char *const *kernels, const char *const *eos,
                       const char *const *walls)
 {
     copy_words(kernel_words, kernels);
+    copy_words(use_words + 1, kernels);
     copy_words(eos_words, eos);
     copy_words(wall_words, walls);
 }

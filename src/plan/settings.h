@@ -4,6 +4,7 @@
 
 #include "base/param.h"
 #include "space/shape.h"
+#include "state/part.h"
 #include <stdbool.h>
 
 struct settings {
@@ -12,14 +13,17 @@ struct settings {
     double gravity[3];  /* [m/s^2]                                            */
     double until;       /* [s]                                                */
     double spacing;     /* dx [m]                                             */
+    double particle_mass; /* [kg, 2D: kg/m]                                   */
     const char *method; /* "" : by whether there is a stiff side              */
     double tol;
     const char *norm;   /* "max", "p8", "wrms"                                */
+    double substep;     /* largest one of bodies in the method staggered [s]  */
     const char *walls;  /* wall model                                         */
 };
 
 struct settings_kernel {
     const char *type;
+    const char *use[PART_KERNELS]; /* for densities, pressure, viscosity; "same": type */
     double support; /* H/dx */
     double skin;    /* extra radius of the pair list / H */
 };
@@ -37,6 +41,7 @@ struct settings_reference {
 struct settings_eos { /* beside the keys of the equation of state itself */
     const char *type;
     double lowest, highest; /* density bounds in rho0 */
+    double fastest;         /* speed at which a run is given up, in c0 */
 };
 
 struct settings_output {

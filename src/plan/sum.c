@@ -90,17 +90,13 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
 
     for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
         const int left = segment->rows - row;
-        const struct kernel_use *kernel = NULL;
 
         b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
         gather(job->record, segment->j + (size_t)row * LANES, b->n, a, b);
         for (int i = 0; i < table->n; i++) {
             const struct pairs_work *w = &table->work[i];
 
-            if (w->kernel != kernel) {
-                kernel = w->kernel;
-                gather_kernel(table->needs, kernel, b);
-            }
+            gather_kernel(w->needs, w->kernel, b);
             w->law(w->self, a, b, &part[w->slot]);
         }
     }
@@ -144,7 +140,10 @@ static void sum_group(const struct sum_job *job, int g, int quarter, struct bloc
     for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
         const struct list_segment *segment = &list->segment[s];
 
-        sum_segment(job, &job->table[kind * KINDS + segment->partner], segment, &a, b, part);
+        const struct pairs_table *table = &job->table[kind * KINDS + segment->partner];
+
+        if (table->n > 0) /* the list also serves fields */
+            sum_segment(job, table, segment, &a, b, part);
     }
     finish_group(job, first, left < LANES ? left : LANES, quarter, &a, part, book);
 }
@@ -227,6 +226,56 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
     return STATUS_DONE;
 }
 
+/* What one field adds up for one group of owners. */
+static void field_group(const struct sum_field_job *job, int g, struct block *b)
+{
+    const struct list *list = job->list;
+    const int first = list->group_slot[g], kind = list->group_kind[g];
+    const int end = list->start[kind + 1];
+    gather_rows *const gather = gather_choose(job->needs);
+    struct field_sum sum = { 0 };
+    struct side a;
+
+    gather_side(job->record, first, end, list->listed, &a);
+    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
+        const struct list_segment *segment = &list->segment[s];
+
+        for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
+            const int left = segment->rows - row;
+
+            if (!(job->meets[kind] & KIND_BIT(segment->partner)))
+                break;
+            b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
+            gather(job->record, segment->j + (size_t)row * LANES, b->n, &a, b);
+            gather_kernel(job->needs, job->kernel, b);
+            job->gather(job->self, &a, b, &sum);
+        }
+    }
+    for (int l = 0; l < LANES && first + l < end; l++)
+        for (int i = 0; i < PAIRS_FIELD; i++)
+            job->sum[first + l][i] = sum.s[i][l];
+}
+
+static void sum_field(const struct sum_field_job *job)
+{
+    const struct list *list = job->list;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        const int from = list->group_from[kind], to = list->group_from[kind + 1];
+
+        if (!job->meets[kind])
+            continue;
+#pragma omp parallel if (to - from > WORTH_THREADS / LANES)
+        {
+            struct block b;
+
+#pragma omp for schedule(static)
+            for (int g = from; g < to; g++)
+                field_group(job, g, &b);
+        }
+    }
+}
+
 const struct sum_engine LANE_NAME(sum_engine) = {
-    .lanes = LANES, .list = &LANE_NAME(list_engine), .pairs = sum_pairs,
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .pairs = sum_pairs, .field = sum_field,
 };

@@ -8,6 +8,12 @@
 #include "space/list.h"
 
 struct pairs_table;
+struct kernel_use;
+struct side; /* space/pairs.h, lanes wide */
+struct block;
+struct field_sum;
+typedef void pairs_field(const void *self, const struct side *a, const struct block *b,
+                         struct field_sum *to);
 
 enum {
     SUM_CHUNK = 128, /* slots of one kind whose powers are added first        */
@@ -26,6 +32,18 @@ struct sum_job {
                                           owners [W]                          */
 };
 
+/* Sums of a field, before there are forces. */
+struct sum_field_job {
+    const struct list *list;
+    const double *record;            /* as in struct sum_job                  */
+    const unsigned *meets;           /* [KINDS] partner kinds by owner kind   */
+    unsigned needs;                  /* NEED_ bits                            */
+    pairs_field *gather;
+    const void *self;
+    const struct kernel_use *kernel;
+    double (*sum)[2 + DIM];          /* [listed] of owners; others untouched  */
+};
+
 /* Starts as { 0 }; memory is taken at the first call and after a rebuild that
  * needs more, never between rebuilds.  The caller frees `power` at the end. */
 struct sum_scratch {
@@ -39,6 +57,7 @@ struct sum_engine {
     const struct list_engine *list;
     /* 0 or STATUS_FAILED (no memory). */
     int (*pairs)(const struct sum_job *job, struct sum_scratch *scratch);
+    void (*field)(const struct sum_field_job *job);
 };
 extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4;
 

@@ -4,10 +4,10 @@
 
 static void move_wall(struct particles *all, const struct plan_wall *w, double t)
 {
-    const struct object *o = &all->object[w->object];
+    struct object *o = &all->object[w->object];
     double shift[DIM], u[DIM];
 
-    walls_motion_at(&w->motion, t, shift, u);
+    walls_motion_at(&w->motion, t, shift, u, o->a);
     for (int i = o->from; i < o->from + o->n; i++)
         for (int d = 0; d < DIM; d++) {
             all->x[i][d] = all->x0[i][d] + shift[d];
@@ -44,5 +44,6 @@ void plan_view_make(struct plan *p, double t, const double *y, struct view *v)
         v->u[k] = fluid ? y + layout_at(&p->layout, p->row_u) : all->u[all->from[k]];
         if (p->density_row[k] >= 0)
             v->rho[k] = y + layout_at(&p->layout, p->density_row[k]);
+        v->stores[k] = v->rho[k] != NULL;
     }
 }

@@ -31,6 +31,12 @@ int plan_workspace_make(struct plan *p, struct plan_workspace *w)
     w->f = lines(n * DIM);
     w->drho = lines(n);
     w->power = lines(p->slots + 1);
+    if (p->fields > 0) {
+        w->rho = lines(n);
+        w->sum = (double (*)[PART_SUMS])lines(n * PART_SUMS);
+        if (!w->rho || !w->sum)
+            return STATUS_FAILED;
+    }
     return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -41,6 +47,8 @@ void plan_workspace_free(struct plan *p, struct plan_workspace *w)
     free(w->f);
     free(w->drho);
     free(w->power);
+    free(w->rho);
+    free(w->sum);
     free(w->scratch.power);
     *w = (struct plan_workspace){0};
 }

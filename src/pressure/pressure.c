@@ -1,9 +1,10 @@
 /* pressure.c -- the table of equations of state, a line each. */
 #include "pressure/pressure.h"
 
-extern const struct part pressure_tait;
+extern const struct part pressure_tait, pressure_linear;
 
 const struct part *const pressure_table[] = {
     &pressure_tait,
+    &pressure_linear,
     NULL,
 };

@@ -80,6 +80,7 @@ static int find_method(struct run *r)
     r->def = method_def_default();
     r->def.tol = s->tol;
     r->def.norm = norm_of(s->norm);
+    r->def.substep = isnan(s->substep) ? 0 : s->substep;
     if (method_find(name, &r->def, &r->method) != STATUS_DONE)
         return refuse_method(r);
     reason = r->method->serves ? r->method->serves(r->plan) : NULL;

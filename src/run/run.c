@@ -22,7 +22,7 @@ struct ticks {
     int (*write)(struct outputs *o, struct plan *plan, double t, const double *y);
 };
 
-enum { TICKS = 3 };
+enum { TICKS = 3, MESSAGE = 2048 };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
@@ -91,6 +91,13 @@ static void keep_density(struct run *r, double t, const double *y)
     }
 }
 
+static int check_runaway(struct run *r)
+{
+    const char *why = plan_runaway(r->plan, r->tally.t, r->method->state(r->self));
+
+    return why ? status_fail(STATUS_FAILED, "%s", why) : STATUS_DONE;
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
@@ -102,7 +109,8 @@ static int one_step(struct run *r, struct progress *progress)
     r->tally.rejected = step.rejected;
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    return outputs_step(r->outputs, &step);
+    TRY(outputs_step(r->outputs, &step));
+    return check_runaway(r);
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -207,10 +215,22 @@ static void write_end(struct run *r)
         outputs_rows(r->outputs, r->plan, r->tally.t, y);
 }
 
+/* The message of a run that ended early; for one that failed, with whom to blame. */
+static void explain(struct run *r, int status, char message[MESSAGE])
+{
+    char why[MESSAGE / 2] = "";
+
+    snprintf(message, MESSAGE / 2, "%s", status_message());
+    if (status == STATUS_FAILED)
+        plan_blame(r->plan, r->tally.t, r->method->state(r->self), why, sizeof why);
+    if (why[0])
+        snprintf(message + strlen(message), MESSAGE - strlen(message), ". Who did it: %s", why);
+}
+
 int run_scene(const struct run_order *order)
 {
     struct progress progress;
-    char message[1024] = "";
+    char message[MESSAGE] = "";
     struct run r;
     int status, last;
 
@@ -226,7 +246,7 @@ int run_scene(const struct run_order *order)
     status = go(&r, &progress);
     progress_end(&progress, r.tally.t);
     if (status != STATUS_DONE) {
-        snprintf(message, sizeof message, "%s", status_message());
+        explain(&r, status, message);
         write_end(&r);
     }
     if (status == STATUS_DONE)

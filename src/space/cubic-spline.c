@@ -5,7 +5,7 @@
  *
  * in q = r/H; the papers write it with h = H/2.
  * Monaghan, Lattanzio, Astron. Astrophys. 149 (1985) 135-143.  Checked in
- * tests/unit/space.c. */
+ * tests/unit/space-kernels.c. */
 #include "space/kernel.h"
 
 #include <math.h>
@@ -58,10 +58,27 @@ static void value(double support, double scale, int n, const lanes *r, const lan
     }
 }
 
+/* w'' + (D - 1) w'/q; again the outer branch divides by q >= 1/2 only. */
+static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
+                      lanes *l)
+{
+    const double inverse = 1 / support;
+    const double factor = scale * inverse * inverse;
+
+    for (int k = 0; k < n; k++) {
+        const lanes q = inverse * r[k];
+        const lanes_mask inner = (lanes_mask)(q < 0.5);
+        const lanes t = lanes_positive(1 - q);
+        const lanes far = 12 * t - 6 * (DIM - 1) * t * t / (0.5 + lanes_positive(q - 0.5));
+        l[k] = factor * m[k] * (lanes_where(inner, 18 * (DIM + 1) * q - 12 * DIM)
+                                + lanes_where(~inner, far));
+    }
+}
+
 const struct kernel kernel_cubic_spline = {
     .name = "cubic-spline", .about = "the kernel of the published dam breaks",
     .source = "Monaghan, Lattanzio 1985",
     .sigma = { [2] = 40 / (7 * M_PI), [3] = 8 / M_PI },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value,
+    .gradient = gradient, .value = value, .laplacian = laplacian,
 };

@@ -152,4 +152,6 @@ void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b
         soften(use->support, b);
     if (needs & NEED_W)
         use->kernel->value(use->support, use->scale, b->n, b->r, b->mm, b->w);
+    if (needs & NEED_LAPW)
+        use->kernel->laplacian(use->support, use->scale, b->n, b->r, b->mm, b->lw);
 }

@@ -6,7 +6,7 @@
 #include "space/kernel.h"
 #include "space/pairs.h"
 
-/* Fills n <= PAIRS_ROWS rows of b but for gw, gw_r2 and w; j is [n][LANES]
+/* Fills n <= PAIRS_ROWS rows of b but for what kernels give; j is [n][LANES]
  * slots. */
 typedef void gather_rows(const double *record, const int *j, int n, const struct side *a,
                          struct block *b);
@@ -20,7 +20,7 @@ gather_rows *gather_choose(unsigned needs);
 #define gather_side LANE_NAME(gather_side)
 void gather_side(const double *record, int first, int end, int dummy, struct side *a);
 
-/* Fills gw, gw_r2 and w, whichever are needed, by this kernel. */
+/* Fills gw, gw_r2, w and lw, whichever are needed, by this kernel. */
 #define gather_kernel LANE_NAME(gather_kernel)
 void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b);
 

@@ -7,6 +7,7 @@
 #define SPACE_KERNEL_H
 
 #include "space/lanes.h"
+#include <stdbool.h>
 
 typedef void kernel_rows(double support, double scale, int n, const lanes *r, const lanes *m,
                          lanes *to);
@@ -14,17 +15,24 @@ typedef void kernel_rows(double support, double scale, int n, const lanes *r, co
 struct kernel {
     const char *name, *about, *source;
     double sigma[4]; /* [D] normalisation in 2D and 3D, 0 where undefined    */
+    bool singular;   /* W grows without bound at the centre: no kernel for sums
+                        that count the particle itself                        */
+    bool spreads;    /* the Laplacian of W is nowhere negative, as a viscosity
+                        made of it needs                                      */
 
     /* The shape and its first two derivatives by q [1], for q in [0, 1]. */
     double (*w)(double q);
     double (*dw)(double q);
     double (*ddw)(double q);
 
-    /* g[k] = m[k] W'(r)/r [of m, m^-(D+2)] and w[k] = m[k] W(r) [of m, m^-D]
-     * for n rows of r [m]; exactly 0 from r = H on, finite at r = 0.
-     * scale = sigma_D/H^D. */
-    kernel_rows *gradient, *value;
+    /* g[k] = m[k] W'(r)/r [of m, m^-(D+2)], w[k] = m[k] W(r) [of m, m^-D] and
+     * l[k] = m[k] lap W(r) in DIM dimensions [of m, m^-(D+2)] for n rows of
+     * r [m]; exactly 0 from r = H on, finite at r = 0 (those that divide by r
+     * count it as KERNEL_CLOSE H at least).  scale = sigma_D/H^D. */
+    kernel_rows *gradient, *value, *laplacian;
 };
+
+#define KERNEL_CLOSE 1e-9
 
 /* A kernel as a scene uses it. */
 struct kernel_use {
@@ -34,8 +42,17 @@ struct kernel_use {
 };
 
 #define kernel_wendland_c2 LANE_NAME(kernel_wendland_c2)
+#define kernel_wendland_c4 LANE_NAME(kernel_wendland_c4)
+#define kernel_wendland_c6 LANE_NAME(kernel_wendland_c6)
 #define kernel_cubic_spline LANE_NAME(kernel_cubic_spline)
-extern const struct kernel kernel_wendland_c2, kernel_cubic_spline;
+#define kernel_quintic_spline LANE_NAME(kernel_quintic_spline)
+#define kernel_gauss LANE_NAME(kernel_gauss)
+#define kernel_poly6 LANE_NAME(kernel_poly6)
+#define kernel_spiky LANE_NAME(kernel_spiky)
+#define kernel_viscosity_log LANE_NAME(kernel_viscosity_log)
+extern const struct kernel kernel_wendland_c2, kernel_wendland_c4, kernel_wendland_c6,
+    kernel_cubic_spline, kernel_quintic_spline, kernel_gauss, kernel_poly6, kernel_spiky,
+    kernel_viscosity_log;
 
 /* NULL-ended; the compiled width's own functions. */
 #define kernel_table LANE_NAME(kernel_table)
@@ -45,13 +62,14 @@ extern const struct kernel *const kernel_table[];
 #define kernel_use_make LANE_NAME(kernel_use_make)
 struct kernel_use kernel_use_make(const struct kernel *kernel, double support, int dimension);
 
-/* W [m^-D], W' [m^-(D+1)] and the Laplacian of W in `dimension` dimensions
- * [m^-(D+2)] at r >= 0 [m]; 0 from r = H on. */
+/* W [m^-D], W' [m^-(D+1)] and the Laplacian of W in DIM dimensions [m^-(D+2)] at
+ * r >= 0 [m]; 0 from r = H on.  The Laplacian is that of the rows; W and W' of a
+ * singular kernel are infinite at the centre. */
 #define kernel_w LANE_NAME(kernel_w)
 #define kernel_gradient LANE_NAME(kernel_gradient)
 #define kernel_laplacian LANE_NAME(kernel_laplacian)
 double kernel_w(const struct kernel_use *use, double r);
 double kernel_gradient(const struct kernel_use *use, double r);
-double kernel_laplacian(const struct kernel_use *use, double r, int dimension);
+double kernel_laplacian(const struct kernel_use *use, double r);
 
 #endif

@@ -5,7 +5,9 @@
 #include <stddef.h>
 
 const struct kernel *const kernel_table[] = {
-    &kernel_wendland_c2, &kernel_cubic_spline, NULL
+    &kernel_wendland_c2, &kernel_wendland_c4, &kernel_wendland_c6, &kernel_cubic_spline,
+    &kernel_quintic_spline, &kernel_gauss, &kernel_poly6, &kernel_spiky, &kernel_viscosity_log,
+    NULL
 };
 
 struct kernel_use kernel_use_make(const struct kernel *kernel, double support, int dimension)
@@ -31,14 +33,13 @@ double kernel_gradient(const struct kernel_use *use, double r)
     return q < 1 ? use->scale / use->support * use->kernel->dw(q) : 0;
 }
 
-/* W'' + (D - 1) W'/r; W'/r tends to W''(0) at the centre. */
-double kernel_laplacian(const struct kernel_use *use, double r, int dimension)
+/* A row of one distance: w'' + (D - 1) w'/q would lose all digits near the centre
+ * of a singular kernel. */
+double kernel_laplacian(const struct kernel_use *use, double r)
 {
-    const double q = r / use->support;
+    const lanes at = lanes_all(r), one = lanes_all(1);
+    lanes laplacian;
 
-    if (!(q < 1))
-        return 0;
-    const double curvature = use->kernel->ddw(q);
-    const double slope = q > 0 ? use->kernel->dw(q) / q : curvature;
-    return use->scale / (use->support * use->support) * (curvature + (dimension - 1) * slope);
+    use->kernel->laplacian(use->support, use->scale, 1, &at, &one, &laplacian);
+    return laplacian[0];
 }

@@ -33,6 +33,14 @@ static inline lanes lanes_positive(lanes a)
     return lanes_where(a > (lanes){0}, a);
 }
 
+/* The larger of a and b, lane by lane. */
+static inline lanes lanes_max(lanes a, lanes b)
+{
+    const lanes_mask first = a > b;
+
+    return (lanes)(((lanes_mask)a & first) | ((lanes_mask)b & ~first));
+}
+
 /* Exact square root: hidden behind the loads, an approximation is slower. */
 static inline lanes lanes_sqrt(lanes a)
 {

@@ -23,7 +23,8 @@ enum need {
     NEED_XV = 1 << 7,    /* xv                                               */
     NEED_GRADW = 1 << 8, /* gw                                               */
     NEED_W = 1 << 9,     /* w                                                */
-    NEED_GRADW_R2 = 1 << 10 /* gw_r2                                          */
+    NEED_GRADW_R2 = 1 << 10, /* gw_r2                                         */
+    NEED_LAPW = 1 << 11    /* lw                                              */
 };
 
 /* The owners' own values. */
@@ -44,6 +45,7 @@ struct block {
     lanes gw[PAIRS_ROWS];      /* m_a m_b W'(r)/r, 0 beyond the support      */
     lanes gw_r2[PAIRS_ROWS];   /* gw / (r^2 + 0.01 hs^2), hs half the support */
     lanes w[PAIRS_ROWS];       /* m_a m_b W(r), 0 beyond the support         */
+    lanes lw[PAIRS_ROWS];      /* m_a m_b lap W(r), 0 beyond the support     */
     lanes rho[PAIRS_ROWS], p2[PAIRS_ROWS], m[PAIRS_ROWS], irho[PAIRS_ROWS]; /* of b */
 };
 
@@ -53,6 +55,14 @@ struct sum {
     lanes drho;   /* own mass times rate of density     [kg * kg/m^D / s]       */
 };
 
+/* What a field adds up for its owners before there are forces. */
+enum { PAIRS_FIELD = 2 + DIM };
+struct field_sum {
+    lanes s[PAIRS_FIELD];
+};
+
+typedef void pairs_field(const void *self, const struct side *a, const struct block *b,
+                         struct field_sum *to);
 typedef void pairs_law(const void *self, const struct side *a, const struct block *b,
                        struct sum *to);
 
@@ -63,7 +73,9 @@ struct pairs_work {
     pairs_law *law;
     const void *self;
     const struct kernel_use *kernel;
-    int slot; /* row of the book it is accounted in                          */
+    int slot;       /* row of the book it is accounted in                    */
+    unsigned needs; /* NEED_ bits that its kernel is asked for before it; 0: the
+                       rows stand as a law before left them                  */
 };
 
 enum { PAIRS_LAWS = 12 };

@@ -3,9 +3,12 @@
  *   w(q) = (1 - q)^4 (1 + 4 q),  sigma_2 = 7/pi,  sigma_3 = 21/(2 pi)         (K1)
  *
  * in q = r/H.  Its Fourier transform is positive, so particles do not pair.
- * W'(r)/r = -20 sigma/H^(D+2) (1 - q)^3 needs no division by r.
+ * Nothing is divided by r:
+ *
+ *   w'/q = -20 (1 - q)^3,   lap w = -20 (1 - q)^2 (D - (D + 3) q)
+ *
  * Wendland, Adv. Comput. Math. 4 (1995) 389-396; Dehnen, Aly, Mon. Not. R.
- * Astron. Soc. 425 (2012) 1068-1082.  Checked in tests/unit/space.c. */
+ * Astron. Soc. 425 (2012) 1068-1082.  Checked in tests/unit/space-kernels.c. */
 #include "space/kernel.h"
 
 #include <math.h>
@@ -54,10 +57,23 @@ static void value(double support, double scale, int n, const lanes *r, const lan
     }
 }
 
+static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
+                      lanes *l)
+{
+    const double inverse = 1 / support;
+    const double factor = -20 * scale * inverse * inverse;
+
+    for (int k = 0; k < n; k++) {
+        const lanes q = inverse * r[k];
+        const lanes t = lanes_positive(1 - q);
+        l[k] = factor * m[k] * (t * t) * (DIM - (DIM + 3) * q);
+    }
+}
+
 const struct kernel kernel_wendland_c2 = {
     .name = "wendland-c2", .about = "smooth, no pairing of particles, cheap",
     .source = "Wendland 1995; Dehnen, Aly 2012",
     .sigma = { [2] = 7 / M_PI, [3] = 21 / (2 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value,
+    .gradient = gradient, .value = value, .laplacian = laplacian,
 };

@@ -5,12 +5,14 @@
 
 #include "space/kinds.h"
 #include "state/scales.h"
+#include <stdbool.h>
 
 /* A named thing of the scene that has particles: fluid, wall, beam, body. */
 struct object {
     char name[64];   /* "tank", without the group                             */
     enum kind kind;
     int from, n;     /* creation order                                        */
+    double a[DIM];   /* of a wall: its acceleration now           [m/s^2]     */
 };
 
 struct particles {
@@ -33,6 +35,7 @@ struct view {
     const double *x[KINDS];   /* [count of kind][DIM] position   [m]           */
     const double *u[KINDS];   /* [count of kind][DIM] velocity   [m/s]         */
     const double *rho[KINDS]; /* [count of kind]      density    [kg/m^D]      */
+    bool stores[KINDS];       /* that density holds internal energy            */
 };
 
 static inline int particles_count(const struct particles *p, enum kind k)

@@ -22,6 +22,15 @@ struct scales {
     double g[3];            /* gravity                               [m/s^2]  */
     double low[3], high[3]; /* domain                                [m]      */
     bool fluid;             /* there is any                                   */
+    bool clamped;           /* pressure is never negative                     */
+
+    /* How the kernels of the scene differ from Wendland C2 of the same support,
+     * by their largest eigenvalues on the lattice (1 when they do not differ). */
+    double wave;            /* of waves: SCALES_WAVE wave/hs         [1]      */
+    double laplace;         /* of Laplacians made of gradients       [1]      */
+    double laplacian;       /* largest eigenvalue of the Laplacian of the
+                               viscosity kernel                      [1/m^2]  */
+    double centre;          /* density kernel at its centre          [1/m^D]  */
 };
 
 #endif

@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-static int advance(struct fixed *x, double h)
+int fixed_euler_advance(struct fixed *x, double h)
 {
     const long u = x->from[LAYOUT_VELOCITY], rho = x->from[LAYOUT_OTHER];
     const double c[2] = { 1, h };
@@ -27,7 +27,8 @@ static int advance(struct fixed *x, double h)
         return STATUS_DONE;
     vector_copy(x->n, x->y_old, x->try);
     vector_copy(rho - u, x->y + u, x->try + u);
-    TRY(plan_rhs(x->plan, PLAN_ALL, x->t_old, x->try, x->rates));
+    fixed_hold(x, x->try);
+    TRY(plan_rhs(x->plan, x->kind->side, x->t_old, x->try, x->rates));
     vector_combine(2, c, (const double *[]){ x->y_old + rho, x->rates + rho }, x->n - rho,
                    x->y + rho);
     return STATUS_DONE;
@@ -62,7 +63,7 @@ static double shorter(struct fixed *x, double h, double other, int where, const 
 }
 
 /* (38), over the rows of velocities of particles. */
-static double length(struct fixed *x)
+double fixed_euler_length(struct fixed *x)
 {
     const struct layout *l = plan_layout(x->plan);
     const double H = plan_length(x->plan);
@@ -85,6 +86,7 @@ const struct fixed_kind fixed_euler = {
     .method = FIXED_METHOD("euler-cfl", "the seed's semi-implicit Euler, order 1",
                            "Toth 2012, equations (34), (35), (38)"),
     .number = 0.25,
-    .length = length,
-    .advance = advance,
+    .side = PLAN_ALL,
+    .length = fixed_euler_length,
+    .advance = fixed_euler_advance,
 };

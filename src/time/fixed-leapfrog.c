@@ -40,6 +40,7 @@ const struct fixed_kind fixed_leapfrog = {
     .method = FIXED_METHOD("leapfrog", "velocity Verlet, 1 right-hand side a step, order 2",
                            "Verlet, Phys. Rev. 159 (1967) 98-103"),
     .number = 0.25,
+    .side = PLAN_ALL,
     .length = fixed_wave_step,
     .advance = advance,
 };

@@ -14,6 +14,10 @@ struct fixed {
     struct plan *plan;
     long n, from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c */
     double number;        /* CFL number, the X of NAME@X                       */
+    double substep;       /* largest one of bodies, when they have steps of
+                             their own; HUGE_VAL: no limit [s]                 */
+    int ranges;           /* entries of such bodies: y[range[k][0]] up to      */
+    long range[LAYOUT_ROWS][2]; /* y[range[k][1]]; 0 ranges: none              */
     double h_min;
     double t, t_old;
     double *y, *f;        /* [n] now; f as dense output and the next step see it */
@@ -28,6 +32,8 @@ struct fixed {
 struct fixed_kind {
     struct method method; /* first: its create() finds the kind so             */
     double number;        /* when the name has no @                            */
+    enum plan_which side; /* what f holds: without PLAN_IMPLICIT, bodies have
+                             steps of their own                                */
 
     /* Length of a step from (t, y) with rates f [s]; sets limit. */
     double (*length)(struct fixed *x);
@@ -36,7 +42,7 @@ struct fixed_kind {
      * is handed up. */
     int (*advance)(struct fixed *x, double h);
 };
-extern const struct fixed_kind fixed_leapfrog, fixed_euler;
+extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered;
 
 int fixed_create(const struct method *m, const struct method_def *def, struct plan *plan,
                  double t, const double *y, void **out);
@@ -53,6 +59,17 @@ const char *fixed_serves(const struct plan *plan);
 /* CFL number * hs/(c0 + v) for waves, and not more than 1/2 of 1/rate for decay;
  * sets limit. */
 double fixed_wave_step(struct fixed *x);
+
+/* The same, and short enough to take bodies explicitly. */
+double fixed_explicit_step(struct fixed *x);
+
+/* Bodies with steps of their own: their entries of `to` become those of y_old. */
+void fixed_hold(const struct fixed *x, double *to);
+
+/* length() and advance() of fixed_euler; bodies with steps of their own are held
+ * where others look at them, and their entries of y are left to who calls. */
+double fixed_euler_length(struct fixed *x);
+int fixed_euler_advance(struct fixed *x, double h);
 
 #define FIXED_METHOD(NAME, ABOUT, SOURCE)                                                \
     { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false,                 \

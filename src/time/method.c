@@ -21,6 +21,7 @@ const struct method *const method_table[] = {
     &arkode_bs54.method,
     &fixed_leapfrog.method,
     &fixed_euler.method,
+    &fixed_staggered.method,
     &arkode_erk2.method,
     &arkode_erk3.method,
     &arkode_erk4.method,

@@ -15,6 +15,8 @@ struct method_def {
     enum method_norm norm;
     double step;          /* CFL number of methods without error control
                              (name@0.25); 0: the method's default             */
+    double substep;       /* largest step of bodies in a method that steps them
+                             apart from the fluid [s]; 0: no limit            */
     double h_first;       /* first step [s]; 0: the method chooses            */
     double h_min;         /* a step below this is a collapse [s]; 0: the method
                              takes a millionth of its first step              */

@@ -23,12 +23,13 @@ bool walls_motion_any(const struct walls_motion *m)
     return false;
 }
 
-void walls_motion_at(const struct walls_motion *m, double t, double *shift, double *u)
+void walls_motion_at(const struct walls_motion *m, double t, double *shift, double *u, double *a)
 {
     const double omega = 2 * M_PI * m->frequency;
 
     for (int d = 0; d < DIM; d++) {
         shift[d] = m->velocity[d] * t + m->amplitude[d] * sin(omega * t);
         u[d] = m->velocity[d] + m->amplitude[d] * omega * cos(omega * t);
+        a[d] = -m->amplitude[d] * omega * omega * sin(omega * t);
     }
 }

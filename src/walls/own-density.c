@@ -5,7 +5,10 @@
  * boundary particles", Crespo, Gomez-Gesteira, Dalrymple, Comput. Mater. Contin.
  * 5 (2007) 173-184.  Energy and momentum close exactly; a gap of about one
  * spacing stays between fluid and wall. */
+#include "space/lanes.h"
 #include "walls/walls.h"
+
+static const char *const with[] = { "continuity", NULL };
 
 static int blocks(void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS])
@@ -31,11 +34,13 @@ static int blocks(void *self, const struct scales *s, const struct particles *p,
     return 0;
 }
 
-const struct part walls_own_density = {
+const struct part LANE_NAME(walls_own_density) = {
     .name = "own-density",
     .about = "solids with a density of their own (dynamic boundary particles)",
     .equation = "(D1) and (P1) with the velocity of the solid",
     .source = "Crespo, Gomez-Gesteira, Dalrymple, Comput. Mater. Contin. 5 (2007) 173-184",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
+    .as_fluid = true,
+    .with = with,
     .blocks = blocks,
 };

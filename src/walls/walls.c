@@ -1,9 +1,14 @@
 /* walls.c -- the table of wall models, a line each; the first is the default. */
+#include "space/lanes.h"
 #include "walls/walls.h"
 
-extern const struct part walls_own_density;
+extern const struct part LANE_NAME(walls_own_density);
+extern const struct part LANE_NAME(walls_ghost);
+extern const struct part LANE_NAME(walls_adami);
 
 const struct part *const walls_table[] = {
-    &walls_own_density,
+    &LANE_NAME(walls_own_density),
+    &LANE_NAME(walls_ghost),
+    &LANE_NAME(walls_adami),
     NULL,
 };

@@ -71,11 +71,13 @@ static void make_tables(struct work *w, double support)
         for (int b = 0; b < KINDS; b++) {
             struct pairs_table *t = &w->table[a * KINDS + b];
 
-            t->work[t->n++] = (struct pairs_work){ laws[0], NULL, &w->kernel[0], 1 };
+            t->work[t->n++] = (struct pairs_work){ laws[0], NULL, &w->kernel[0], 1,
+                                                  NEED_GRADW };
             t->needs = NEED_X | NEED_P2 | NEED_GRADW | NEED_XV;
             if (a > KIND_WALL || b > KIND_WALL)
                 continue;
-            t->work[t->n++] = (struct pairs_work){ laws[1], &strength, &w->kernel[1], 2 };
+            t->work[t->n++] = (struct pairs_work){ laws[1], &strength, &w->kernel[1], 2,
+                                                  NEED_GRADW | NEED_W };
             t->needs |= NEED_V | NEED_W | NEED_IRHO | NEED_RHO | NEED_R2;
         }
 }

@@ -92,10 +92,17 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(kernel_integrates_to_one),
+        cmocka_unit_test(kernel_laplacian_integrates),
         cmocka_unit_test(kernel_derivatives_agree),
+        cmocka_unit_test(kernel_laplacian_at_centre),
+        cmocka_unit_test(kernel_signs),
+        cmocka_unit_test(kernel_as_published),
+        cmocka_unit_test(kernel_corrections_of_print),
+        cmocka_unit_test(kernel_laplacian_linear),
+        cmocka_unit_test(kernel_density_of_lattice),
         cmocka_unit_test(kernel_rows_agree),
         cmocka_unit_test(kernel_ends_at_support),
-        cmocka_unit_test(kernel_density_of_lattice),
+        cmocka_unit_test(kernel_same_bits_lanes),
         cmocka_unit_test(list_finds_all),
         cmocka_unit_test(list_takes_odd_clouds),
         cmocka_unit_test(list_keeps_outsiders_out),

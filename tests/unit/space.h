@@ -51,10 +51,17 @@ double space_distance2(const struct space_cloud *c, int i, int j); /* [m^2] */
     } while (0)
 
 void kernel_integrates_to_one(void **state);
+void kernel_laplacian_integrates(void **state);
 void kernel_derivatives_agree(void **state);
+void kernel_laplacian_at_centre(void **state);
+void kernel_signs(void **state);
+void kernel_as_published(void **state);
+void kernel_corrections_of_print(void **state);
+void kernel_laplacian_linear(void **state);
+void kernel_density_of_lattice(void **state);
 void kernel_rows_agree(void **state);
 void kernel_ends_at_support(void **state);
-void kernel_density_of_lattice(void **state);
+void kernel_same_bits_lanes(void **state);
 
 void list_finds_all(void **state);
 void list_takes_odd_clouds(void **state);

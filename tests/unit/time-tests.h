@@ -38,4 +38,12 @@ void tables_keep_their_order_conditions(void **state);
 void stability_factors_are_those_published(void **state);
 void stability_factors_of_sundials_tables(void **state);
 
+void staggered_steps_water_and_bodies_in_turn(void **state);
+void staggered_counts_its_substeps(void **state);
+void staggered_without_bodies_is_euler(void **state);
+void staggered_bodies_alone_set_their_step(void **state);
+void staggered_steps_do_not_depend_on_stiffness(void **state);
+void staggered_bodies_go_straight_between_the_ends(void **state);
+void staggered_halves_the_step_while_refused(void **state);
+
 #endif

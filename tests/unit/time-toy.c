@@ -86,6 +86,8 @@ static void particle_rates(struct plan *p, double t, const double *y, double *f)
         if (p->stiffness > 0)
             f[at(p, p->row_u) + i] += y[at(p, p->row_q)] - q;
         f[at(p, p->row_rho) + i] = -0.1 * s - (rho * u - r * c);
+        if (p->stiffness > 0)
+            f[at(p, p->row_rho) + i] += y[at(p, p->row_v)] - v;
     }
 }
 
@@ -126,6 +128,8 @@ int plan_solve(struct plan *p, double t, double g, const double *r, double *z)
 
     (void)t;
     p->counts.solves++;
+    if (p->solvable > 0 && g > p->solvable)
+        return status_fail(STATUS_FAILED, "gamma is %g", g);
     z[at(p, p->row_v)] = v;
     z[at(p, p->row_q)] = rq + g * v;
     return STATUS_DONE;

@@ -3,7 +3,7 @@
  * Particles i on a line, each with x = sin(t + i), u = x', rho = 1 + 0.1 cos(t + i):
  *
  *   x' = u,  u' = x_e'' - (x^3 rho - x_e^3 rho_e) + (q - q_e),
- *   rho' = rho_e' - (rho u - rho_e u_e),  book' = x_0 u_0
+ *   rho' = rho_e' - (rho u - rho_e u_e) + (v - v_e),  book' = x_0 u_0
  *
  * (e: exact), and, if stiffness > 0, a "beam" whose own terms are the stiff side:
  *
@@ -22,6 +22,7 @@ struct plan {
                                   density; 0: never                            */
     double refuse_after;       /* refuses beyond this time; 0: never           */
     double poison_after;       /* answers with infinities; 0: never            */
+    double solvable;           /* plan_solve() fails beyond this gamma; 0: never */
     double listed;             /* x_0 at the last "rebuild" of the list, which
                                   shows in the last bits of f                  */
     struct layout layout;

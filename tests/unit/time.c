@@ -96,7 +96,7 @@ static void methods_have_their_order(void **state)
                 { "opt64", 4, 0.1 },     { "bs54", 5, 0.1 },   { "erk2", 2, 0.02 },
                 { "erk3", 3, 0.05 },     { "erk4", 4, 0.1 },   { "erk5", 5, 0.1 },
                 { "leapfrog", 2, 0.02 }, { "euler-cfl", 1, 0.02 },
-                { "ARKODE_VERNER_8_5_6", 6, 0.2 } };
+                { "staggered", 1, 0.02 }, { "ARKODE_VERNER_8_5_6", 6, 0.2 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -136,7 +136,7 @@ static void right_hand_sides_are_not_wasted(void **state)
         const char *name;
         int a_step;
     } row[] = { { "imex3", 4 }, { "ark436", 6 }, { "cks43", 4 }, { "bs54", 7 }, { "erk3", 3 },
-                { "leapfrog", 1 }, { "euler-cfl", 2 } };
+                { "leapfrog", 1 }, { "euler-cfl", 2 }, { "staggered", 2 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -186,7 +186,8 @@ static void dense_output_has_about_the_order(void **state)
         const char *name;
         double order, h;
     } row[] = { { "imex3", 3, 0.05 }, { "imex4", 4, 0.1 },  { "ark436", 4, 0.1 },
-                { "bs54", 5, 0.1 },   { "leapfrog", 2, 0.02 }, { "euler-cfl", 1, 0.02 } };
+                { "bs54", 5, 0.1 },   { "leapfrog", 2, 0.02 }, { "euler-cfl", 1, 0.02 },
+                { "staggered", 1, 0.02 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -239,10 +240,11 @@ static void interpolants_reproduce_polynomials(void **state)
 /* The same bits, however often somebody looks. */
 static void looking_does_not_change_the_run(void **state)
 {
-    static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl" };
+    static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl",
+                                         "staggered" };
 
     (void)state;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         double final[3][64];
         long rebuilds[3];
         for (int looks = 0; looks < 3; looks++) {
@@ -294,10 +296,11 @@ static void a_refusal_shortens_the_step(void **state)
 
 static void a_lasting_refusal_ends_the_run_with_a_message(void **state)
 {
-    static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl" };
+    static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl",
+                                         "staggered" };
 
     (void)state;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         struct plan p;
         int steps;
         toy_make(&p, 4, 0.5);
@@ -581,6 +584,13 @@ int main(void)
         cmocka_unit_test(steps_say_what_limited_them),
         cmocka_unit_test(cfl_numbers_count_in_the_units_of_pressure),
         cmocka_unit_test(euler_takes_the_new_velocity),
+        cmocka_unit_test(staggered_steps_water_and_bodies_in_turn),
+        cmocka_unit_test(staggered_counts_its_substeps),
+        cmocka_unit_test(staggered_without_bodies_is_euler),
+        cmocka_unit_test(staggered_bodies_alone_set_their_step),
+        cmocka_unit_test(staggered_steps_do_not_depend_on_stiffness),
+        cmocka_unit_test(staggered_bodies_go_straight_between_the_ends),
+        cmocka_unit_test(staggered_halves_the_step_while_refused),
         cmocka_unit_test(implicit_steps_do_not_depend_on_stiffness),
         cmocka_unit_test(dense_output_of_stiff_entries_is_smooth),
         cmocka_unit_test(a_restart_forgets_the_past),

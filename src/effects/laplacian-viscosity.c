@@ -1,0 +1,22 @@
+/* laplacian-viscosity.c -- the seed's viscosity (28) with the right Laplacian of
+ * the right kernel: (K9) and its lapW = 40/(pi H^5) (H - r) in 2D.  (V3) */
+#include "effects/laplacian-viscosity.h"
+
+static const struct param params[] = { LAPLACIAN_VISCOSITY_MU, { 0 } };
+
+static int prepare(void *self, const struct scales *scales)
+{
+    struct laplacian_viscosity *s = self;
+
+    s->factor = s->mu;
+    s->rate = scales->laplacian;
+    return 0;
+}
+
+const struct part LANE_NAME(effects_laplacian_viscosity) = {
+    .name = "laplacian-viscosity",
+    .about = "laminar viscosity by the Laplacian of a kernel, as the seed has it",
+    .equation = "(V3) F_ab = -m_a m_b mu/(rho_a rho_b) lapW_ab (v_a - v_b)",
+    .source = "Toth 2012, (28), with (31) corrected",
+    LAPLACIAN_VISCOSITY_PART,
+};

@@ -1,0 +1,63 @@
+/* laplacian-viscosity.h -- viscosity by the Laplacian of a kernel: what its right
+ * and its printed form have in common.
+ *
+ *   F_ab = -m_a m_b mu/(rho_a rho_b) lapW_ab (v_a - v_b)                (V3), (28)
+ *
+ * with mu the dynamic viscosity.  lapW must be positive everywhere, or the effect
+ * drives the fluid instead of braking it.  Toth 2012, (28), without its leading minus,
+ * which its (31) takes back. */
+#ifndef EFFECTS_LAPLACIAN_VISCOSITY_H
+#define EFFECTS_LAPLACIAN_VISCOSITY_H
+
+#include "effects/effects.h"
+
+#include <math.h>
+
+struct laplacian_viscosity {
+    double mu;     /* dynamic viscosity                             [Pa s]   */
+    double factor; /* mu times what a misprint makes of lapW        [Pa s ..] */
+    double rate;   /* fastest decay with mu/rho = 1                 [1/m^2]  */
+};
+
+#define LAPLACIAN_VISCOSITY_MU                                                           \
+    { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laplacian_viscosity, mu),   \
+      .fallback = 1e-3, .min = 0, .max = 1e4,                                            \
+      .about = "dynamic viscosity; 0.001 is water, the seed takes 0.5" }
+
+static void laplacian_viscosity_pairs(const void *self, const struct side *a,
+                                      const struct block *b, struct sum *to)
+{
+    const struct laplacian_viscosity *s = self;
+    struct sum t = *to; /* registers, not memory */
+
+    for (int k = 0; k < b->n; k++) {
+        const lanes c = s->factor * (a->irho * b->irho[k]) * b->lw[k];
+        for (int d = 0; d < DIM; d++)
+            t.f[d] -= c * b->v[d][k];
+    }
+    *to = t;
+}
+
+/* The lightest particle diffuses fastest. */
+static void laplacian_viscosity_limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct laplacian_viscosity *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < n; i++)
+        if (v->rho[KIND_FLUID][i] < least) {
+            least = v->rho[KIND_FLUID][i];
+            out->where = i;
+        }
+    out->rate = s->rate * s->factor / least;
+    out->decay = true;
+}
+
+#define LAPLACIAN_VISCOSITY_PART                                                         \
+    .size = sizeof(struct laplacian_viscosity), .params = params,                        \
+    .needs = FIELD_DENSITY, .rows = NEED_V | NEED_IRHO | NEED_LAPW,                      \
+    .columns = COLUMN_FORCE, .kernel = PART_VISCOSITY, .acts = EFFECTS_ACT_STICKY,       \
+    .prepare = prepare, .pairs = laplacian_viscosity_pairs, .limit = laplacian_viscosity_limit
+
+#endif

@@ -1,0 +1,78 @@
+/* summation.c -- density as a sum over neighbours, not as state.
+ *
+ *   rho_a = sum_b m_b W_ab,  b = a included                           (D3), (14)
+ *
+ * Its rate is (D1) exactly, so with the same kernel in the pressure force (P1) the
+ * energy closes; the rate is summed for the book only.  At a free surface half of
+ * the neighbours are missing: rho < rho0 there, which pulls the surface into clumps
+ * unless the equation of state has tension = false.  Toth 2012, (14).  Checked in
+ * tests/physics/laws.c and summation.c. */
+#include "effects/density-rate.h"
+#include "effects/effects.h"
+
+struct summation {
+    double centre; /* W(0) [1/m^D] */
+};
+
+static int prepare(void *self, const struct scales *s)
+{
+    struct summation *o = self;
+
+    o->centre = s->centre;
+    return 0;
+}
+
+static void gather(const void *self, const struct side *a, const struct block *b,
+                   struct field_sum *to)
+{
+    lanes sum = to->s[0];
+
+    (void)self;
+    (void)a;
+    for (int k = 0; k < b->n; k++)
+        sum += b->w[k];
+    to->s[0] = sum;
+}
+
+static void settle(const void *self, const struct settle *s)
+{
+    const struct summation *o = self;
+    const int first = s->v->p->from[s->kind];
+
+    for (int i = 0; i < s->n; i++) {
+        const double m = s->v->p->m[s->owner[i]];
+        s->rho[s->owner[i] - first] = s->sum[i][0] / m + m * o->centre;
+    }
+}
+
+static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
+{
+    (void)self;
+    (void)a;
+    density_rate(b, to);
+}
+
+#define EVERYBODY (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
+#define MEETS_EVERYBODY                                                                  \
+    { [KIND_FLUID] = EVERYBODY, [KIND_WALL] = EVERYBODY, [KIND_WALL_SLIP] = EVERYBODY,   \
+      [KIND_SKIN] = EVERYBODY, [KIND_SKIN_SLIP] = EVERYBODY }
+
+const struct part LANE_NAME(effects_summation) = {
+    .name = "summation",
+    .about = "density as a sum over neighbours; take eos.tension = false with it",
+    .equation = "(D3) rho_a = sum_b m_b W_ab",
+    .source = "Toth 2012, (14)",
+    .size = sizeof(struct summation),
+    .provides = FIELD_DENSITY,
+    .instead = "continuity",
+    .rows = NEED_XV | NEED_GRADW,
+    .columns = COLUMN_DRHO,
+    .acts = MEETS_EVERYBODY,
+    .conservative = true,
+    .meets = MEETS_EVERYBODY,
+    .gather_rows = NEED_W,
+    .prepare = prepare,
+    .gather = gather,
+    .settle = settle,
+    .pairs = pairs,
+};

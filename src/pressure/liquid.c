@@ -1,0 +1,53 @@
+/* liquid.c -- pressures, energy and waves of a liquid with an equation of state. */
+#include "pressure/liquid.h"
+
+#include <math.h>
+
+int liquid_prepare(void *self, const struct scales *s)
+{
+    struct liquid *l = self;
+
+    l->reach = SCALES_WAVE * s->wave / s->hs;
+    return 0;
+}
+
+void liquid_pressures(const void *self, int n, const double *rho, double *p)
+{
+    const struct liquid *l = self;
+
+    eos_pressures(&l->eos, n, rho, p);
+}
+
+/* Sound and flow together: the fastest particle carries the fastest wave. */
+void liquid_limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct liquid *l = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    const double *u = v->u[KIND_FLUID];
+    double most = -1;
+
+    for (int i = 0; i < n; i++) {
+        double u2 = 0;
+        for (int d = 0; d < DIM; d++)
+            u2 += u[i * DIM + d] * u[i * DIM + d];
+        if (u2 > most) {
+            most = u2;
+            out->where = i;
+        }
+    }
+    if (most >= 0)
+        out->rate = l->reach * (l->eos.c0 + sqrt(most));
+}
+
+void liquid_energy(const void *self, const struct view *v, struct energies *to)
+{
+    const struct liquid *l = self;
+    double sum = 0;
+
+    for (int k = 0; k < KINDS; k++) {
+        const int n = v->rho[k] && v->stores[k] ? particles_count(v->p, k) : 0;
+        for (int i = 0; i < n; i++)
+            sum += v->p->m[v->p->from[k] + i] * eos_energy(&l->eos, v->rho[k][i]);
+    }
+    to->internal += sum;
+}

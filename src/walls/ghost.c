@@ -1,0 +1,20 @@
+/* ghost.c -- the seed's walls: particles that stand still and are fluid otherwise.
+ *
+ * Their density is the sum (D3) over everybody around them, walls included, and they
+ * press by the same law (P1).  A wall that the fluid has left has too few neighbours,
+ * rho < rho0: with tension it would suck, so eos.tension = false belongs to it.
+ * Toth 2012, section 3.5.3. */
+#include "space/lanes.h"
+#include "walls/walls.h"
+
+static const char *const with[] = { "summation", NULL };
+
+const struct part LANE_NAME(walls_ghost) = {
+    .name = "ghost",
+    .about = "solids with a density summed like the fluid's, the seed's walls",
+    .equation = "(D3) and (P1) with the velocity of the solid",
+    .source = "Toth 2012, section 3.5.3",
+    .needs = FIELD_DENSITY | FIELD_PRESSURE,
+    .as_fluid = true,
+    .with = with,
+};
