@@ -2,7 +2,6 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "matter/eos.h"
 #include "plan/kernels.h"
 #include "scene/scene.h"
 #include "state/fill.h"
@@ -19,78 +18,6 @@ static double bytes_each(const struct plan *p)
     const double neighbours = DIM == 2 ? M_PI * h * h : 4.0 / 3 * M_PI * h * h * h;
 
     return (2 * DIM + 1) * 8.0 * 14 + 240 + list_bytes(1, neighbours);
-}
-
-/* Highest minus lowest point of all fluid along gravity [m]. */
-static double fluid_height(const struct plan *p)
-{
-    double low[DIM], high[DIM], best = 0;
-
-    for (int d = 0; d < DIM; d++) {
-        double least = HUGE_VAL, most = -HUGE_VAL;
-        for (int i = 0; i < p->in.fluids; i++) {
-            shape_bounds(&p->in.fluid[i].set.shape, low, high);
-            least = fmin(least, low[d]);
-            most = fmax(most, high[d]);
-        }
-        if (p->in.set.gravity[d] != 0 && p->in.fluids > 0)
-            best = fmax(best, most - least);
-    }
-    return best;
-}
-
-static int make_sound(struct plan *p, struct scene *scene)
-{
-    struct eos *e = p->in.pressure_self;
-    double g2 = 0;
-
-    for (int d = 0; d < DIM; d++)
-        g2 += p->in.set.gravity[d] * p->in.set.gravity[d];
-    if (isnan(e->c0)) {
-        if (p->in.fluids > 0 && g2 == 0)
-            return status_fail(STATUS_BAD_SCENE, "%s: eos.c0 is needed: without gravity the sound "
-                               "speed cannot be computed; take 10 times the largest speed that "
-                               "you expect", scene_path(scene));
-        e->c0 = p->in.fluids > 0 ? 10 * sqrt(2 * sqrt(g2) * fluid_height(p)) : 1;
-        scene_computed(scene, "eos", "c0", e->c0);
-    }
-    if (isnan(p->in.reference.speed)) {
-        p->in.reference.speed = e->c0 / 10;
-        scene_computed(scene, "reference", "speed", p->in.reference.speed);
-    }
-    return STATUS_DONE;
-}
-
-static int make_scales(struct plan *p, struct scene *scene)
-{
-    const struct eos *e = p->in.pressure_self;
-    struct scales *s = &p->scales;
-
-    TRY(make_sound(p, scene));
-    s->dimension = DIM;
-    s->fluid = p->in.fluids > 0;
-    s->dx = p->in.set.spacing;
-    if (isnan(s->dx))
-        s->dx = 1; /* nobody there: a beam alone */
-    s->support = p->in.kernel.support * s->dx;
-    s->hs = s->support / 2;
-    s->rho0 = e->rho0;
-    s->c0 = e->c0;
-    s->gamma = e->gamma;
-    s->clamped = e->clamped;
-    s->mass = p->in.set.particle_mass;
-    if (isnan(s->mass)) {
-        s->mass = s->rho0 * pow(s->dx, DIM);
-        if (s->fluid)
-            scene_computed(scene, "", "particle_mass", s->mass);
-    }
-    s->speed = p->in.reference.speed;
-    memcpy(s->g, p->in.set.gravity, sizeof s->g);
-    for (int d = 0; d < DIM; d++) { /* a beam alone needs no domain */
-        s->low[d] = isnan(p->in.domain.from[d]) ? 0 : p->in.domain.from[d];
-        s->high[d] = isnan(p->in.domain.to[d]) ? 0 : p->in.domain.to[d];
-    }
-    return STATUS_DONE;
 }
 
 static int take_part(struct plan *p, const struct part *part, void **self, const char *path)
@@ -126,92 +53,6 @@ static int take_parts(struct plan *p)
         TRY(take_part(p, p->in.walls, p->in.walls->size ? &p->in.walls_self : NULL, "walls"));
     for (int i = 0; i < p->in.effects; i++)
         TRY(take_part(p, p->in.effect[i].part, &p->in.effect[i].self, p->in.effect[i].path));
-    return STATUS_DONE;
-}
-
-static const struct plan_part *find_effect(const struct plan *p, const char *name)
-{
-    for (int i = 0; i < p->parts; i++)
-        if (strncmp(p->part[i].path, "effects.", 8) == 0
-            && strcmp(p->part[i].part->name, name) == 0)
-            return &p->part[i];
-    return NULL;
-}
-
-/* What one part cannot go with: another that does the same, a kernel. */
-static int check_part(const struct plan *p, const struct scene *scene, const struct plan_part *one)
-{
-    const char *kernel, *why = kernels_forbid(p->kernel, one->part, &kernel);
-
-    if (one->part->instead && find_effect(p, one->part->instead))
-        return status_fail(STATUS_BAD_SCENE, "%s: %s stands for effects.%s, which the scene names "
-                           "too; leave one of them out", scene_path(scene), one->path,
-                           one->part->instead);
-    if (why)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s with the kernel \"%s\": it %s",
-                           scene_path(scene), one->path, kernel, why);
-    return STATUS_DONE;
-}
-
-/* Every field that a part needs, some part must provide. */
-static int check_needs(const struct plan *p, const struct scene *scene)
-{
-    unsigned provided = 0;
-
-    for (int i = 0; i < p->parts; i++)
-        provided |= p->part[i].part->provides;
-    for (int i = 0; i < p->parts; i++) {
-        const unsigned missing = p->part[i].part->needs & ~provided;
-        TRY(check_part(p, scene, &p->part[i]));
-        if (missing & FIELD_DENSITY)
-            return status_fail(STATUS_BAD_SCENE, "%s: %s (%s) needs a density, which no effect "
-                               "provides: name effects.continuity = { }", scene_path(scene),
-                               p->part[i].path, p->part[i].part->name);
-        if (missing & FIELD_DENSITY_RATE)
-            return status_fail(STATUS_BAD_SCENE, "%s: %s changes a density that evolves, but this "
-                               "scene's density is a sum over neighbours; leave %s out, or name "
-                               "effects.continuity instead of effects.summation",
-                               scene_path(scene), p->part[i].path, p->part[i].path);
-    }
-    return STATUS_DONE;
-}
-
-/* Which wall models the density of the fluid goes with, for the message. */
-static void list_walls(const struct plan *p, const char *density, char *text, size_t room)
-{
-    size_t n = 0;
-
-    for (int i = 0; p->engine->walls[i]; i++)
-        for (const char *const *w = p->engine->walls[i]->with; *w; w++)
-            if (strcmp(*w, density) == 0 && n < room)
-                n += (size_t)snprintf(text + n, room - n, "%s\"%s\"", n ? " or " : "",
-                                      p->engine->walls[i]->name);
-}
-
-static bool has_solids(const struct plan *p)
-{
-    return p->in.wall_count + p->in.bodies > 0;
-}
-
-/* A wall model goes with some ways to a density and not with others: the rule of
- * doc/scene.md, "Walls". */
-static int check_walls(const struct plan *p, const struct scene *scene)
-{
-    char fits[128] = "";
-
-    for (int i = 0; i < p->parts; i++) {
-        const struct part *density = p->part[i].part;
-        bool good = false;
-        if (!(density->provides & FIELD_DENSITY) || !has_solids(p))
-            continue;
-        for (const char *const *w = p->in.walls->with; *w; w++)
-            good |= strcmp(*w, density->name) == 0;
-        list_walls(p, density->name, fits, sizeof fits);
-        if (!good)
-            return status_fail(STATUS_BAD_SCENE, "%s: walls = \"%s\" does not go with "
-                               "effects.%s, where solids would have no density; set walls = %s",
-                               scene_path(scene), p->in.walls->name, density->name, fits);
-    }
     return STATUS_DONE;
 }
 
@@ -402,7 +243,7 @@ static int build(struct plan *p, struct scene *scene)
 {
     TRY(input_read(scene, p->engine, &p->in));
     TRY(check_something(p, scene));
-    TRY(make_scales(p, scene));
+    TRY(plan_scales_make(p, scene));
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
                      p->kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
@@ -410,8 +251,7 @@ static int build(struct plan *p, struct scene *scene)
     TRY(make_bodies(p));
     TRY(fill(p));
     TRY(take_parts(p));
-    TRY(check_needs(p, scene));
-    TRY(check_walls(p, scene));
+    TRY(plan_agree(p, scene));
     plan_fields_make(p);
     TRY(name_objects(p));
     TRY(make_layout(p));

@@ -95,6 +95,12 @@ struct plan {
     struct plan_counts counts;
 };
 
+/* scales.c: p->scales from what was read; the kernels' share comes later. */
+int plan_scales_make(struct plan *p, struct scene *scene);
+
+/* agree.c: refuses parts that do not go together. */
+int plan_agree(const struct plan *p, const struct scene *scene);
+
 /* tables.c: tables of laws, by lane-free arithmetic on pointers; fields. */
 int plan_tables_make(struct plan *p);
 void plan_fields_make(struct plan *p);

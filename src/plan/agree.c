@@ -1,0 +1,101 @@
+/* agree.c -- do the parts of a scene go together: needs, kernels, walls. */
+#include "plan/inside.h"
+
+#include "base/status.h"
+#include "plan/kernels.h"
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct plan_part *find_effect(const struct plan *p, const char *name)
+{
+    for (int i = 0; i < p->parts; i++)
+        if (strncmp(p->part[i].path, "effects.", 8) == 0
+            && strcmp(p->part[i].part->name, name) == 0)
+            return &p->part[i];
+    return NULL;
+}
+
+/* What one part cannot go with: another that does the same, a kernel. */
+static int check_part(const struct plan *p, const struct scene *scene, const struct plan_part *one)
+{
+    const char *kernel, *why = kernels_forbid(p->kernel, one->part, &kernel);
+
+    if (one->part->instead && find_effect(p, one->part->instead))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s stands for effects.%s, which the scene names "
+                           "too; leave one of them out", scene_path(scene), one->path,
+                           one->part->instead);
+    if (why)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s with the kernel \"%s\": it %s",
+                           scene_path(scene), one->path, kernel, why);
+    return STATUS_DONE;
+}
+
+/* Every field that a part needs, some part must provide. */
+static int check_needs(const struct plan *p, const struct scene *scene)
+{
+    unsigned provided = 0;
+
+    for (int i = 0; i < p->parts; i++)
+        provided |= p->part[i].part->provides;
+    for (int i = 0; i < p->parts; i++) {
+        const unsigned missing = p->part[i].part->needs & ~provided;
+        TRY(check_part(p, scene, &p->part[i]));
+        if (missing & FIELD_DENSITY)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s (%s) needs a density, which no effect "
+                               "provides: name effects.continuity = { }", scene_path(scene),
+                               p->part[i].path, p->part[i].part->name);
+        if (missing & FIELD_DENSITY_RATE)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s changes a density that evolves, but this "
+                               "scene's density is a sum over neighbours; leave %s out, or name "
+                               "effects.continuity instead of effects.summation",
+                               scene_path(scene), p->part[i].path, p->part[i].path);
+    }
+    return STATUS_DONE;
+}
+
+/* Which wall models the density of the fluid goes with, for the message. */
+static void list_walls(const struct plan *p, const char *density, char *text, size_t room)
+{
+    size_t n = 0;
+
+    for (int i = 0; p->engine->walls[i]; i++)
+        for (const char *const *w = p->engine->walls[i]->with; *w; w++)
+            if (strcmp(*w, density) == 0 && n < room)
+                n += (size_t)snprintf(text + n, room - n, "%s\"%s\"", n ? " or " : "",
+                                      p->engine->walls[i]->name);
+}
+
+static bool has_solids(const struct plan *p)
+{
+    return p->in.wall_count + p->in.bodies > 0;
+}
+
+/* A wall model goes with some ways to a density and not with others: the rule of
+ * doc/scene.md, "Walls". */
+static int check_walls(const struct plan *p, const struct scene *scene)
+{
+    char fits[128] = "";
+
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *density = p->part[i].part;
+        bool good = false;
+        if (!(density->provides & FIELD_DENSITY) || !has_solids(p))
+            continue;
+        for (const char *const *w = p->in.walls->with; *w; w++)
+            good |= strcmp(*w, density->name) == 0;
+        list_walls(p, density->name, fits, sizeof fits);
+        if (!good)
+            return status_fail(STATUS_BAD_SCENE, "%s: walls = \"%s\" does not go with "
+                               "effects.%s, where solids would have no density; set walls = %s",
+                               scene_path(scene), p->in.walls->name, density->name, fits);
+    }
+    return STATUS_DONE;
+}
+
+int plan_agree(const struct plan *p, const struct scene *scene)
+{
+    TRY(check_needs(p, scene));
+    return check_walls(p, scene);
+}
