@@ -13,9 +13,11 @@ struct beam_def {
     const char *plane;         /* "none", "stress", "strain"                  */
     double density, mass;      /* [kg/m^3], [kg, 2D: kg/m]; 0: not given      */
     int elements;
+    const char *inertia;       /* "consistent", "lumped", "lumped-ends"       */
     const char *root, *tip;    /* "clamped", "pinned", "free"                 */
     double alpha, beta;        /* Rayleigh damping [1/s], [s]                 */
     double damping_ratio;      /* of the first mode, adds to alpha            */
+    double drag;               /* of every node, (45) [N s/m and N m s, 2D: per metre of width] */
     int layers;                /* of the skin; 0: as many as the kernel needs */
     bool slip;
     double tip_force;          /* across [N, 2D: N/m]                         */

@@ -42,11 +42,14 @@ static void add_uniform(const struct bending *s, double load, double *f)
             f[2 * e + k] += part[k];
 }
 
-/* Weight and prescribed loads, once for all. */
+/* Weight and prescribed loads, once for all.  Weight is that of the inertia, M g, so
+ * that the beam falls as all things do; nodes spread evenly have their centre in the
+ * middle, whichever mass matrix. */
 static void prepare_loads(struct body *b, const struct beam_def *d, const struct scales *s)
 {
     double across = 0, along = 0;
 
+    b->mass = bending_shift(b->bending, b->vec.weight);
     for (int i = 0; i < DIM; i++) {
         const double centre = d->at[i] + 0.5 * d->length * b->along[i];
         across += s->g[i] * b->normal[i];
@@ -54,7 +57,8 @@ static void prepare_loads(struct body *b, const struct beam_def *d, const struct
         b->rest_potential -= b->mass * s->g[i] * (centre - s->low[i]);
     }
     b->gravity_along = b->mass * along;
-    add_uniform(b->bending, b->bending->def.mu * across, b->vec.weight);
+    for (int i = 0; i < b->bending->dofs; i++)
+        b->vec.weight[i] *= across;
     add_uniform(b->bending, d->load, b->vec.pushed);
     b->vec.pushed[b->bending->dofs - 2] += d->tip_force;
     b->load_until = d->load_until > 0 ? d->load_until : HUGE_VAL;
@@ -84,7 +88,6 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     const struct bending_def bending = beam_def_bending(d);
 
     beam_def_axes(d, b->along, b->normal);
-    b->mass = bending.mu * bending.length;
     b->thickness = d->thickness;
     b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;

@@ -20,7 +20,7 @@ struct beam_vectors {
 struct body {
     char path[64];
     double along[DIM], normal[DIM];
-    double mass;               /* of the whole beam            [kg, 2D: kg/m]   */
+    double mass;               /* of all nodes                 [kg, 2D: kg/m]   */
     double gravity_along;      /* weight along the axis        [N, 2D: N/m]     */
     double rest_potential;     /* of the straight beam         [J, 2D: J/m]     */
     double thickness, speed;   /* scales of deflection and its rate [m], [m/s]  */

@@ -1,6 +1,6 @@
 /* beam.c -- an elastic beam in the water: Euler-Bernoulli, finite elements.
  *
- *   M w'' + D w' + K w = F,  D = alpha M + beta K                  (39)-(43), (BE1)-(BE3)
+ *   M w'' + D w' + K w = F,  D = alpha M + beta K + drag I         (39)-(45), (BE1)-(BE3)
  *
  * F is the transpose of the skin's motion applied to the forces on its points,
  * plus weight and prescribed loads.  M^-1 F is explicit; w' = v and
@@ -8,8 +8,8 @@
  * nothing: they go to the support.  Small deflections only: the tip of a beam
  * that bends by a tenth of its length really draws back by 0.6 % of it, here by 0.
  *
- * Toth 2012 (seed 000), section 4, with consistent M instead of (44), Rayleigh D
- * instead of (45), and one monolithic ODE instead of (46), (47).
+ * Toth 2012 (seed 000), section 4, with consistent M and Rayleigh D unless the scene
+ * asks for (44), (45), and one monolithic ODE instead of (46), (47).
  * Checked in tests/unit/beam*.c. */
 #include "base/status.h"
 #include "bodies/beam-make.h"
@@ -34,8 +34,8 @@ static int beam_skin(const struct body *b, double (*x)[DIM])
 /* Four rows.  Rates weigh lightly: their scale is the speed of sound, not of the
  * flow, because the errors of stiff modes that no step resolves show in rates, and
  * deflections hold the accuracy.  (With the speed of the flow, 100 elements take
- * twice the steps of 10, and the tip moves the same.)  Rotations weigh as the deflection over one element, so that the step
- * does not depend on the number of elements. */
+ * twice the steps of 10, and the tip moves the same.)  Rotations weigh as the
+ * deflection over one element, so that the step does not depend on their number. */
 static int beam_rows(struct body *b, struct layout *l)
 {
     static const struct {
@@ -126,8 +126,8 @@ static double balance(const struct body *b, const struct layout *l, double t, co
 }
 
 /* The supports give what momentum needs beyond the loads: across, 1 . (M v' - F),
- * where the drag of alpha counts as theirs (it holds on to the ground); along the
- * axis, where nothing moves, the opposite of the loads. */
+ * where what alpha and drag take counts as theirs (both hold on to the ground); along
+ * the axis, where nothing moves, the opposite of the loads. */
 static void beam_load(struct body *b, const struct layout *l, double t, const double *y,
                       const double (*force)[DIM], double *ydot, struct body_load *out)
 {
@@ -193,15 +193,18 @@ static double beam_event(const struct body *b, double t)
 
 /* A mode of frequency omega and damping 2 d = alpha + beta omega^2 has eigenvalues of
  * size omega while it swings, and d + sqrt(d^2 - omega^2) when it only creeps back.
+ * Drag may damp a slow mode most, so that 2 d is what is safe to say of it: from
+ * lambda^2 + lambda v.Dv + v.Kv = 0 at v.Mv = 1 no |lambda| exceeds both omega and 2 d.
  * The fastest mode sits at the end that is held least. */
 static void beam_limit(const struct body *b, struct limit *out)
 {
     const struct bending_def *s = &b->bending->def;
-    const double omega = b->bending->fastest;
-    const double d = 0.5 * (s->alpha + s->beta * omega * omega);
+    const double omega = b->bending->fastest, most_damped = s->drag > 0 ? 0 : omega;
+    const double d = 0.5 * b->bending->decay;
+    const double creep = d > most_damped ? d + sqrt(d * d - most_damped * most_damped) : 0;
 
-    out->decay = d > omega;
-    out->rate = out->decay ? d + sqrt(d * d - omega * omega) : omega;
+    out->decay = creep > omega;
+    out->rate = fmax(creep, omega);
     if (s->root == s->tip)
         out->where = s->elements / 2;
     else
@@ -262,9 +265,10 @@ static void beam_show(const struct body *b, const struct layout *l, double t, co
 
 const struct body_kind bodies_beam = {
     .name = "beam", .about = "elastic beam or plate strip that bends a little (2D)",
-    .equation = "M w'' + D w' + K w = F, D = alpha M + beta K, EI = E b^3/12 (plane strain: "
-                "/(1 - nu^2))  (39)-(43)",
-    .source = "Toth 2012, section 4, with consistent mass and Rayleigh damping",
+    .equation = "M w'' + D w' + K w = F, D = alpha M + beta K + drag I, EI = E b^3/12 (plane "
+                "strain: /(1 - nu^2))  (39)-(45)",
+    .source = "Toth 2012, section 4; consistent mass and Rayleigh damping unless (44), (45) are "
+              "asked for",
     .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
     .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
     .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,

@@ -11,12 +11,21 @@
 
 enum bending_end { BENDING_CLAMPED, BENDING_PINNED, BENDING_FREE };
 
+enum bending_inertia { /* m = mu l: mass of an element                          */
+    BENDING_CONSISTENT,  /* from the shapes of the elements                      */
+    BENDING_LUMPED,      /* (44) as printed: m, m l^2/12 at all nodes; (n + 1) m */
+    BENDING_LUMPED_ENDS  /* the same with halves at the two ends; n m            */
+};
+
 struct bending_def {
     int elements;
     double length;             /* [m]                                          */
     double EI;                 /* bending stiffness     [N m^2, 2D: N m]       */
     double mu;                 /* mass per length       [kg/m, 2D: kg/m^2]     */
-    double alpha, beta;        /* D = alpha M + beta K  [1/s], [s]             */
+    double alpha, beta;        /* D = alpha M + beta K + drag I  [1/s], [s]    */
+    double drag;               /* of every node, (45) [N s/m; N m s for turns;
+                                  2D: per metre of width]                      */
+    enum bending_inertia inertia;
     enum bending_end root, tip;
 };
 
@@ -34,6 +43,7 @@ struct bending {
     double l;                                 /* length of an element [m]      */
     double fastest;                           /* largest frequency [rad/s], from above
                                                  by 1 % at most                */
+    double decay;                             /* largest v . D v / v . M v [1/s], likewise */
     struct band *mass, *stiffness;            /* all degrees of freedom        */
     struct band *mass_free, *stiffness_free;  /* held ones taken out           */
     struct band *sum;                         /* scratch                       */
@@ -48,6 +58,10 @@ int bending_create(const struct bending_def *def, struct bending **out);
 void bending_free(struct bending **b); /* NULL is welcome */
 
 bool bending_held(const struct bending *b, int dof);
+
+/* to [dofs] = M 1, inertia against a shift of the whole beam: times g it is weight.
+ * Returns the mass, what all nodes have together [kg, 2D: kg/m]. */
+double bending_shift(const struct bending *b, double *to);
 
 /* to [dofs] = K q + D v, rows of held degrees of freedom included. */
 void bending_resist(const struct bending *b, const double *q, const double *v, double *to);

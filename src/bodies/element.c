@@ -3,9 +3,9 @@
  * Cubic (Hermite) shape functions: bending of a beam without loads between its
  * ends is exactly cubic, so deflections under loads at nodes are exact with any
  * number of elements.  Przemieniecki, Theory of Matrix Structural Analysis,
- * 1968, chapters 5 and 11.  The seed's lumped mass (44) gives full masses to the
- * end nodes, which makes the first frequency of 10 elements 9 % too low; the
- * consistent matrix, with the same bandwidth, has it to five digits.
+ * 1968, chapters 5 and 11.  The consistent mass, with the same bandwidth as the
+ * stiffness, has the first frequency of 10 elements to five digits, the lumped one
+ * of (44) to 0.6 %.
  * Checked in tests/unit/bending.c. */
 #include "bodies/element.h"
 
@@ -31,6 +31,17 @@ void element_mass(double mu, double l, double m[4][4])
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             m[i][j] = mu * l / 420 * pattern[i][j];
+}
+
+/* Summed over elements: (44) of the seed, m and m l^2/12 at a node, but half of both at
+ * the two ends of the beam. */
+void element_lumped(double mu, double l, double m[4][4])
+{
+    const double diagonal[4] = { 0.5, l * l / 24, 0.5, l * l / 24 };
+
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            m[i][j] = i == j ? mu * l * diagonal[i] : 0;
 }
 
 void element_shape(double xi, double l, double shape[4], double slope[4])

@@ -11,6 +11,9 @@ void element_stiffness(double EI, double l, double k[4][4]);
 /* Consistent mass: kinetic energy of the element is 1/2 v . m v. */
 void element_mass(double mu, double l, double m[4][4]);
 
+/* Lumped mass: half of the element's m = mu l at each end, and m l^2/24 for its turns. */
+void element_lumped(double mu, double l, double m[4][4]);
+
 /* Deflection at s = xi l is the sum of shape[i] dof[i], rotation that of
  * slope[i] dof[i]; xi from 0 to 1.  slope[] in 1/m and 1. */
 void element_shape(double xi, double l, double shape[4], double slope[4]);

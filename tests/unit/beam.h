@@ -2,17 +2,10 @@
 #ifndef TESTS_UNIT_BEAM_H
 #define TESTS_UNIT_BEAM_H
 
-#include "base/status.h"
+#include "bending.h"
 #include "bodies/beam-make.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 enum { BENCH_DOFS = 256, BENCH_Y = 2 * BENCH_DOFS + 16, BENCH_SKIN = 600 };
 
@@ -27,12 +20,6 @@ struct bench {
     double force[BENCH_SKIN][DIM];
     struct body_load load;
 };
-
-static inline void check_close(double found, double expected, double tolerance, const char *what)
-{
-    if (!(fabs(found - expected) <= tolerance))
-        fail_msg("%s: found %.17g, expected %.17g within %g", what, found, expected, tolerance);
-}
 
 static inline double noise(unsigned *seed)
 {
@@ -70,6 +57,28 @@ static inline void bench_defaults(struct bench *b)
     b->def.elements = 8;
     b->scales = (struct scales){ .dimension = DIM, .dx = 0.01, .support = 0.03, .hs = 0.015,
                                  .rho0 = 1000, .c0 = 20, .speed = 2, .fluid = true };
+}
+
+/* What a scene may ask for of (44) and (45). */
+static const struct bench_option {
+    const char *inertia;
+    double drag;
+} bench_option[] = { { "consistent", 0 }, { "lumped", 0 }, { "lumped-ends", 0 },
+                     { "consistent", 0.3 }, { "lumped", 0.02 }, { "lumped-ends", 4 } };
+enum { BENCH_OPTIONS = sizeof bench_option / sizeof bench_option[0] };
+
+static inline void bench_choose(struct bench *b, int option)
+{
+    b->def.inertia = bench_option[option].inertia;
+    b->def.drag = bench_option[option].drag;
+}
+
+/* Mass of the beam on the bench: (44) as printed has that of one element more. */
+static inline double bench_mass(const struct bench *b)
+{
+    const double mass = b->def.density * b->def.thickness * b->def.length;
+
+    return strcmp(b->def.inertia, "lumped") ? mass : mass * (1 + 1.0 / b->def.elements);
 }
 
 static inline void bench_make(struct bench *b)

@@ -1,33 +1,11 @@
 /* bending.c -- tests of src/bodies/element and src/bodies/bending: matrices against
  * quadrature, deflections and frequencies against beam theory. */
-#include "base/status.h"
-#include "bodies/bending.h"
-#include "bodies/element.h"
-
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_sort_vector.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <cmocka.h>
-
-static void check_close(double found, double expected, double tolerance, const char *what)
-{
-    if (!(fabs(found - expected) <= tolerance))
-        fail_msg("%s: found %.17g, expected %.17g within %g", what, found, expected, tolerance);
-}
+#include "bending.h"
 
 static struct bending *made(int elements, enum bending_end root, enum bending_end tip)
 {
-    const struct bending_def def = { .elements = elements, .length = 0.8, .EI = 2.7, .mu = 3.1,
-                                     .root = root, .tip = tip };
-    struct bending *b = NULL;
-
-    assert_int_equal(bending_create(&def, &b), STATUS_DONE);
-    return b;
+    return bending_of((struct bending_def){ .elements = elements, .length = 0.8, .EI = 2.7,
+                                            .mu = 3.1, .root = root, .tip = tip });
 }
 
 /* Gauss points and weights on 0..1: exact for the sixth powers of mass. */
@@ -131,35 +109,6 @@ static void tip_load_is_exact_with_any_number_of_elements(void **state)
     }
 }
 
-/* Frequencies [rad/s] of K and M by GSL's dense solver, ascending; their number. */
-static int frequencies(const struct bending *b, double *omega)
-{
-    int free_dof[64], n = 0;
-
-    for (int i = 0; i < b->dofs; i++)
-        if (!bending_held(b, i))
-            free_dof[n++] = i;
-    gsl_matrix *k = gsl_matrix_alloc((size_t)n, (size_t)n);
-    gsl_matrix *m = gsl_matrix_alloc((size_t)n, (size_t)n);
-    gsl_vector *value = gsl_vector_alloc((size_t)n);
-    gsl_eigen_gensymm_workspace *work = gsl_eigen_gensymm_alloc((size_t)n);
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            const int r = free_dof[i], c = free_dof[j];
-            gsl_matrix_set(k, (size_t)i, (size_t)j, band_at(b->stiffness, r, c));
-            gsl_matrix_set(m, (size_t)i, (size_t)j, band_at(b->mass, r, c));
-        }
-    assert_int_equal(gsl_eigen_gensymm(k, m, value, work), 0);
-    gsl_sort_vector(value);
-    for (int i = 0; i < n; i++)
-        omega[i] = sqrt(fmax(0, gsl_vector_get(value, (size_t)i)));
-    gsl_eigen_gensymm_free(work);
-    gsl_vector_free(value);
-    gsl_matrix_free(k);
-    gsl_matrix_free(m);
-    return n;
-}
-
 /* beta L of data/reference A08a, and of clamped-pinned (tan x = tanh x). */
 static const struct {
     enum bending_end root, tip;
@@ -180,8 +129,8 @@ static void ten_elements_have_three_frequencies_to_a_thousandth(void **state)
     (void)state;
     for (int c = 0; c < THEORY; c++) {
         struct bending *b = made(10, theory[c].root, theory[c].tip);
-        double omega[64];
-        frequencies(b, omega);
+        double omega[BENDING_MOST];
+        bending_frequencies(b, omega);
         for (int i = 0; i < 3; i++) {
             const double exact = pow(theory[c].beta_L[i] / 0.8, 2) * sqrt(2.7 / 3.1);
             check_close(omega[theory[c].rigid + i] / exact, 1, 1e-3, "frequency / theory");
@@ -198,8 +147,8 @@ static void fastest_is_a_bound_from_above_within_one_per_cent(void **state)
     for (int c = 0; c < THEORY; c++)
         for (int elements = 2; elements <= 20; elements += 6) {
             struct bending *b = made(elements, theory[c].root, theory[c].tip);
-            double omega[64];
-            const int n = frequencies(b, omega);
+            double omega[BENDING_MOST];
+            const int n = bending_frequencies(b, omega);
             if (!(b->fastest >= omega[n - 1] * (1 - 1e-9) && b->fastest <= 1.01 * omega[n - 1]))
                 fail_msg("%d elements, ends %d %d: fastest %g, largest frequency %g", elements,
                          theory[c].root, theory[c].tip, b->fastest, omega[n - 1]);
