@@ -84,7 +84,9 @@ struct plan {
     int row_x, row_u;                  /* of the fluid, -1: none              */
     int density_row[KINDS];            /* -1: none                            */
     struct plan_book book;
-    struct pairs_table *table;         /* [KINDS][KINDS]                      */
+    struct pairs_table *table;         /* [KINDS][KINDS] all laws             */
+    struct pairs_table *rates, *forces; /* those of one half of the explicit side */
+    bool mixed;                        /* a law belongs to both halves        */
     struct list_def list_def;
     struct plan_workspace main, observer; /* observer made when first needed  */
     double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
@@ -116,9 +118,9 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
  * summed.  STATUS_FAILED: refused. */
 int plan_fields(struct plan *p, struct plan_workspace *w, struct view *v);
 
-/* rates.c: the explicit side into ydot, with this workspace. */
-int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double *y,
-               double *ydot);
+/* rates.c: the explicit side or one half of it into ydot, with this workspace. */
+int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,
+               const double *y, double *ydot);
 
 /* view.c: moves solids to (t, y) and says where everything is, but for densities
  * that are summed. */

@@ -15,7 +15,12 @@ struct scene;
 enum plan_which {
     PLAN_EXPLICIT = 1, /* everything but the stiff side of bodies             */
     PLAN_IMPLICIT = 2, /* the stiff side of bodies; rows of others are 0      */
-    PLAN_ALL = 3
+    PLAN_ALL = 3,
+
+    /* The two halves of the explicit side, a pass over pairs each; rows of others,
+     * positions among them, are 0. */
+    PLAN_DENSITY = 4,  /* rates of densities                                  */
+    PLAN_VELOCITY = 8  /* rates of velocities, forces on solids               */
 };
 
 /* Reads and checks the scene, fills its shapes, orders its parts. */
@@ -34,6 +39,9 @@ void plan_start(const struct plan *plan, double *y);        /* y at t = 0     */
  * the last bits (the order of sums follows the last rebuild). */
 int plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y, double *ydot);
 const char *plan_refusal(const struct plan *plan);
+
+/* NULL, or why this plan's explicit side has no two halves. */
+const char *plan_halves(const struct plan *plan);
 
 /* The implicit side.  plan_stiff(): is there any?  The entries of y that it
  * couples lie in ranges [from, to); all others have f_I = 0. */
@@ -59,9 +67,10 @@ void plan_weights(const struct plan *plan, double tol, double *weight);
 /* "velocity of fluid.water particle 17" for entry i of y; static buffer. */
 const char *plan_entry(const struct plan *plan, long i);
 
-/* How many right-hand sides have been asked for, by side, and list rebuilds. */
+/* How many right-hand sides have been asked for, by side (two halves are one),
+ * passes over all pairs for them, and list rebuilds. */
 struct plan_counts {
-    long rhs_explicit, rhs_implicit, solves, rebuilds, refused;
+    long rhs_explicit, rhs_implicit, passes, solves, rebuilds, refused;
 };
 const struct plan_counts *plan_counts(const struct plan *plan);
 

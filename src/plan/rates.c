@@ -5,10 +5,10 @@
 
 #include <string.h>
 
-static int sum_pairs(struct plan *p, struct plan_workspace *w)
+static int sum_pairs(struct plan *p, struct plan_workspace *w, const struct pairs_table *table)
 {
     const struct sum_job job = {
-        .list = w->list, .record = w->record, .table = p->table, .slots = p->slots,
+        .list = w->list, .record = w->record, .table = table, .slots = p->slots,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 
@@ -112,21 +112,64 @@ static void add_fields(const struct plan *p, const struct view *v, double *ydot)
             p->part[i].part->field(p->part[i].self, v, udot);
 }
 
-int plan_rates(struct plan *p, struct plan_workspace *w, double t, const double *y, double *ydot)
+/* Rates of everything but bodies, fields and the book. */
+static void scatter(const struct plan *p, const struct plan_workspace *w, const struct view *v,
+                    double *ydot)
 {
+    if (p->row_x < 0)
+        return;
+    scatter_fluid(p, w, v, ydot);
+    scatter_solids(p, w, ydot);
+}
+
+/* Forces on everybody are known: what follows from them. */
+static void push(struct plan *p, struct plan_workspace *w, const struct view *v, const double *y,
+                 double *ydot)
+{
+    if (p->row_x >= 0)
+        add_fields(p, v, ydot);
+    sum_solids(p, w);
+    load_bodies(p, w, v->t, y, ydot);
+    plan_book_rates(p, w, ydot);
+}
+
+/* Of one half: what the other half has a rate of stands still. */
+static void halve(struct plan *p, struct plan_workspace *w, enum plan_which which,
+                  const struct view *v, const double *y, double *ydot)
+{
+    const long *from = p->layout.from;
+    double *book = ydot + layout_at(&p->layout, p->book.row);
+
+    memset(ydot, 0, (size_t)from[LAYOUT_VELOCITY] * sizeof *ydot);
+    if (which == PLAN_VELOCITY) {
+        memset(ydot + from[LAYOUT_OTHER], 0,
+               (size_t)(from[LAYOUT_CLASSES] - from[LAYOUT_OTHER]) * sizeof *ydot);
+        push(p, w, v, y, ydot);
+        return;
+    }
+    memset(ydot + from[LAYOUT_VELOCITY], 0,
+           (size_t)(from[LAYOUT_OTHER] - from[LAYOUT_VELOCITY]) * sizeof *ydot);
+    memset(book, 0, (size_t)p->book.n * sizeof *book);
+    for (int i = 0; i < p->slots; i++)
+        book[p->book.work + i] = w->power[i];
+}
+
+int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,
+               const double *y, double *ydot)
+{
+    const struct pairs_table *table = which == PLAN_DENSITY    ? p->rates
+                                      : which == PLAN_VELOCITY ? p->forces
+                                                               : p->table;
     struct view v;
 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
     if (p->particles->n > 0)
-        TRY(sum_pairs(p, w));
-    if (p->row_x >= 0) {
-        scatter_fluid(p, w, &v, ydot);
-        scatter_solids(p, w, ydot);
-        add_fields(p, &v, ydot);
-    }
-    sum_solids(p, w);
-    load_bodies(p, w, t, y, ydot);
-    plan_book_rates(p, w, ydot);
+        TRY(sum_pairs(p, w, table));
+    scatter(p, w, &v, ydot);
+    if (which & (PLAN_DENSITY | PLAN_VELOCITY))
+        halve(p, w, which, &v, y, ydot);
+    else
+        push(p, w, &v, y, ydot);
     return STATUS_DONE;
 }

@@ -13,21 +13,33 @@ static void add_stiff(struct plan *p, double t, const double *y, double *ydot)
         p->body[i].kind->stiff(p->body[i].body, &p->layout, t, y, ydot);
 }
 
+static int explicit_side(struct plan *p, enum plan_which which, double t, const double *y,
+                         double *ydot)
+{
+    const int status = plan_rates(p, &p->main, which, t, y, ydot);
+
+    p->counts.rhs_explicit += which != PLAN_DENSITY;
+    p->counts.passes++;
+    p->counts.refused += status != STATUS_DONE;
+    p->counts.rebuilds = p->main.list ? p->main.list->builds : 0;
+    return status;
+}
+
 int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *ydot)
 {
-    p->counts.rhs_explicit += (which & PLAN_EXPLICIT) != 0;
     p->counts.rhs_implicit += which == PLAN_IMPLICIT;
-    if (which & PLAN_EXPLICIT) {
-        const int status = plan_rates(p, &p->main, t, y, ydot);
-        p->counts.refused += status != STATUS_DONE;
-        p->counts.rebuilds = p->main.list ? p->main.list->builds : 0;
-        TRY(status);
-    } else {
+    if (which != PLAN_IMPLICIT)
+        TRY(explicit_side(p, which, t, y, ydot));
+    else
         memset(ydot, 0, (size_t)plan_size(p) * sizeof *ydot);
-    }
     if (which & PLAN_IMPLICIT)
         add_stiff(p, t, y, ydot);
     return STATUS_DONE;
+}
+
+const char *plan_halves(const struct plan *p)
+{
+    return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
 }
 
 const char *plan_refusal(const struct plan *p)

@@ -14,9 +14,10 @@ static bool owns(const struct plan *p, const struct part *part, int owner)
     return !(solid && part->columns == COLUMN_DRHO && !p->walls_as_fluid);
 }
 
-static int add_law(struct plan *p, const struct plan_part *part, int owner, int partner)
+static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
+                   int owner, int partner)
 {
-    struct pairs_table *t = &p->table[owner * KINDS + partner];
+    struct pairs_table *t = &table[owner * KINDS + partner];
 
     if (!(part->part->acts[owner] & KIND_BIT(partner)) || !owns(p, part->part, owner))
         return STATUS_DONE;
@@ -44,18 +45,34 @@ static void share_kernels(struct pairs_table *t)
         }
 }
 
+/* The laws that add to these columns and to no others; 0: all laws. */
+static int make_table(struct plan *p, struct pairs_table *table, unsigned columns)
+{
+    for (int i = 0; i < p->parts; i++) {
+        const struct plan_part *part = &p->part[i];
+        if (part->slot < 0 || (columns && part->part->columns != columns))
+            continue;
+        for (int a = 0; a < KINDS; a++)
+            for (int b = 0; b < KINDS; b++)
+                TRY(add_law(p, table, part, a, b));
+    }
+    for (int i = 0; i < KINDS * KINDS; i++)
+        share_kernels(&table[i]);
+    return STATUS_DONE;
+}
+
 int plan_tables_make(struct plan *p)
 {
-    p->table = status_alloc(KINDS * KINDS, sizeof *p->table);
+    p->table = status_alloc(3 * KINDS * KINDS, sizeof *p->table);
     if (!p->table)
         return STATUS_FAILED;
+    p->rates = p->table + KINDS * KINDS;
+    p->forces = p->rates + KINDS * KINDS;
     for (int i = 0; i < p->parts; i++)
-        for (int a = 0; a < KINDS && p->part[i].slot >= 0; a++)
-            for (int b = 0; b < KINDS; b++)
-                TRY(add_law(p, &p->part[i], a, b));
-    for (int i = 0; i < KINDS * KINDS; i++)
-        share_kernels(&p->table[i]);
-    return STATUS_DONE;
+        p->mixed |= p->part[i].part->columns == (COLUMN_DRHO | COLUMN_FORCE);
+    TRY(make_table(p, p->table, 0));
+    TRY(make_table(p, p->rates, COLUMN_DRHO));
+    return make_table(p, p->forces, COLUMN_FORCE);
 }
 
 static void add_field(struct plan *p, const struct plan_part *part)
