@@ -1,63 +1,18 @@
 /* parse.c -- commands and options, by argp. */
-#include "cli/cli.h"
+#include "cli/commands.h"
 
 #include "base/status.h"
 
-#include <argp.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-struct command {
-    const char *name;
-    enum cli_command id;
-    const char *args, *doc;
-    const struct argp_option *options;
-    int subjects; /* words it needs */
-    bool keys;    /* KEY=VALUE may follow */
-};
-
-static const struct argp_option run_options[] = {
-    { "output", 'o', "DIR", 0, "Directory for the results (default: the scene's name)", 0 },
-    { "method", 'm', "NAME", 0, "Time integration, see `stiffwater list methods`", 0 },
-    { "tol", 't', "X", 0, "Error allowed in a step", 0 },
-    { "until", 'u', "T", 0, "Time at which the run ends [s]", 0 },
-    { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
-    { "quiet", 'q', NULL, 0, "No progress line", 0 },
-    { 0 },
-};
-
-static const struct argp_option no_options[] = { { 0 } };
-
-static const struct command commands[] = {
-    { "run", CLI_RUN, "SCENE [KEY=VALUE ...]",
-      "Simulates a scene and leaves tables, particle fields and figures' data in a directory.\v"
-      "Any key of the scene can be set: beam.E=5e9 sets E of every beam, beam.plate.E=5e9 of "
-      "one.  Exit status: 0 done, 1 the run failed, 2 the scene or the command line is wrong, "
-      "3 stopped by SIGINT or SIGTERM (files are complete), 4 input or output failed.",
-      run_options, 1, true },
-    { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
-      "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "
-      "Simulates nothing, writes nothing.", run_options, 1, true },
-    { "plot", CLI_PLOT, "DIR", "Draws the figures of a run again, by gnuplot.", no_options, 1,
-      false },
-    { "list", CLI_LIST, "TABLE",
-      "Lists what there is: effects, kernels, eos, pressure, walls, bodies or methods.", no_options, 1, false },
-    { "explain", CLI_EXPLAIN, "NAME",
-      "Explains an effect, kernel, equation of state, wall model, body or group of keys: "
-      "equation, source, parameters with units and defaults.", no_options, 1, false },
-    { "resume", CLI_RESUME, "DIR", "Goes on from the last checkpoint (not there yet).",
-      no_options, 1, false },
-    { "compare", CLI_COMPARE, "SCENE [KEY=VALUE ...]",
-      "Runs a scene with many methods (not there yet).", no_options, 1, true },
-};
-
-enum { COMMANDS = sizeof commands / sizeof commands[0], TEXT = 128 };
+enum { TEXT = 128 };
 
 struct state {
-    const struct command *command;
+    const struct commands_row *command;
     struct cli *cli;
     char text[CLI_OVERRIDES][TEXT]; /* overrides made of options live as long as the program */
 };
@@ -126,21 +81,21 @@ static void help(FILE *to)
     fputs("Usage: stiffwater COMMAND ...\n\n"
           "Particle hydrodynamics and the structures it hits, as one ordinary differential\n"
           "equation that SUNDIALS integrates with error control.\n\n", to);
-    for (int i = 0; i < COMMANDS; i++)
-        fprintf(to, "  %-8s %-22.22s %.*s\n", commands[i].name, commands[i].args,
-                (int)strcspn(commands[i].doc, ".\v") + 1, commands[i].doc);
+    for (int i = 0; commands_table[i].name; i++)
+        fprintf(to, "  %-8s %-22.22s %.*s\n", commands_table[i].name, commands_table[i].args,
+                (int)strcspn(commands_table[i].doc, ".\v") + 1, commands_table[i].doc);
     fputs("\n  COMMAND --help      options of a command\n"
           "  --version           versions of the program and its libraries\n", to);
 }
 
-static const struct command *find(const char *name)
+static const struct commands_row *find(const char *name)
 {
-    for (int i = 0; i < COMMANDS; i++)
-        if (strcmp(commands[i].name, name) == 0)
-            return &commands[i];
+    for (int i = 0; commands_table[i].name; i++)
+        if (strcmp(commands_table[i].name, name) == 0)
+            return &commands_table[i];
     fprintf(stderr, "stiffwater: %s: no such command; there are", name);
-    for (int i = 0; i < COMMANDS; i++)
-        fprintf(stderr, " %s", commands[i].name);
+    for (int i = 0; commands_table[i].name; i++)
+        fprintf(stderr, " %s", commands_table[i].name);
     fputs("; see stiffwater --help\n", stderr);
     exit(STATUS_BAD_SCENE);
 }

@@ -195,6 +195,39 @@ static bool explain_body(const char *name, FILE *to)
     return false;
 }
 
+/* Shapes of the other dimension too: who asks has perhaps not said which. */
+static const char *const shapes[] = { "box", "polygon", "disc", "sphere", "frame", NULL };
+
+static const char *const listed[] = { "effects", "kernels", "walls", "bodies", NULL };
+
+static bool among(const char *const *words, const char *word)
+{
+    while (*words && strcmp(*words, word) != 0)
+        words++;
+    return *words != NULL;
+}
+
+static bool explain_shape(const char *name, FILE *to)
+{
+    if (!among(shapes, name))
+        return false;
+    fprintf(to, "%s -- a shape: %sNAME.type%s\n", name,
+            strcmp(name, "frame") == 0 ? "wall." : "fluid.NAME.type or wall.",
+            among(shape_types, name) ? "" : DIM == 2 ? "; with dimension = 3 only"
+                                                     : "; with dimension = 2 only");
+    explain_rows(shape_params, to);
+    return true;
+}
+
+/* A table that is a word of the scene too: what can stand there. */
+static bool explain_table(const char *name, FILE *to)
+{
+    if (!among(listed, name))
+        return false;
+    fprintf(to, "%s -- see `explain NAME` for each\n", name);
+    return catalogue_list(name, to) == STATUS_DONE;
+}
+
 /* Every name that `explain` knows, for the nearest one. */
 static void all_names(const char **names)
 {
@@ -209,6 +242,10 @@ static void all_names(const char **names)
         names[n++] = bodies_table[i]->name;
     for (int i = 0; i < GROUPS && n < NAMES - 1; i++)
         names[n++] = groups[i].name;
+    for (int i = 0; shapes[i] && n < NAMES - 1; i++)
+        names[n++] = shapes[i];
+    for (int i = 0; listed[i] && n < NAMES - 1; i++)
+        names[n++] = listed[i];
     kernels_names(engine_pick(), names + n, NAMES - n);
 }
 
@@ -222,7 +259,8 @@ int catalogue_explain(const char *name, FILE *to)
         name += 8;
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
         || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)
-        || explain_group(name, to) || kernels_explain(engine_pick(), name, to))
+        || explain_group(name, to) || kernels_explain(engine_pick(), name, to)
+        || explain_shape(name, to) || explain_table(name, to))
         return STATUS_DONE;
     all_names(names);
     near = scene_nearest(name, names);

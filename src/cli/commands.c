@@ -1,0 +1,41 @@
+/* commands.c -- the table of commands, a line each. */
+#include "cli/commands.h"
+
+#include <stddef.h>
+
+static const struct argp_option run_options[] = {
+    { "output", 'o', "DIR", 0, "Directory for the results (default: the scene's name)", 0 },
+    { "method", 'm', "NAME", 0, "Time integration, see `stiffwater list methods`", 0 },
+    { "tol", 't', "X", 0, "Error allowed in a step", 0 },
+    { "until", 'u', "T", 0, "Time at which the run ends [s]", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "quiet", 'q', NULL, 0, "No progress line", 0 },
+    { 0 },
+};
+
+static const struct argp_option no_options[] = { { 0 } };
+
+const struct commands_row commands_table[] = {
+    { "run", CLI_RUN, "SCENE [KEY=VALUE ...]",
+      "Simulates a scene and leaves tables, particle fields and figures' data in a directory.\v"
+      "Any key of the scene can be set: beam.E=5e9 sets E of every beam, beam.plate.E=5e9 of "
+      "one.  Exit status: 0 done, 1 the run failed, 2 the scene or the command line is wrong, "
+      "3 stopped by SIGINT or SIGTERM (files are complete), 4 input or output failed.",
+      run_options, true },
+    { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
+      "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "
+      "Simulates nothing, writes nothing.", run_options, true },
+    { "plot", CLI_PLOT, "DIR", "Draws the figures of a run again, by gnuplot.", no_options,
+      false },
+    { "list", CLI_LIST, "TABLE",
+      "Lists what there is: effects, kernels, eos, pressure, walls, bodies or methods.",
+      no_options, false },
+    { "explain", CLI_EXPLAIN, "NAME",
+      "Explains an effect, kernel, equation of state, wall model, body or group of keys: "
+      "equation, source, parameters with units and defaults.", no_options, false },
+    { "resume", CLI_RESUME, "DIR", "Goes on from the last checkpoint (not there yet).",
+      no_options, false },
+    { "compare", CLI_COMPARE, "SCENE [KEY=VALUE ...]",
+      "Runs a scene with many methods (not there yet).", no_options, true },
+    { 0 },
+};

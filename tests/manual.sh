@@ -1,0 +1,139 @@
+#!/bin/sh
+# manual.sh -- the manual says what the program does: every label of an equation in the
+# sources stands in doc/equations.md, every key that `explain' prints and every file that
+# a run leaves stand in the man page, what a page names is there, and the effect that
+# doc/adding-a-part.md adds compiles.
+#
+# Run by `make check'.
+top=${top_srcdir:-.}
+build=${top_builddir:-.}
+stiffwater=${STIFFWATER:-$build/stiffwater}
+directory=$(mktemp -d) || exit 99
+trap 'rm -rf "$directory"' EXIT
+failed=0
+
+complain()
+{
+    failed=$((failed + 1))
+    echo "manual: $*"
+}
+
+# --- labels ---------------------------------------------------------------------------------
+# (D1), (BE2), (LF) are ours, (14) and (9) those of the work that this one started from;
+# a number counts when it does not stand behind a name or another bracket, as in f(14).
+labels=$(find "$top/src" -name '*.[ch]' -exec cat {} + |
+    grep -o -E '(^|[^])A-Za-z0-9_])\(([A-Z]{1,2}[0-9]|LF|[1-9]|[1-4][0-9])\)' |
+    sed 's/.*(/(/' | sort -u)
+count=0
+for label in $labels; do
+    count=$((count + 1))
+    case $label in
+    '('[A-Z]*) head="^(\\*\\*|\\| )\\(${label#?}" ;;
+    *) head="^\\|( \\([0-9]+\\),)* \\(${label#?}" ;;
+    esac
+    head=$(echo "$head" | sed 's/)$/\\)/')
+    grep -q -E -e "$head" "$top/doc/equations.md" ||
+        complain "$label stands in $(grep -r -l -F -e "$label" "$top/src" | head -n 3 | tr '\n' ' ')" \
+            "but has no equation in doc/equations.md"
+done
+[ $count -gt 40 ] || complain "only $count labels are found in the sources"
+
+# --- keys -----------------------------------------------------------------------------------
+page=$build/stiffwater.1
+[ -f "$page" ] || page=$top/stiffwater.1
+sed 's/\\-/-/g; s/\\(ha/^/g; s/\\fR/ /g' "$page" >"$directory/page" || exit 99
+
+# stands NAME KEY: in bold, with its last component, below NAME where it is written so.
+keys=0
+stands()
+{
+    keys=$((keys + 1))
+    case $1 in
+    scene) tag=$2 ;;
+    kernel | domain | reference | eos | output) tag=$1.$2 ;;
+    fluid | wall | probe | beam) tag=$1.NAME.$2 ;;
+    *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
+    esac
+    grep -q -E -e "^\\\\fB$tag " "$directory/page" || complain "the man page lacks $2 of $1"
+}
+
+for dimension in 2 3; do
+    program=$build/stiffwater-${dimension}d
+    names='scene kernel domain reference eos fluid wall probe output'
+    for table in effects eos walls bodies; do
+        names="$names $("$program" list $table | awk '{ print $1 }')"
+    done
+    for name in $names; do
+        "$program" explain "$name" >"$directory/said" || complain "explain $name fails"
+        for key in $(awk '/^  [A-Za-z]/ && / (required|default)/ { print $1 }' "$directory/said"); do
+            stands "$name" "$key"
+        done
+    done
+done
+for table in kernels methods; do
+    for name in $("$stiffwater" list $table | awk '{ print $1 }'); do
+        grep -q -F -e "\\fB$name " "$directory/page" || complain "the man page lacks $name"
+    done
+done
+for word in $("$stiffwater" run --help | grep -o -E -e '--[a-z]+' | sort -u); do
+    case $word in
+    --help | --usage | --version) ;;
+    *) grep -q -F -e "$word" "$directory/page" || complain "the man page lacks $word" ;;
+    esac
+done
+[ $keys -gt 100 ] || complain "only $keys keys are asked for"
+
+# --- files of a run, and how the page looks ------------------------------------------------------
+"$stiffwater" run "$top/tests/scenes/small-2d.scene" -q until=0.002 -o "$directory/run" \
+    >"$directory/said" 2>&1 || complain "the small scene fails: $(cat "$directory/said")"
+for file in "$directory"/run/*; do
+    grep -q -F -e "${file##*/}" "$directory/page" ||
+        complain "a run leaves ${file##*/}, which the man page does not name"
+done
+if command -v groff >/dev/null; then
+    groff -man -ww -Tutf8 "$page" 2>&1 >/dev/null | grep . && complain "groff warns of the man page"
+fi
+
+# --- what pages name --------------------------------------------------------------------------
+pages="$top/README.md $top/CONTRIBUTING.md $(echo "$top"/doc/*.md)"
+effect=$(sed -n 's,^/\* \([a-z-]*\)\.c -- .*,\1,p' "$top/doc/adding-a-part.md" | head -n 1)
+
+# Paths with a directory of ours, in quotes or links; NAME and wildcards are no names.
+# shellcheck disable=SC2086 # paths have no blanks
+for path in $(grep -h -o -E '[(` ](src|tests|doc|data|plots|bench|m4|build-aux)/[A-Za-z0-9_./-]+' $pages |
+    sed 's/^.//; s/[.,]$//' | grep -v -E 'NAME|ROOM|PREFIX' | sort -u); do
+    case $path in *"/$effect"* | *.log) continue ;; esac
+    [ -e "$top/$path" ] || grep -q -w -e "$path" "$top"/tests/*/*.am ||
+        complain "$path is named in $(grep -l -F -e "$path" $pages | tr '\n' ' ')but is not there"
+done
+
+# Names of files without their directory, and of tests and functions.
+find "$top" -name '*.[ch]' -o -name '*.sh' -o -name '*.am' -o -name '*.scene' -o -name '*.md' |
+    sed 's,.*/,,' | sort -u >"$directory/files"
+# shellcheck disable=SC2086
+for name in $(grep -h -o -E '`[a-z0-9-]+\.(c|h|sh|am|scene|md)`' $pages | tr -d '`' | sort -u); do
+    case $name in "$effect".*) continue ;; esac
+    # shellcheck disable=SC2086
+    grep -q -F -e "Save it as \`$name\`" $pages && continue # a file of the reader
+    grep -q -x -F -e "$name" "$directory/files" || complain "$name is named but is not there"
+done
+# shellcheck disable=SC2086
+for name in $(grep -h -o -E '`[a-z0-9]+_[a-z0-9]+_[a-z0-9_]+`' $pages | tr -d '`' | sort -u); do
+    grep -r -q -w -e "$name" "$top/src" "$top/tests" || complain "$name is named but is not there"
+done
+
+# --- the example of an effect -----------------------------------------------------------------
+awk -v name="$effect" '/^```/ { inside = 0 } inside { print }
+    /^```c/ && !done { getline; if (index($0, name ".c -- ")) { inside = done = 1; print } }' \
+    "$top/doc/adding-a-part.md" >"$directory/$effect.c"
+[ -s "$directory/$effect.c" ] || complain "doc/adding-a-part.md holds no file"
+if command -v "${CC:-gcc}" >/dev/null; then
+    for dimension in 2 3; do
+        "${CC:-gcc}" -std=gnu17 -fsyntax-only -Wall -Wextra -Werror -Wno-psabi -DLANES=2 \
+            -DDIM=$dimension -I"$top/src" "$directory/$effect.c" ||
+            complain "the effect of doc/adding-a-part.md does not compile in ${dimension}D"
+    done
+fi
+
+echo "manual: $count labels, $keys keys, $failed complaints"
+[ $failed = 0 ]
