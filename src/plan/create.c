@@ -10,16 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes a particle takes here: y and the integrator's copies of it (about 12),
- * records, rates, order, creation data. The pair list comes on top. */
-static double bytes_each(const struct plan *p)
-{
-    const double h = p->in.kernel.support;
-    const double neighbours = DIM == 2 ? M_PI * h * h : 4.0 / 3 * M_PI * h * h * h;
-
-    return (2 * DIM + 1) * 8.0 * 14 + 240 + list_bytes(1, neighbours);
-}
-
 static int take_part(struct plan *p, const struct part *part, void **self, const char *path)
 {
     struct plan_part *to = &p->part[p->parts];
@@ -147,7 +137,8 @@ static int fill(struct plan *p)
     status = item && skin ? STATUS_DONE : STATUS_FAILED;
     if (status == STATUS_DONE) {
         list_items(p, item, skin);
-        status = fill_particles(item, items, &p->scales, bytes_each(p), &p->particles);
+        status = fill_particles(item, items, &p->scales, plan_memory_each(p, true),
+                                plan_memory_each(p, false), &p->particles);
     }
     free(item);
     free(skin);
@@ -289,7 +280,7 @@ void plan_free(struct plan **plan)
         free(p->body[i].force);
     }
     plan_workspace_free(p, &p->main);
-    plan_workspace_free(p, &p->observer);
+    plan_observer_free(p);
     particles_free(&p->particles);
     input_free(&p->in);
     free(p->body);

@@ -53,7 +53,8 @@ struct plan_field {
     unsigned meets[KINDS]; /* partner kinds by owner kind                     */
 };
 
-/* What one evaluation of the pair sums works in; the observer has its own. */
+/* What one evaluation of the pair sums works in.  The observer has a list of its
+ * own; the rest it shares with the run, as one evaluation is over before the next. */
 struct plan_workspace {
     struct list *list;
     double *record;  /* [n+1][RECORD], 64-byte aligned                        */
@@ -88,7 +89,7 @@ struct plan {
     struct pairs_table *rates, *forces; /* those of one half of the explicit side */
     bool mixed;                        /* a law belongs to both halves        */
     struct list_def list_def;
-    struct plan_workspace main, observer; /* observer made when first needed  */
+    struct plan_workspace main, observer; /* observer made at the first look  */
     double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
     double *scratch;                   /* [size] rates for the observer       */
     double wall_power;                 /* v . f of moving walls [W]           */
@@ -110,6 +111,11 @@ void plan_fields_make(struct plan *p);
 /* workspace.c */
 int plan_workspace_make(struct plan *p, struct plan_workspace *w);
 void plan_workspace_free(struct plan *p, struct plan_workspace *w);
+int plan_observer_make(struct plan *p);
+void plan_observer_free(struct plan *p);
+
+/* memory.c: bytes that a particle of the fluid, or of a solid, will need. */
+double plan_memory_each(const struct plan *p, bool fluid);
 
 /* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
 int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, unsigned kinds);

@@ -3,13 +3,13 @@
 
 #include "base/status.h"
 #include "plan/inside.h"
-#include "space/record.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* The run's list if it fits the moment, else the observer's own. */
+/* The run's list if it fits the moment, else the observer's own.  The first look
+ * makes that: a run takes at its start what it may need later. */
 static int choose(struct plan *p, const struct view *v, struct plan_workspace **w)
 {
     struct cloud cloud;
@@ -17,10 +17,11 @@ static int choose(struct plan *p, const struct view *v, struct plan_workspace **
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
     *w = &p->main;
-    if (p->particles->n == 0 || !p->engine->sum->list->stale(p->main.list, &cloud))
+    if (p->particles->n == 0
+        || (p->observer.list && !p->engine->sum->list->stale(p->main.list, &cloud)))
         return STATUS_DONE;
     *w = &p->observer;
-    return p->observer.list ? STATUS_DONE : plan_workspace_make(p, &p->observer);
+    return p->observer.list ? STATUS_DONE : plan_observer_make(p);
 }
 
 /* Densities out of bounds are looked at all the same: who asks for a view wants
@@ -191,14 +192,4 @@ const struct part *plan_part(const struct plan *p, int i, const char **path)
 {
     *path = p->part[i].path;
     return p->part[i].part;
-}
-
-double plan_bytes(const struct plan *p)
-{
-    const double h = p->in.kernel.support;
-    const double neighbours = DIM == 2 ? 3.14159 * h * h : 4.18879 * h * h * h;
-    const double n = p->particles->n;
-
-    return n * (RECORD + DIM + 1 + 3 * DIM + 2) * 8.0 + plan_size(p) * 8.0 * 12
-         + list_bytes(n, neighbours);
 }

@@ -69,6 +69,5 @@ double plan_speed_expected(const struct plan *plan);
 /* Parts in the plan, a line each, for `check`. */
 int plan_parts(const struct plan *plan);
 const struct part *plan_part(const struct plan *plan, int i, const char **path);
-double plan_bytes(const struct plan *plan); /* estimate of memory in use [B] */
 
 #endif

@@ -52,3 +52,18 @@ void plan_workspace_free(struct plan *p, struct plan_workspace *w)
     free(w->scratch.power);
     *w = (struct plan_workspace){0};
 }
+
+int plan_observer_make(struct plan *p)
+{
+    p->observer = p->main;
+    p->observer.list = NULL;
+    p->observer.scratch = (struct sum_scratch){0};
+    return p->engine->sum->list->create(&p->observer.list, &p->list_def);
+}
+
+void plan_observer_free(struct plan *p)
+{
+    p->engine->sum->list->free(&p->observer.list);
+    free(p->observer.scratch.power);
+    p->observer = (struct plan_workspace){0};
+}

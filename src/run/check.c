@@ -2,6 +2,8 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "plan/memory.h"
+#include "state/memory.h"
 #include "state/part.h"
 
 #include <math.h>
@@ -78,7 +80,7 @@ static int time_rhs(struct run *r, double *seconds)
 /* With the default methods a second takes 1.6 right-hand sides in units of the
  * fastest wave's rate while the flow is smooth and 2.5 when it is violent
  * (measured on dam breaks of 1,800 and 5,000 particles); vector operations and
- * outputs add a third to their time. */
+ * outputs add a third to their time, and lists of 3D as much as they take. */
 static void print_cost(struct run *r, double seconds)
 {
     struct limit limit[2];
@@ -92,17 +94,46 @@ static void print_cost(struct run *r, double seconds)
     if (limit[0].rate > 0) {
         rhs = 2 * r->until * limit[0].rate;
         printf("expected for %g s: about %.0f right-hand sides of %.3g ms, %.3g CPU s\n", r->until,
-               rhs, 1e3 * seconds, 1.3 * rhs * seconds);
+               rhs, 1e3 * seconds, (DIM == 2 ? 1.3 : 2) * rhs * seconds);
     }
-    printf("memory: about %.3g MB", plan_bytes(r->plan) / 1e6);
-    if (plan_particles(r->plan)->n > 0)
-        printf(", %.0f bytes a particle", plan_bytes(r->plan) / plan_particles(r->plan)->n);
+}
+
+/* What writing files takes in any case: code of HDF5, and the blocks it works in [bytes]. */
+static const double later = 9e6;
+
+static void print_bytes(const char *what, double bytes)
+{
+    printf("  %-32s %8.1f MB\n", what, bytes / 1e6);
+}
+
+/* `program`: bytes that it holds before there is a scene. */
+static void print_memory(const struct run *r, double program)
+{
+    const int n = plan_particles(r->plan)->n, vectors = r->method->vectors(r->method, r->plan);
+    struct plan_memory m;
+    char state[40];
+
+    program += n > 0 ? later : 2e6;
+    plan_memory(r->plan, vectors, &m);
+    printf("memory: about %.3g MB at its peak", (program + plan_memory_sum(&m)) / 1e6);
+    if (n > 0)
+        printf(", %.0f bytes a particle and %.3g MB of the program",
+               plan_memory_sum(&m) / n, program / 1e6);
     putchar('\n');
+    if (n == 0)
+        return;
+    snprintf(state, sizeof state, "state and %d vectors like it", vectors);
+    print_bytes(state, m.state);
+    print_bytes("pair lists", m.lists);
+    print_bytes("sums over pairs", m.sums);
+    print_bytes("particles as they were placed", m.particles);
+    print_bytes("outputs", m.outputs);
 }
 
 int run_check(const struct run_order *order)
 {
     struct run r;
+    const double program = memory_peak();
     double seconds = 0;
     int status = run_prepare(&r, order);
 
@@ -116,6 +147,7 @@ int run_check(const struct run_order *order)
         print_parts(&r);
         print_state(&r);
         print_cost(&r, seconds);
+        print_memory(&r, program);
     }
     run_release(&r);
     return status;

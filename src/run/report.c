@@ -6,10 +6,10 @@
 #include "output/hash.h"
 #include "output/json.h"
 #include "scene/scene.h"
+#include "state/memory.h"
 
 #include <math.h>
 #include <string.h>
-#include <sys/resource.h>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -25,14 +25,6 @@ static int threads(void)
 #else
     return 1;
 #endif
-}
-
-static long peak_kb(void)
-{
-    struct rusage u;
-
-    getrusage(RUSAGE_SELF, &u);
-    return u.ru_maxrss;
 }
 
 static void write_what(struct json *j, const struct run *r, int status, const char *message)
@@ -98,7 +90,7 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     json_number(j, "momentum_defect", outputs_momentum_defect(r->outputs));
     json_number(j, "density_min", r->tally.density[1] > 0 ? r->tally.density[0] : NAN);
     json_number(j, "density_max", r->tally.density[1] > 0 ? r->tally.density[1] : NAN);
-    json_integer(j, "peak_rss_kb", peak_kb());
+    json_integer(j, "peak_rss_kb", (long)(memory_peak() / 1024));
     json_text(j, "state_hash",
               hash_text(hash_bytes(HASH_START, y, plan_size(r->plan) * sizeof *y), hash));
 }

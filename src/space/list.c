@@ -269,9 +269,18 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
     return c.moved || list->builds == 0 ? rebuild(list, cloud, rows) : STATUS_DONE;
 }
 
-/* Entries of the rows, padding and growth; positions, order and cells. */
-double list_bytes(long n, double neighbours)
+double list_entries(const struct list *list)
 {
-    return (double)n * (1.25 * neighbours * sizeof(int) + (2.0 * DIM + 4) * sizeof(double)
-                        + 2 * sizeof(int));
+    return (double)list->rows_before[list->groups] * list->lanes;
+}
+
+/* Positions, order and slots; a group is of four, mostly, and has a segment or two,
+ * each noted twice. */
+double list_bytes(double n, double entries)
+{
+    const double group = 2 * sizeof(int) + sizeof(int) + sizeof(long)
+                       + 1.5 * (sizeof(struct list_segment) + sizeof(struct list_found));
+
+    return entries * sizeof(int) + n * (DIM * sizeof(double) + (2 + LIST_WORDS) * sizeof(int)
+                                        + group / 4);
 }

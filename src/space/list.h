@@ -86,8 +86,10 @@ static inline bool list_inside(const struct list_def *def, const double *x)
     return true;
 }
 
-/* Bytes that a list for n owners with about `neighbours` entries each (skin
- * included) will take. */
-double list_bytes(long n, double neighbours);
+/* Entries in all rows, padding included. */
+double list_entries(const struct list *list);
+
+/* Bytes that a list of n particles with so many entries takes. */
+double list_bytes(double n, double entries);
 
 #endif

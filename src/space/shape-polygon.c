@@ -1,4 +1,4 @@
-/* shape-polygon.c -- flat polygons: is a point inside, is the outline sound. */
+/* shape-polygon.c -- flat polygons: is a point inside, how far from the outline, is it sound. */
 #include "space/shape-polygon.h"
 
 #include "base/status.h"
@@ -15,13 +15,24 @@ static double turn(const double *a, const double *b, const double *c)
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-double shape_polygon_area(const struct param_points *points)
+/* Positive when the corners go round anticlockwise. */
+static double signed_area(const struct param_points *points)
 {
     double twice = 0;
 
     for (int i = 1; i + 1 < points->n; i++)
         twice += turn(points->x[0], points->x[i], points->x[i + 1]);
-    return 0.5 * fabs(twice);
+    return 0.5 * twice;
+}
+
+double shape_polygon_area(const struct param_points *points)
+{
+    return fabs(signed_area(points));
+}
+
+double shape_polygon_turning(const struct param_points *points)
+{
+    return signed_area(points) < 0 ? -1 : 1;
 }
 
 void shape_polygon_bounds(const struct param_points *points, double *low, double *high)
@@ -55,6 +66,36 @@ bool shape_polygon_contains(const struct param_points *points, const double *x)
         if (ray_crosses(x, corner(points, i), corner(points, i + 1)))
             inside = !inside;
     return inside;
+}
+
+double shape_polygon_length(const struct param_points *points)
+{
+    double sum = 0;
+
+    for (int i = 0; i < points->n; i++) {
+        const double *a = corner(points, i), *b = corner(points, i + 1);
+
+        sum += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    return sum;
+}
+
+static double distance_to_edge(const double *x, const double *a, const double *b)
+{
+    const double e[2] = { b[0] - a[0], b[1] - a[1] }, r[2] = { x[0] - a[0], x[1] - a[1] };
+    const double along = (r[0] * e[0] + r[1] * e[1]) / (e[0] * e[0] + e[1] * e[1]);
+    const double part = fmin(fmax(along, 0), 1);
+
+    return hypot(r[0] - part * e[0], r[1] - part * e[1]);
+}
+
+double shape_polygon_distance(const struct param_points *points, const double *x)
+{
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < points->n; i++)
+        least = fmin(least, distance_to_edge(x, corner(points, i), corner(points, i + 1)));
+    return least;
 }
 
 /* Is c, known to lie on the line through a and b, between them? */

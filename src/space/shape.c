@@ -5,6 +5,7 @@
 #include "space/shape.h"
 
 #include "base/status.h"
+#include "space/shape-box.h"
 #include "space/shape-polygon.h"
 #include <math.h>
 #include <string.h>
@@ -27,6 +28,8 @@ static const char types_text[] = "box, sphere or frame";
 
 #define PLACE(member) offsetof(struct shape, member)
 
+static const char *const fills[] = { "auto", "layers", "lattice", NULL };
+
 const struct param shape_params[] = {
     { .key = "type", .unit = "", .offset = PLACE(type), .type = PARAM_WORD, .words = shape_types,
       .about = "shape of the region; a frame is the shell around the domain" },
@@ -36,6 +39,12 @@ const struct param shape_params[] = {
     { .key = "to", .unit = "m", .offset = PLACE(to), .type = PARAM_VECTOR,
       .fallback = NAN, .min = -REACH, .max = REACH,
       .about = "highest corner of a box, which needs it" },
+    { .key = "angle", .unit = "deg", .offset = PLACE(angle), .min = -360, .max = 360,
+#if DIM == 2
+      .about = "turns a box about its centre, anticlockwise" },
+#else
+      .about = "turns a box about the vertical through its centre, from x towards y" },
+#endif
 #if DIM == 2
     { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
       .fallback = NAN, .min = -REACH, .max = REACH,
@@ -47,6 +56,9 @@ const struct param shape_params[] = {
     { .key = "radius", .unit = "m", .offset = PLACE(radius), .type = PARAM_NUMBER,
       .fallback = NAN, .min = 0, .max = REACH,
       .about = "radius of a " BALL ", which needs it" },
+    { .key = "fill", .unit = "", .offset = PLACE(fill), .type = PARAM_WORD, .words = fills,
+      .about = "layers follow the outline, a lattice ends in stairs; auto: layers for walls "
+               "other than boxes and frames" },
     { 0 },
 };
 
@@ -94,6 +106,10 @@ static int refuse_strangers(const struct shape *s, const char *path, const char 
         key = "centre";
     if (!round && s->radius > 0)
         key = "radius";
+    if (s->kind != SHAPE_BOX && s->angle != 0)
+        key = "angle";
+    if (!round && s->kind != SHAPE_POLYGON && s->fill && !strcmp(s->fill, "layers"))
+        key = "fill = \"layers\": its lattice follows its sides already";
     if (!key)
         return STATUS_DONE;
     return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s takes no %s; leave it out or choose another"
@@ -152,13 +168,10 @@ static bool is_inside(const double *low, const double *high, const double *x)
 
 static bool box_contains(const struct shape *s, const double *x)
 {
-    return is_inside(s->from, s->to, x);
-}
+    double own[DIM];
 
-static void box_bounds(const struct shape *s, double *low, double *high)
-{
-    memcpy(low, s->from, DIM * sizeof *low);
-    memcpy(high, s->to, DIM * sizeof *high);
+    shape_box_own(s, x, own);
+    return is_inside(s->from, s->to, own);
 }
 
 static int check_polygon(const struct shape *s, const char *path, const char *where)
@@ -216,7 +229,7 @@ static const struct rules {
     bool (*contains)(const struct shape *s, const double *x);
     void (*bounds)(const struct shape *s, double *low, double *high);
 } rules[] = {
-    [SHAPE_BOX] = { "box", check_box, box_contains, box_bounds },
+    [SHAPE_BOX] = { "box", check_box, box_contains, shape_box_bounds },
     [SHAPE_POLYGON] = { "polygon", check_polygon, polygon_contains, polygon_bounds },
     [SHAPE_DISC] = { "disc", check_ball, ball_contains, ball_bounds },
     [SHAPE_SPHERE] = { "sphere", check_ball, ball_contains, ball_bounds },

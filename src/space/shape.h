@@ -16,10 +16,14 @@ struct shape {
     double from[3], to[3];      /* box: lowest and highest corner   [m]       */
     struct param_points points; /* polygon: corners in turn         [m]       */
     double centre[3], radius;   /* disc, sphere                     [m]       */
+    double angle;               /* box: turned anticlockwise about its centre,
+                                   in 3D about the vertical through it [deg]  */
+    const char *fill;           /* "auto" (or NULL), "layers", "lattice"      */
     enum shape_type kind;       /* set by shape_check                         */
+    double thickness;           /* set by the caller: of a frame's shell, and of
+                                   a wall in layers (0: filled to its middle) [m] */
     /* set by the caller for a frame */
     double low[3], high[3];     /* the domain                       [m]       */
-    double thickness;           /* of the shell                     [m]       */
     unsigned open;              /* sides left out, SHAPE_SIDE bits            */
 };
 
@@ -28,7 +32,8 @@ struct shape {
 extern const char *const shape_sides[];
 unsigned shape_side(int axis, bool high); /* bit as in shape_sides            */
 
-extern const struct param shape_params[]; /* type, from, to, points, centre, radius */
+/* type, from, to, angle, points, centre, radius, fill */
+extern const struct param shape_params[];
 extern const char *const shape_types[];   /* allowed in this dimension        */
 
 /* Sets kind; refuses what makes no sense (to below from, fewer than three
@@ -36,7 +41,8 @@ extern const char *const shape_types[];   /* allowed in this dimension        */
  * path is the object ("wall.block"), where is "FILE:LINE". */
 int shape_check(struct shape *s, const char *path, const char *where);
 
-/* Half-open: a point on the border of two shapes is in one of them only. */
+/* Half-open: a point on the border of two shapes is in one of them only (turned
+ * boxes up to rounding). */
 bool shape_contains(const struct shape *s, const double *x);
 void shape_bounds(const struct shape *s, double *low, double *high); /* [DIM] */
 

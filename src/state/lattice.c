@@ -1,6 +1,7 @@
 /* lattice.c -- where the particles of a shape stand. */
 #include "state/lattice.h"
 
+#include "space/shape-box.h"
 #include "space/shape-polygon.h"
 #include <math.h>
 #include <string.h>
@@ -21,6 +22,14 @@ static void spread(struct lattice *l, int d, double low, double high, double dx)
     lattice_fits(high - low, dx, &l->n[d]);
     l->origin[d] = low;
     l->pitch[d] = l->n[d] > 0 ? (high - low) / l->n[d] : dx;
+}
+
+/* Along the box's own axes. */
+static void spread_own(struct lattice *l, int d, double low, double high, double dx)
+{
+    (void)low;
+    (void)high;
+    spread(l, d, l->shape->from[d], l->shape->to[d], dx);
 }
 
 /* From the lowest corner at the spacing itself, unless that fits the side. */
@@ -90,7 +99,7 @@ static const struct rules {
     void (*set_axis)(struct lattice *l, int d, double low, double high, double dx);
     double (*count)(const struct lattice *l);
 } rules[] = {
-    [SHAPE_BOX] = { spread, box_count },
+    [SHAPE_BOX] = { spread_own, box_count },
     [SHAPE_POLYGON] = { cover, polygon_count },
     [SHAPE_DISC] = { centre, disc_count },
     [SHAPE_SPHERE] = { centre, sphere_count },
@@ -135,6 +144,8 @@ long lattice_sites(const struct lattice *l, double (*x)[DIM])
 
         for (int d = 0; d < DIM; d++)
             site[d] = l->origin[d] + (i[d] + 0.5) * l->pitch[d];
+        if (l->shape->kind == SHAPE_BOX)
+            shape_box_place(l->shape, site, site);
         if (!shape_contains(l->shape, site))
             continue;
         if (x)

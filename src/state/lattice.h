@@ -4,8 +4,8 @@
 
 #include "space/shape.h"
 
-/* Sites at origin + (i + 1/2) pitch, i = 0 .. n-1 along each axis, of which
- * those inside the shape count. */
+/* Sites at origin + (i + 1/2) pitch, i = 0 .. n-1 along each axis (of a turned box:
+ * its own axes), of which those inside the shape count. */
 struct lattice {
     const struct shape *shape;
     long n[DIM];
@@ -16,8 +16,9 @@ struct lattice {
  * nearest number in any case, limited to 1e15. */
 bool lattice_fits(double side, double dx, long *n);
 
-/* The lattice of a shape.  Boxes and frames are filled evenly: the pitch is
- * side / round(side/dx).  Balls are filled symmetrically about the centre. */
+/* The lattice of a shape.  Boxes, which turn with their lattice, and frames are filled
+ * evenly: the pitch is side / round(side/dx).  Balls are filled symmetrically about the
+ * centre. */
 struct lattice lattice_make(const struct shape *shape, double dx);
 
 /* About how many sites, in no time, for shapes of any size. */

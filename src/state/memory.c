@@ -1,7 +1,8 @@
-/* memory.c -- how much memory this machine can give. */
+/* memory.c -- how much memory this machine can give, and how much was taken. */
 #include "state/memory.h"
 
 #include <stdio.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static double free_pages(void)
@@ -27,4 +28,12 @@ double memory_available(const char *meminfo)
     if (file)
         fclose(file);
     return kib > 0 ? 1024 * kib : free_pages();
+}
+
+double memory_peak(void)
+{
+    struct rusage u;
+
+    getrusage(RUSAGE_SELF, &u);
+    return 1024.0 * u.ru_maxrss;
 }

@@ -1,79 +1,37 @@
 /* overlap.c -- are particles of different objects too near each other, or inside
  * each other's shapes.  Distance alone does not tell: half a spacing off in all
- * directions, one lattice passes between the sites of another.
- *
- * Particles are sorted into cells as wide as the distance in question, the
- * cells into buckets by their number modulo the buckets: near particles lie
- * near in memory, and two cells in one bucket cost time only. */
+ * directions, one lattice passes between the sites of another. */
 #include "state/overlap.h"
 
 #include "base/status.h"
+#include "state/buckets.h"
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static const double near_fluid = 0.7; /* least distance of fluid to others [dx] */
 static const double near_walls = 0.3; /* two walls nearer than this are in one place [dx] */
 
-struct buckets {
-    double width;   /* [m] */
-    uint64_t mask;  /* buckets - 1 */
-    int *start;     /* [buckets + 1] into member */
-    int *member;    /* [n] particles, bucket by bucket */
+struct partners {
+    const struct particles *p;
+    int object;     /* not this one      */
+    unsigned kinds; /* of these, as bits */
 };
 
-static uint64_t bucket_of(const struct buckets *c, const double *x, const int *shift)
+static bool is_partner(const void *self, int j)
 {
-    static const uint64_t stride[3] = { 1, 73856093, 19349663 };
-    uint64_t number = 0;
+    const struct partners *w = self;
+    const int object = w->p->object_of[j];
 
-    for (int d = 0; d < DIM; d++)
-        number += stride[d] * (uint64_t)((int64_t)floor(x[d] / c->width) + shift[d]);
-    return number & c->mask;
-}
-
-/* Counting sort: counts, ends of buckets, then members from the back. */
-static void sort(const struct buckets *c, const struct particles *p)
-{
-    const int here[3] = { 0 };
-
-    for (int i = 0; i < p->n; i++)
-        c->start[bucket_of(c, p->x0[i], here)]++;
-    for (uint64_t b = 0; b <= c->mask; b++)
-        c->start[b + 1] += c->start[b];
-    for (int i = p->n - 1; i >= 0; i--)
-        c->member[--c->start[bucket_of(c, p->x0[i], here)]] = i;
-}
-
-static double distance2(const double *a, const double *b)
-{
-    double r2 = 0;
-
-    for (int d = 0; d < DIM; d++)
-        r2 += (a[d] - b[d]) * (a[d] - b[d]);
-    return r2;
+    return object != w->object && KIND_BIT(w->p->object[object].kind) & w->kinds;
 }
 
 /* A particle of another object and one of the kinds nearer to i than reach, or -1. */
-static int find_near(const struct buckets *c, const struct particles *p, int i, double reach,
+static int find_near(const struct buckets *b, const struct particles *p, int i, double reach,
                      unsigned kinds)
 {
-    const int block = DIM == 2 ? 9 : 27;
+    const struct partners other = { p, p->object_of[i], kinds };
 
-    for (int k = 0; k < block; k++) {
-        const int shift[3] = { k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1 };
-        const uint64_t b = bucket_of(c, p->x0[i], shift);
-
-        for (int m = c->start[b]; m < c->start[b + 1]; m++) {
-            const int j = c->member[m], object = p->object_of[j];
-
-            if (object != p->object_of[i] && KIND_BIT(p->object[object].kind) & kinds
-                && distance2(p->x0[i], p->x0[j]) < reach * reach)
-                return j;
-        }
-    }
-    return -1;
+    return buckets_find(b, p->x0[i], reach, is_partner, &other);
 }
 
 static void print_place(char *to, size_t room, const double *x)
@@ -96,7 +54,7 @@ static int refuse_near(const struct particles *p, const struct fill_item *item, 
                        " particles are %.3g m apart, and less than %.1f spacings (%.3g m) is too"
                        " near; move or shorten one of them so that their borders only touch",
                        a->where, a->group, a->name, b->group, b->name, b->where, place,
-                       sqrt(distance2(p->x0[i], p->x0[j])), near_fluid, near_fluid * dx);
+                       sqrt(buckets_distance2(p->x0[i], p->x0[j])), near_fluid, near_fluid * dx);
 }
 
 static int refuse_inside(const struct particles *p, const struct fill_item *item, int i, int k)
@@ -123,11 +81,11 @@ static void warn(const struct particles *p, const struct fill_item *item, int i,
                 place);
 }
 
-static int check_distances(const struct buckets *c, const struct particles *p,
+static int check_distances(const struct buckets *b, const struct particles *p,
                            const struct fill_item *item, double dx)
 {
     for (int i = 0; i < p->from[KIND_FLUID + 1]; i++) {
-        const int j = find_near(c, p, i, near_fluid * dx, ~0u);
+        const int j = find_near(b, p, i, near_fluid * dx, ~0u);
 
         if (j >= 0)
             return refuse_near(p, item, i, j, dx);
@@ -150,13 +108,13 @@ static int check_insides(const struct particles *p, const struct fill_item *item
     return STATUS_DONE;
 }
 
-static void check_walls(const struct buckets *c, const struct particles *p,
+static void check_walls(const struct buckets *b, const struct particles *p,
                         const struct fill_item *item, double dx)
 {
     const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
     for (int i = p->from[KIND_WALL]; i < p->from[KIND_WALL_SLIP + 1]; i++) {
-        const int j = find_near(c, p, i, near_walls * dx, walls);
+        const int j = find_near(b, p, i, near_walls * dx, walls);
 
         if (j >= 0) {
             warn(p, item, i, j);
@@ -165,28 +123,22 @@ static void check_walls(const struct buckets *c, const struct particles *p,
     }
 }
 
-static int check(const struct buckets *c, const struct particles *p, const struct fill_item *item,
+static int check(const struct buckets *b, const struct particles *p, const struct fill_item *item,
                  double dx)
 {
-    sort(c, p);
-    TRY(check_distances(c, p, item, dx));
+    TRY(check_distances(b, p, item, dx));
     TRY(check_insides(p, item));
-    check_walls(c, p, item, dx);
+    check_walls(b, p, item, dx);
     return STATUS_DONE;
 }
 
 int overlap_check(const struct particles *p, const struct fill_item *item, double dx)
 {
-    struct buckets c = { .width = near_fluid * dx, .mask = 1 };
-    int code = STATUS_FAILED;
+    struct buckets b;
+    int code;
 
-    while (c.mask < (uint64_t)p->n)
-        c.mask = 2 * c.mask + 1;
-    c.start = status_alloc(c.mask + 2, sizeof *c.start);
-    c.member = status_alloc(p->n, sizeof *c.member);
-    if (c.start && c.member)
-        code = check(&c, p, item, dx);
-    free(c.start);
-    free(c.member);
+    TRY(buckets_create(&b, (const double (*)[DIM])p->x0, p->n, near_fluid * dx));
+    code = check(&b, p, item, dx);
+    buckets_free(&b);
     return code;
 }

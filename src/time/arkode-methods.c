@@ -42,7 +42,7 @@ static const char *table(const void *self)
     .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
                 .serves = serves, .create = arkode_create, .step = arkode_step,          \
                 .at = arkode_at, .state = state, .restart = arkode_restart,              \
-                .table = table, .free = arkode_free }
+                .table = table, .free = arkode_free, .vectors = arkode_vectors }
 
 #define OWN(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \
     { METHOD(NAME, ABOUT, SOURCE), .own = &TABLE, .order = ORDER, .control = &CONTROL }

@@ -101,6 +101,9 @@ int arkode_create(const struct method *m, const struct method_def *def, struct p
                   double t, const double *y, void **out);
 void arkode_free(void **out);
 
+/* arkode-vectors.c */
+int arkode_vectors(const struct method *m, const struct plan *plan);
+
 /* arkode-rates.c: f for ARKStep, with what is known already not asked again. */
 int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self);
 int arkode_implicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self);

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { HALVINGS = 6 };
+enum { HALVINGS = 6, VECTORS = 6 };
 
 static bool paired(const struct layout *l)
 {
@@ -221,11 +221,17 @@ const char *fixed_table(const void *self)
     return ((const struct fixed *)self)->table;
 }
 
+int fixed_vectors(const struct method *m, const struct plan *plan)
+{
+    (void)m, (void)plan;
+    return VECTORS;
+}
+
 static int take_memory(struct fixed *x)
 {
     double **place[] = { &x->y, &x->f, &x->y_old, &x->f_old, &x->try, &x->rates };
 
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < VECTORS; i++)
         if (!(*place[i] = status_alloc((unsigned long)x->n, sizeof(double))))
             return STATUS_FAILED;
     return STATUS_DONE;

@@ -52,6 +52,7 @@ const double *fixed_state(const void *self);
 int fixed_restart(void *self, double t, const double *y);
 const char *fixed_table(const void *self);
 void fixed_free(void **self);
+int fixed_vectors(const struct method *m, const struct plan *plan);
 
 /* NULL, or why positions and velocities do not pair up entry by entry. */
 const char *fixed_serves(const struct plan *plan);
@@ -75,6 +76,6 @@ int fixed_euler_advance(struct fixed *x, double h);
     { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false,                 \
       .serves = fixed_serves, .create = fixed_create, .step = fixed_step,                \
       .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
-      .table = fixed_table, .free = fixed_free }
+      .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors }
 
 #endif

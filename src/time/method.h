@@ -55,6 +55,9 @@ struct method {
      * never asks for a right-hand side that could change later bits. */
     int (*at)(void *self, double t, double *y);
 
+    /* How many vectors of the size of y it will hold. */
+    int (*vectors)(const struct method *m, const struct plan *plan);
+
     const double *(*state)(const void *self);     /* y at the end of the last step */
     int (*restart)(void *self, double t, const double *y); /* after an event  */
     const char *(*table)(const void *self);       /* for run.json             */

@@ -96,10 +96,12 @@ static void parameters_describe_themselves(void **state)
     assert_string_equal(shape_params[0].key, "type");
     assert_ptr_equal(shape_params[0].words, shape_types);
     for (const struct param *row = shape_params + 1; row->key; row++) {
-        assert_string_equal(row->unit, "m");
-        assert_true(isnan(row->fallback));
-        assert_true(row->min < row->max);
+        const bool place = !strcmp(row->unit, "m");
+
         assert_true(strlen(row->about) > 10);
+        assert_true(place ? isnan(row->fallback) : row->fallback == 0);
+        assert_true(row->min < row->max || row->words);
+        assert_true(place || !strcmp(row->key, "angle") || !strcmp(row->key, "fill"));
     }
 }
 
@@ -169,6 +171,18 @@ static void keys_of_other_types_are_refused(void **state)
     s = given("box");
     s.points.n = 3;
     assert_refused(s, "a box takes no points");
+    s = ball(0, 0, 0, 1);
+    s.angle = -30;
+    assert_refused(s, DIM == 2 ? "a disc takes no angle" : "a sphere takes no angle");
+    s = given("box");
+    s.fill = "layers";
+    assert_refused(s, "a box takes no fill = \"layers\"");
+    s = given("frame");
+    s.fill = "layers";
+    assert_refused(s, "a frame takes no fill = \"layers\"");
+    s = ball(0, 0, 0, 1);
+    s.fill = "layers";
+    assert_accepted(&s);
 }
 
 static void boxes_share_no_point_of_their_border(void **state)
@@ -184,6 +198,57 @@ static void boxes_share_no_point_of_their_border(void **state)
 
             assert_int_equal(shape_contains(&a, x) + shape_contains(&b, x), i < 4 && j < 4);
         }
+}
+
+/* A quarter turn exchanges the sides of a box about its centre (0.5, 0.4, ..). */
+static void a_quarter_turn_exchanges_the_sides(void **state)
+{
+    const double from[3] = { 0.125, 0.3, 0.25 }, to[3] = { 0.875, 0.5, 0.75 };
+    const double low[3] = { 0.4, 0.025, 0.25 }, high[3] = { 0.6, 0.775, 0.75 };
+    const double angles[] = { 90, -90, 270, -270, 180, 360 };
+
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        const bool odd = i < 4;
+        struct shape a = box(from, to);
+        const struct shape b = box(odd ? low : from, odd ? high : to);
+        double l[3], h[3];
+
+        a.angle = angles[i];
+        for (double x = 0.01; x < 1; x += 0.0237)
+            for (double y = 0.01; y < 1; y += 0.0237)
+                assert_int_equal(shape_contains(&a, (double[3]){ x, y, 0.3 }),
+                                 shape_contains(&b, (double[3]){ x, y, 0.3 }));
+        shape_bounds(&a, l, h);
+        for (int d = 0; d < DIM; d++)
+            assert_true(fabs(l[d] - b.from[d]) < 1e-15 && fabs(h[d] - b.to[d]) < 1e-15);
+    }
+}
+
+/* Anticlockwise: the middle of the right side goes up. */
+static void a_turned_box_stands_where_it_should(void **state)
+{
+    const double from[3] = { 0.2, 0.4, 0.1 }, to[3] = { 0.8, 0.6, 0.9 };
+    const double c = cos(M_PI / 6), s = sin(M_PI / 6);
+    struct shape a = box(from, to);
+    double low[3], high[3];
+
+    (void)state;
+    a.angle = 30;
+    for (int end = -1; end <= 1; end += 2)
+        for (int side = -1; side <= 1; side += 2)
+            for (int in = 0; in < 2; in++) {
+                const double u = end * (0.301 - 0.002 * in), v = side * (0.101 - 0.002 * in);
+                const double x[3] = { 0.5 + c * u - s * v, 0.5 + s * u + c * v, 0.5 };
+
+                assert_int_equal(shape_contains(&a, x), in);
+            }
+    assert_int_equal(shape_contains(&a, (double[3]){ 0.5, 0.5, 0.95 }), DIM == 2);
+    shape_bounds(&a, low, high);
+    assert_true(fabs(high[0] - (0.5 + 0.3 * c + 0.1 * s)) < 1e-15);
+    assert_true(fabs(low[1] - (0.5 - 0.3 * s - 0.1 * c)) < 1e-15);
+    assert_true(fabs(inside(&a, DIM == 2 ? 1000 : 100) / pow(DIM == 2 ? 1000 : 100, DIM)
+                     / (DIM == 2 ? 0.12 : 0.096) - 1) < 5e-3);
 }
 
 static void a_ball_holds_its_volume(void **state)
@@ -318,6 +383,8 @@ int main(void)
         cmocka_unit_test(unknown_types_are_refused),
         cmocka_unit_test(keys_of_other_types_are_refused),
         cmocka_unit_test(boxes_share_no_point_of_their_border),
+        cmocka_unit_test(a_quarter_turn_exchanges_the_sides),
+        cmocka_unit_test(a_turned_box_stands_where_it_should),
         cmocka_unit_test(a_ball_holds_its_volume),
         cmocka_unit_test(a_frame_holds_the_shell_for_all_open_sides),
         cmocka_unit_test(an_open_side_takes_its_corners_with_it),

@@ -76,7 +76,7 @@ static struct particles *filled(const struct fill_item *item, int items, const s
     struct particles *p;
 
     status_clear();
-    if (fill_particles(item, items, s, 400, &p))
+    if (fill_particles(item, items, s, 400, 400, &p))
         fail_msg("%s", status_message());
     return p;
 }
@@ -94,7 +94,7 @@ static void assert_refused_at(const struct fill_item *item, int items, const str
     struct particles *p;
 
     status_clear();
-    assert_int_equal(fill_particles(item, items, s, bytes_each, &p), STATUS_BAD_SCENE);
+    assert_int_equal(fill_particles(item, items, s, bytes_each, bytes_each, &p), STATUS_BAD_SCENE);
     assert_null(p);
     if (!strstr(status_message(), text))
         fail_msg("\"%s\" does not say \"%s\"", status_message(), text);
@@ -224,6 +224,98 @@ static void a_solid_box_may_have_any_size(void **state)
     particles_free(&p);
 }
 
+/* c and s of a whole number of quarter turns. */
+static void quarter(int turns, double *c, double *s)
+{
+    const double cs[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+
+    *c = cs[turns % 4][0];
+    *s = cs[turns % 4][1];
+}
+
+/* Site by site, about the centre (0.5, 0.5, ..). */
+static void a_box_turns_with_its_lattice(void **state)
+{
+    const struct scales s = scales_of(0.05);
+    struct shape shape = box(0.3, 0.4, 0, 0.7, 0.6, 0.2);
+    struct particles *plain = filled_alone(&shape, &s);
+
+    (void)state;
+    for (int turns = 0; turns <= 4; turns++) {
+        double c, n;
+
+        shape.angle = 90 * turns;
+        quarter(turns, &c, &n);
+        struct particles *p = filled_alone(&shape, &s);
+        assert_int_equal(p->n, plain->n);
+        for (int i = 0; i < p->n; i++) {
+            const double a = plain->x0[i][0] - 0.5, b = plain->x0[i][1] - 0.5;
+
+            assert_near(p->x0[i][0], 0.5 + (c * a - n * b), turns % 4 ? 2e-16 : 0);
+            assert_near(p->x0[i][1], 0.5 + (n * a + c * b), turns % 4 ? 2e-16 : 0);
+            assert_true(DIM == 2 || p->x0[i][DIM - 1] == plain->x0[i][DIM - 1]);
+        }
+        particles_free(&p);
+    }
+    particles_free(&plain);
+}
+
+static double distance(const double *a, const double *b)
+{
+    double r2 = 0;
+
+    for (int d = 0; d < DIM; d++)
+        r2 += (a[d] - b[d]) * (a[d] - b[d]);
+    return sqrt(r2);
+}
+
+static void a_slanted_box_keeps_its_spacing(void **state)
+{
+    const struct scales s = scales_of(0.05);
+    struct shape shape = box(0.3, 0.4, 0, 0.7, 0.6, 0.2);
+
+    (void)state;
+    shape.angle = 30;
+    struct particles *p = filled_alone(&shape, &s);
+    assert_int_equal(p->n, DIM == 2 ? 32 : 128);
+    for (int i = 0; i < p->n; i++) {
+        assert_true(shape_contains(&shape, p->x0[i]));
+        if (i % 8 < 7)
+            assert_near(distance(p->x0[i], p->x0[i + 1]), 0.05, 1e-15);
+        if (i % 32 < 24)
+            assert_near(distance(p->x0[i], p->x0[i + 8]), 0.05, 1e-15);
+    }
+    assert_near((p->x0[1][1] - p->x0[0][1]) / 0.05, 0.5, 1e-14);
+    particles_free(&p);
+}
+
+/* Its sides must fit, not those of the box around it. */
+static void a_slanted_fluid_must_fit_its_own_sides(void **state)
+{
+    struct scales s = scales_of(0.03);
+    struct shape shape = box(0.4, 0.4, 0, 0.5, 0.6, 0.3);
+    const struct fill_item item = item_of("dam", KIND_FLUID, &shape);
+
+    (void)state;
+    shape.angle = 37;
+    assert_refused(&item, 1, &s, "its width of 0.1 m is 3.33333 spacings of 0.03 m");
+    s.dx = 0.025;
+    struct particles *p = filled_alone(&shape, &s);
+    assert_int_equal(p->n, DIM == 2 ? 32 : 384);
+    particles_free(&p);
+}
+
+static void fluid_in_layers_is_refused(void **state)
+{
+    const struct scales s = scales_of(0.05);
+    struct shape shape = ball(0.5, 0.5, 0.25, 0.2);
+    const struct fill_item item = item_of("drop", KIND_FLUID, &shape);
+
+    (void)state;
+    shape.fill = "layers";
+    assert_refused(&item, 1, &s, "fluid.drop: fill = \"layers\" is for walls");
+}
+
 static void a_ball_is_filled_symmetrically(void **state)
 {
     const struct scales s = scales_of(0.01);
@@ -294,6 +386,48 @@ static void a_polygon_is_filled_from_its_lowest_corner(void **state)
     assert_near(p->x0[1][0], 0.106, 1e-15);
     assert_near(p->n * s.dx * s.dx / area, 1, 0.005);
     particles_free(&p);
+}
+
+static struct shape polygon(int n, double (*x)[3])
+{
+    return checked((struct shape){ .type = "polygon", .from = MISSING, .to = MISSING,
+                                   .centre = MISSING, .radius = NAN, .points = { n, x } });
+}
+
+/* Water in the corner of a slope: three sites in four touch the slanted border, and
+ * those that the wall has no room for are left out. */
+static void fluid_may_lie_on_a_slope(void **state)
+{
+    const struct scales s = scales_of(0.02);
+
+    (void)state;
+    for (double rise = 0.2; rise < 0.9; rise += 0.1) {
+        double wedge[][3] = { { 0.2, 0 }, { 1, 0 }, { 1, 0.8 * rise } };
+        double pool[][3] = { { 0.2, 0 }, { 0.8, 0.6 * rise }, { 0, 0.6 * rise }, { 0, 0 } };
+        const struct shape slope = polygon(3, wedge), water = polygon(4, pool);
+        const struct fill_item item[] = { item_of("water", KIND_FLUID, &water),
+                                          item_of("slope", KIND_WALL, &slope) };
+        struct particles *p = filled(item, 2, &s);
+        const double area = 0.6 * rise * (0.2 + 0.3), border = 0.6 * hypot(1, rise);
+
+        assert_true(p->object[0].n * s.dx * s.dx < area * 1.01);
+        assert_true(p->object[0].n * s.dx * s.dx > area - 0.45 * s.dx * border);
+        particles_free(&p);
+    }
+}
+
+/* ... but not in it: a spacing deep is refused as ever. */
+static void fluid_in_a_slope_is_refused(void **state)
+{
+    const struct scales s = scales_of(0.02);
+    double wedge[][3] = { { 0.18, 0 }, { 1, 0 }, { 1, 0.41 } };
+    double pool[][3] = { { 0.22, 0 }, { 0.82, 0.3 }, { 0, 0.3 }, { 0, 0 } };
+    const struct shape slope = polygon(3, wedge), water = polygon(4, pool);
+    const struct fill_item item[] = { item_of("water", KIND_FLUID, &water),
+                                      item_of("slope", KIND_WALL, &slope) };
+
+    (void)state;
+    assert_refused(item, 2, &s, "wall.slope overlaps fluid.water");
 }
 #endif
 
@@ -434,6 +568,27 @@ static void walls_in_one_place_get_a_warning(void **state)
     assert_string_equal(text, "");
 }
 
+#if DIM == 2
+/* An arm that no layer fits into; beside it the wall is sound. */
+static void walls_too_thin_get_a_warning(void **state)
+{
+    const struct scales s = scales_of(0.1);
+    double thin[][3] = { { 0, 0 }, { 0.5, 0 }, { 0.5, 0.4 }, { 1, 0.41 }, { 1, 0.43 }, { 0.5, 0.5 },
+                         { 0, 0.5 } };
+    struct shape flag = polygon(7, thin);
+    struct fill_item item = item_of("flag", KIND_WALL, &flag);
+    char text[500];
+
+    (void)state;
+    heard(&item, 1, &s, text, sizeof text);
+    assert_non_null(strstr(text, "wall.flag is too thin near ("));
+    thin[3][1] = 0.3;
+    thin[4][1] = 0.5;
+    heard(&item, 1, &s, text, sizeof text);
+    assert_string_equal(text, "");
+}
+#endif
+
 static void fluid_outside_the_domain_is_refused(void **state)
 {
     const struct scales s = scales_of(0.1);
@@ -513,10 +668,17 @@ int main(void)
         cmocka_unit_test(sides_without_a_common_measure_are_told),
         cmocka_unit_test(a_frame_wants_a_domain_that_fits),
         cmocka_unit_test(a_solid_box_may_have_any_size),
+        cmocka_unit_test(a_box_turns_with_its_lattice),
+        cmocka_unit_test(a_slanted_box_keeps_its_spacing),
+        cmocka_unit_test(a_slanted_fluid_must_fit_its_own_sides),
+        cmocka_unit_test(fluid_in_layers_is_refused),
         cmocka_unit_test(a_ball_is_filled_symmetrically),
         cmocka_unit_test(a_frame_has_the_sites_of_its_shell),
 #if DIM == 2
         cmocka_unit_test(a_polygon_is_filled_from_its_lowest_corner),
+        cmocka_unit_test(fluid_may_lie_on_a_slope),
+        cmocka_unit_test(fluid_in_a_slope_is_refused),
+        cmocka_unit_test(walls_too_thin_get_a_warning),
 #endif
         cmocka_unit_test(particles_stand_in_creation_order),
         cmocka_unit_test(fluid_in_fluid_is_refused),

@@ -1,0 +1,88 @@
+/* memory.c -- what a run will need memory for. */
+#include "plan/memory.h"
+
+#include "plan/inside.h"
+#include "space/record.h"
+
+#include <math.h>
+
+enum { USUAL_VECTORS = 20 }; /* of a method that is not known yet: 4 stages */
+
+struct count {
+    double fluid, solid; /* particles                                           */
+    double numbers;      /* in y                                                */
+    double entries;      /* in the rows of one pair list                        */
+    int vectors;         /* of the size of y, of the method                     */
+    bool fields;         /* densities are summed                                */
+};
+
+/* Neighbours of a particle of the fluid in the list, on a full lattice. */
+static double neighbours(const struct plan *p)
+{
+    const double r = p->in.kernel.support * (1 + p->in.kernel.skin);
+
+    return DIM == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+}
+
+/* Neighbours across a plane, shared among the layers of a wet wall. */
+static double neighbours_of_wall(const struct plan *p)
+{
+    const double r = p->in.kernel.support * (1 + p->in.kernel.skin);
+
+    return (DIM == 2 ? 2 * r * r * r / 3 : M_PI / 4 * r * r * r * r) / ceil(p->in.kernel.support);
+}
+
+/* A frame is held twice, once while its file is made with three components, cells
+ * and ids, and the file itself twice (output/fields-file.c). */
+static double outputs(const struct count *c)
+{
+    const double n = c->fluid + c->solid;
+    const double frame = (2 * DIM + 2) * 8 + 1, work = 6 * 8 + 8 + 1 + 4, file = 8 * 8 + 1;
+    const double crowd = 4 + 8 + 2, pairing = 4 + 8 + 16, pressures = 8;
+
+    return n * (frame + work + 2 * file + crowd) + c->fluid * (pairing + pressures);
+}
+
+static void estimate(const struct count *c, struct plan_memory *m)
+{
+    const double n = c->fluid + c->solid;
+
+    *m = (struct plan_memory){
+        .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
+        .lists = 2 * list_bytes(n, c->entries),
+        .sums = 8 * n * (RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0)),
+        .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
+        .outputs = outputs(c),
+    };
+}
+
+void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
+{
+    const double fluid = particles_count(p->particles, KIND_FLUID);
+    const struct count c = {
+        .fluid = fluid, .solid = p->particles->n - fluid, .numbers = layout_size(&p->layout),
+        .entries = p->main.list && p->main.list->builds > 0
+                       ? list_entries(p->main.list)
+                       : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
+        .vectors = vectors, .fields = p->fields > 0,
+    };
+
+    estimate(&c, out);
+}
+
+double plan_memory_sum(const struct plan_memory *m)
+{
+    return m->state + m->lists + m->sums + m->particles + m->outputs;
+}
+
+double plan_memory_each(const struct plan *p, bool fluid)
+{
+    const struct count c = {
+        .fluid = fluid, .solid = !fluid, .numbers = fluid ? 2 * DIM + 1 : 1,
+        .entries = fluid ? neighbours(p) : neighbours_of_wall(p), .vectors = USUAL_VECTORS,
+    };
+    struct plan_memory m;
+
+    estimate(&c, &m);
+    return plan_memory_sum(&m);
+}

@@ -1,0 +1,25 @@
+/* memory.h -- what a run will need memory for, before it takes any.
+ *
+ * An estimate of the peak of a run, for `check` and for the room check before
+ * particles are placed; tests/memory.sh holds runs to it.  A run has taken all of it
+ * when it writes its second file of fields. */
+#ifndef PLAN_MEMORY_H
+#define PLAN_MEMORY_H
+
+#include "plan/plan.h"
+
+/* Bytes. */
+struct plan_memory {
+    double state;      /* y, and the method's vectors of its size              */
+    double lists;      /* pair lists: the run's, and the outputs' own          */
+    double sums;       /* what one evaluation of the pair sums works in        */
+    double particles;  /* what does not evolve                                 */
+    double outputs;    /* frames, gauges, and a file of fields while it is made */
+};
+
+/* For a method that holds so many vectors of the size of y.  The list counts as
+ * it is; before there is one, as a full lattice would make it. */
+void plan_memory(const struct plan *plan, int vectors, struct plan_memory *out);
+double plan_memory_sum(const struct plan_memory *m);
+
+#endif
