@@ -43,5 +43,5 @@ set ylabel 'defect'.unit
 set format y '%g'
 plot 0 lc rgb grey lw 1 notitle, \
     table using 1:(column(column_of('defect'))) skip 2 with lines lw 2.5 lc rgb pick(2) \
-    title E0 > 0 ? sprintf("defect\n(of %.3g at t = 0)", E0) : 'defect'
+    title E0 > 0 ? sprintf("defect\n(of %.3g\nat t = 0)", E0) : 'defect'
 unset multiplot

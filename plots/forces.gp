@@ -12,7 +12,7 @@ do for [k = 1:words(columns)] {
 }
 
 
-# Directions in which there is more than rounding.
+# Directions in which there is more than what chance makes of a symmetric flow.
 array most[3]
 do for [d = 1:dim] {
     end = word('.fx .fy .fz', d)
@@ -26,7 +26,7 @@ do for [d = 1:dim] {
 largest = most[1] > most[2] ? most[1] : most[2]
 if (dim == 3) { largest = most[3] > largest ? most[3] : largest }
 shown = ''
-do for [d = 1:dim] { if (most[d] >= 1e-6 * largest) { shown = shown.' '.d } }
+do for [d = 1:dim] { if (most[d] >= 1e-3 * largest) { shown = shown.' '.d } }
 
 set terminal pngcairo size 1200, 400 * words(shown) + 60 font 'Sans,18'
 set output 'forces.png'

@@ -19,13 +19,15 @@ stats '../snapshots.csv' using 1 skip 2 nooutput name 'shot'
 moments = shot_records < 6 ? int(shot_records) : 6
 which(m) = moments > 1 ? int((m - 1) * (shot_records - 1) / (moments - 1) + 0.5) : 0
 
-# Two rows of three panels of equal scale; the canvas takes the shape of the tank.
+# Panels of equal scale in two rows of three, those of long tanks in three of two; the canvas
+# takes the shape of the tank.
 rim = 3.5 * dx
 left = low_x - rim
 right = high_x + rim
 bottom = (dim == 2 ? low_y : low_z) - rim
 above = (dim == 2 ? high_y : high_z) + rim
-across = moments < 3 ? moments : moments == 4 ? 2 : 3
+is_long = above - bottom < 0.45 * (right - left)
+across = moments < 3 ? moments : moments == 4 || (is_long && moments > 4) ? 2 : 3
 down = (moments + across - 1) / across
 panel_x = 1560 / across
 drawn_x = panel_x - 24

@@ -188,25 +188,47 @@ static void count_cell(const struct crowd *c, const double *x, long cell, struct
     }
 }
 
-/* Looks through the 3^D cells around x; counts x itself, too. */
-static struct company company(const struct crowd *c, const double *x)
+/* The 3^D cells around x: their numbers go to cell, as many are returned.  None
+ * where x is further than a cell from all of them. */
+static int around(const struct crowd *c, const double *x, long cell[27])
 {
-    struct company found = { 0, 0 };
     long from[3] = { 0, 0, 0 }, to[3] = { 0, 0, 0 };
+    int n = 0;
 
     for (int d = 0; d < DIM; d++) {
-        const long at = (long)((x[d] - c->low[d]) / c->size);
-        from[d] = at > 0 ? at - 1 : 0;
-        to[d] = at + 1 < c->cells[d] ? at + 1 : c->cells[d] - 1;
+        const double at = floor((x[d] - c->low[d]) / c->size);
+        from[d] = (long)fmin(fmax(at - 1, 0), (double)c->cells[d]);
+        to[d] = (long)fmax(fmin(at + 1, (double)c->cells[d] - 1), -1);
     }
     for (long i = from[0]; i <= to[0]; i++)
         for (long j = from[1]; j <= to[1]; j++)
             for (long k = from[2]; k <= to[2]; k++)
-                count_cell(c, x,
-                           DIM == 2 ? i * c->cells[1] + j
-                                    : (i * c->cells[1] + j) * c->cells[DIM - 1] + k,
-                           &found);
+                cell[n++] = DIM == 2 ? i * c->cells[1] + j
+                                     : (i * c->cells[1] + j) * c->cells[DIM - 1] + k;
+    return n;
+}
+
+/* Of x, which is counted itself, too. */
+static struct company company(const struct crowd *c, const double *x)
+{
+    struct company found = { 0, 0 };
+    long cell[27];
+    const int n = around(c, x, cell);
+
+    for (int k = 0; k < n; k++)
+        count_cell(c, x, cell[k], &found);
     return found;
+}
+
+void crowd_near(const struct crowd *c, const double *x, crowd_see *see, void *self)
+{
+    long cell[27];
+    const int n = around(c, x, cell);
+
+    for (int k = 0; k < n; k++)
+        for (int m = c->start[cell[k]]; m < c->start[cell[k] + 1]; m++)
+            if (c->order[m] < c->p->from[KIND_FLUID + 1])
+                see(self, c->order[m]);
 }
 
 bool crowd_is_water(const struct crowd *c, int i)

@@ -24,6 +24,11 @@ void crowd_update(struct crowd *c, const struct view *v);
 
 const struct view *crowd_view(const struct crowd *c); /* of the last update */
 
+/* Asks `see` about every fluid particle i within the support of x, and about some
+ * that are further away. */
+typedef void crowd_see(void *self, int i);
+void crowd_near(const struct crowd *c, const double *x, crowd_see *see, void *self);
+
 /* Neighbours within the support of a site of the full lattice of spacing dx. */
 int crowd_full(const struct scales *s);
 

@@ -16,37 +16,56 @@ static double weight(const double *x, const double *y, double support)
     return rest * rest * rest * rest * (5 - 4 * rest);
 }
 
-/* mean [components] of value [n][components] of the fluid around x */
-static void mean(const struct view *v, const double *value, int components, const double *x,
-                 double *to)
-{
-    const int n = particles_count(v->p, KIND_FLUID);
-    const double *y = v->x[KIND_FLUID];
-    double sum = 0;
+/* Weighted sums around x of value [count of fluid][components]. */
+struct mean {
+    const double *x, *y, *value;
+    double support, weight, sum[DIM];
+    int components;
+};
 
-    for (int k = 0; k < components; k++)
-        to[k] = 0;
-    for (long i = 0; i < n; i++) {
-        const double w = weight(x, y + DIM * i, v->p->scales->support);
-        sum += w;
-        for (int k = 0; w > 0 && k < components; k++)
-            to[k] += w * value[components * i + k];
-    }
-    for (int k = 0; sum > 0 && k < components; k++)
-        to[k] /= sum;
+static void add(void *self, int i)
+{
+    struct mean *m = self;
+    const double w = weight(m->x, m->y + DIM * (long)i, m->support);
+
+    m->weight += w;
+    for (int k = 0; w > 0 && k < m->components; k++)
+        m->sum[k] += w * m->value[(long)m->components * i + k];
 }
 
-double probe_pressure(const struct view *v, const double *p, const double *x)
+static struct mean mean_make(const struct crowd *c, const double *value, int components,
+                             const double *x)
 {
-    double found;
+    const struct view *v = crowd_view(c);
+    struct mean m = { .x = x, .y = v->x[KIND_FLUID], .value = value,
+                      .support = v->p->scales->support, .components = components };
 
-    mean(v, p, 1, x, &found);
-    return found;
+    crowd_near(c, x, add, &m);
+    return m;
 }
 
-void probe_velocity(const struct view *v, const double *x, double *u)
+/* Weights of a full surrounding: the integral of w over the support, by the
+ * volume of a particle. */
+static double full(const struct scales *s)
 {
-    mean(v, v->u[KIND_FLUID], DIM, x, u);
+    const double h = s->support / s->dx;
+
+    return DIM == 2 ? M_PI / 7 * h * h : 2 * M_PI / 21 * h * h * h;
+}
+
+double probe_pressure(const struct crowd *c, const double *p, const double *x)
+{
+    const struct mean m = mean_make(c, p, 1, x);
+
+    return m.sum[0] / fmax(m.weight, full(crowd_view(c)->p->scales) / 16);
+}
+
+void probe_velocity(const struct crowd *c, const double *x, double *u)
+{
+    const struct mean m = mean_make(c, crowd_view(c)->u[KIND_FLUID], DIM, x);
+
+    for (int d = 0; d < DIM; d++)
+        u[d] = m.weight > 0 ? m.sum[d] / m.weight : 0;
 }
 
 static bool is_near(const double *x, const double *y, int axes, double support)

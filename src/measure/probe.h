@@ -6,12 +6,17 @@
 
 /* Pressure at x [Pa]: mean of the fluid within the support H, weighted by
  * w(q) = (1-q)^4 (1+4q), q = r/H (Shepard's interpolation).  p [count of fluid].
- * 0 when no fluid is near.  Exact for a linear field where particles lie around
- * x evenly; at a wall it reads the fluid some 0.3 H away from it. */
-double probe_pressure(const struct view *v, const double *p, const double *x);
+ * 0 when no fluid is near, as in a wall or in the air.  Exact for a linear field
+ * where particles lie around x evenly; on the face of a wall it reads the fluid
+ * some 0.3 H before it.
+ *
+ * Where the weights add up to less than a sixteenth of those of a full
+ * surrounding, the rest counts as air without pressure: a drop that flies by is
+ * no impact. */
+double probe_pressure(const struct crowd *c, const double *p, const double *x);
 
-/* Velocity at x, u [DIM] [m/s], by the same mean. */
-void probe_velocity(const struct view *v, const double *x, double *u);
+/* Velocity at x, u [DIM] [m/s], by the same mean, of however little fluid. */
+void probe_velocity(const struct crowd *c, const double *x, double *u);
 
 /* Height of the water above the domain's lowest point [m]: its highest particle
  * whose horizontal distance from x is within the support, counting only the

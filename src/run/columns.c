@@ -1,0 +1,53 @@
+/* columns.c -- gathers the header of a table and opens it. */
+#include "run/columns.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+void columns_start(struct columns *c)
+{
+    c->n = 0;
+    columns_add(c, "s", "t");
+}
+
+void columns_add(struct columns *c, const char *unit, const char *format, ...)
+{
+    va_list args;
+
+    if (c->n++ >= COLUMNS_MOST)
+        return;
+    va_start(args, format);
+    vsnprintf(c->name[c->n - 1], COLUMNS_NAME, format, args);
+    va_end(args);
+    snprintf(c->unit[c->n - 1], sizeof c->unit[0], "%s", unit);
+}
+
+int columns_open(const struct columns *c, struct series **out, const char *dir, const char *file)
+{
+    const char *name[COLUMNS_MOST], *unit[COLUMNS_MOST];
+    char path[ASIDE_PATH];
+
+    if (c->n == 1)
+        return columns_none(dir, file);
+    if (c->n > COLUMNS_MOST)
+        return status_fail(STATUS_BAD_SCENE, "%s would have %d columns, more than %d: use fewer "
+                           "walls, beams or probes", file, c->n, COLUMNS_MOST);
+    for (int i = 0; i < c->n; i++) {
+        name[i] = c->name[i];
+        unit[i] = c->unit[i];
+    }
+    TRY(aside_join(path, dir, file));
+    return series_open(out, path, c->n, name, unit);
+}
+
+int columns_none(const char *dir, const char *file)
+{
+    char path[ASIDE_PATH];
+
+    TRY(aside_join(path, dir, file));
+    remove(path);
+    return STATUS_DONE;
+}

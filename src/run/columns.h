@@ -1,0 +1,29 @@
+/* columns.h -- names and units of a table on their way to a file. */
+#ifndef RUN_COLUMNS_H
+#define RUN_COLUMNS_H
+
+#include "output/series.h"
+
+/* Columns of a table, letters of a name. */
+enum { COLUMNS_MOST = 4096, COLUMNS_NAME = 80 };
+
+struct columns {
+    int n; /* asked for; columns_open() refuses more than there is room for */
+    char name[COLUMNS_MOST][COLUMNS_NAME], unit[COLUMNS_MOST][16];
+};
+
+/* The first column: t. */
+void columns_start(struct columns *c);
+
+/* One more, its name as of printf. */
+void columns_add(struct columns *c, const char *unit, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Makes DIR/FILE with its header lines; a table of t alone is none. */
+int columns_open(const struct columns *c, struct series **out, const char *dir, const char *file);
+
+/* Removes DIR/FILE: what an earlier run left would be taken for one of this run, which
+ * has none (yet). */
+int columns_none(const char *dir, const char *file);
+
+#endif

@@ -1,0 +1,26 @@
+/* tables.h -- the CSV tables of a run (SYSTEM: book, front, pairing, forces, beam, probes,
+ * steps); only those that the scene has something for. */
+#ifndef RUN_TABLES_H
+#define RUN_TABLES_H
+
+#include "plan/observe.h"
+#include "time/method.h"
+
+struct tables;
+
+/* Makes the files with their header lines in DIR, removes those that an earlier run
+ * left and this one has nothing for. */
+int tables_open(struct tables **out, struct plan *plan, const char *dir);
+
+/* A row in every table for moment t and state y, whose sheet of the book is given,
+ * with what it cannot explain [J]. */
+int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
+                const struct plan_sheet *sheet, double defect);
+
+/* A row in steps.csv. */
+int tables_step(struct tables *o, const struct method_step *step);
+
+/* Closes and frees, NULL is welcome; the first error is told. */
+int tables_close(struct tables **tables);
+
+#endif
