@@ -122,7 +122,10 @@ bad small-2d 'pressure without density' '/continuity/d' bad.scene density effect
 # words that no table knows
 bad small-2d 'method' 's/^until/method = "erk44"; until/' erk44 erk4
 bad small-2d 'kernel' 's/"wendland-c2"/"wendland-c3"/' bad.scene:9 wendland-c3 wendland-c2
-bad small-2d 'wall model' 's/^until/walls = "adami"; until/' bad.scene:6 walls adami own-density
+bad small-2d 'wall model' 's/^until/walls = "adamy"; until/' bad.scene:6 walls adamy adami \
+    own-density
+bad small-2d 'kernel of a use' 's/type = "wendland-c2"/density = "poly7"/' bad.scene:9 \
+    kernel.density poly7 poly6
 bad small-2d 'equation of state' 's/"tait"/"tate"/' bad.scene:10 tate tait
 bad small-2d 'shape' 's/type = "box"; from = \[0.05/type = "bocks"; from = [0.05/' bad.scene:13 \
     bocks box
@@ -146,6 +149,42 @@ bad small-2d 'box inside out' 's/to = \[0.1, 0.06\]/to = [0.04, 0.06]/' bad.scen
 bad small-2d 'spacing that does not fit' 's/^spacing = .*/spacing = 7e-3;/' fluid.left spacing
 bad small-2d 'too many particles' 's/^spacing = .*/spacing = 1e-8;/' particles spacing
 bad small-2d 'domain inside out' 's/to = \[0.2, 0.1\]/to = [-0.2, 0.1]/' bad.scene:8 domain.to -0.2
+
+# physics that does not go together
+bad small-2d 'ghost walls beside continuity' 's/^until/walls = "ghost"; until/' bad.scene \
+    '"ghost"' effects.continuity 'set walls = "own-density" or "adami"'
+bad small-2d 'own density beside summation' \
+    's/continuity = { }/summation = { }/;/density-diffusion/d' bad.scene '"own-density"' \
+    effects.summation 'set walls = "ghost" or "adami"'
+bad small-2d 'two densities' 's/continuity = { };/& summation = { };/' bad.scene \
+    effects.summation effects.continuity 'leave one'
+bad small-2d 'diffusion of a sum' 's/continuity = { }/summation = { }/;s/^until/walls = "ghost"; until/' \
+    bad.scene effects.density-diffusion effects.continuity
+bad small-2d 'pressure twice' 's/pressure = { };/& pressure-printed = { };/' bad.scene \
+    effects.pressure-printed effects.pressure 'leave one'
+bad small-2d 'viscosity twice' \
+    's/continuity = { };/& laplacian-viscosity = { }; viscosity-printed = { };/;s/type = "wendland-c2"/viscosity = "viscosity-log"/' \
+    bad.scene effects.viscosity-printed effects.laplacian-viscosity 'leave one'
+bad small-2d 'Laplacian that changes its sign' 's/continuity = { };/& laplacian-viscosity = { };/' \
+    bad.scene effects.laplacian-viscosity wendland-c2 'kernel.viscosity = "viscosity-log"'
+bad small-2d 'printed Laplacian with another kernel' \
+    's/continuity = { };/& viscosity-printed = { };/;s/type = "wendland-c2"/viscosity = "spiky"/' \
+    bad.scene effects.viscosity-printed spiky kernel.viscosity
+bad small-2d 'sum with a kernel without a value at 0' \
+    's/continuity = { }/summation = { }/;/density-diffusion/d;s/^until/walls = "ghost"; until/;s/type = "wendland-c2"/density = "viscosity-log"/' \
+    bad.scene effects.summation viscosity-log kernel.density
+bad small-2d 'walls that sum with such a kernel' \
+    's/^until/walls = "adami"; until/;s/type = "wendland-c2"/type = "viscosity-log"/' \
+    bad.scene walls viscosity-log kernel.density
+bad small-3d 'printed viscosity in 3D' \
+    's/continuity = { };/& viscosity-printed = { };/;s/support/viscosity = "viscosity-log"; &/' \
+    effects.viscosity-printed 'two dimensions' laplacian-viscosity
+bad small-2d 'k and c0' 's/type = "tait";/type = "linear"; k = 100.0; c0 = 20.0;/' bad.scene:10 \
+    'k = 100' 'c0 = 20' 'leave one'
+bad small-2d 'k of another equation of state' 's/rho0 = 1000.0/k = 1e4/' bad.scene:10 eos.k
+bad small-2d 'gamma of a straight line' 's/type = "tait";/type = "linear"; gamma = 7.0;/' \
+    bad.scene:10 eos.gamma
+bad small-2d 'negative stiffness' 's/type = "tait";/type = "linear"; k = -1.0;/' bad.scene:10 eos.k -1
 
 # beams
 bad small-2d 'beam that nothing holds' 's/density = 1200.0;/& root = "free";/' bad.scene:19 beam.plate \

@@ -66,10 +66,11 @@ tables()
         "t,kinetic,potential,internal,elastic(,[-a-z.]+)*,pressure_defect,total,defect,mass$momentum"
     table "$1/steps.csv" 't,h,limiter,where,rejected'
     [ "$(value "$1" fluid)" = 0 ] || table "$1/front.csv" 't,x,height'
+    [ "$(value "$1" fluid)" = 0 ] || table "$1/pairing.csv" 't,pairing,nearest_mean,nearest_least'
     [ "$(value "$1" wall)" = 0 ] || table "$1/forces.csv" "t($force)+"
     grep -q '^beam ' "$1/scene.used" && table "$1/beam.csv" \
         't(,[a-z]+\.tip_x,[a-z]+\.tip_y,[a-z]+\.mid_x,[a-z]+\.mid_y,[a-z]+\.tip_angle,[a-z]+\.root_force,[a-z]+\.root_moment)+'
-    grep -q '^probe ' "$1/scene.used" && table "$1/probes.csv" 't(,[a-z]+)+'
+    grep -q '^probe ' "$1/scene.used" && table "$1/probes.csv" 't(,[a-zA-Z0-9]+)+'
     [ -z "$(find "$1" -size 0)" ] || complain "$1 holds an empty file"
 }
 
@@ -98,27 +99,49 @@ same()
         complain "$1: $3 changes the final state"
 }
 
-# scene NAME UNTIL
+# scene NAME UNTIL INTERVAL KEY=VALUE...
 scene()
+{
+    base=$1
+    until=$2
+    interval=$3
+    shift 3
+    count=$((count + 1))
+    "$stiffwater" check "$scenes/$base.scene" "$@" >"$directory/said" 2>&1 ||
+        { complain "check $base.scene: exit status $?"; cat "$directory/said"; }
+    run "$base" "$scenes/$base.scene" "$@" --until "$until" --threads 2
+    books "$directory/$base" "$until"
+    tables "$directory/$base"
+    run "$base.again" "$directory/$base/scene.used" --threads 1
+    same "$base" "$base.again" "its own scene.used on one thread"
+    run "$base.dense" "$scenes/$base.scene" "$@" --until "$until" output.interval="$interval" \
+        output.fields="$until" output.snapshots=3
+    same "$base" "$base.dense" "the rhythm of outputs"
+}
+
+# fails NAME: a scene that is there to fail ends so, with a reason and all its files
+fails()
 {
     count=$((count + 1))
     "$stiffwater" check "$scenes/$1.scene" >"$directory/said" 2>&1 ||
         { complain "check $1.scene: exit status $?"; cat "$directory/said"; }
-    run "$1" "$scenes/$1.scene" --until "$2" --threads 2
-    books "$directory/$1" "$2"
+    "$stiffwater" run "$scenes/$1.scene" -q -o "$directory/$1" >"$directory/said" 2>&1
+    code=$?
+    [ "$code" = 1 ] || complain "$1: exit status $code, 1 is expected"
+    [ "$(value "$directory/$1" status)" = failed ] || complain "$1 has not failed"
+    [ "$(value "$directory/$1" message)" ] || complain "$1 fails without a message"
     tables "$directory/$1"
-    run "$1.again" "$directory/$1/scene.used" --threads 1
-    same "$1" "$1.again" "its own scene.used on one thread"
-    run "$1.dense" "$scenes/$1.scene" --until "$2" output.interval="$3" output.fields="$2" \
-        output.snapshots=3
-    same "$1" "$1.dense" "the rhythm of outputs"
 }
 
 scene dam-break 0.03 1.7e-3
 scene still-water 0.1 3.3e-3
 scene toth-beam 0.03 7e-4
-scene dam-break-3d 0.03 1.1e-3
+scene dam-break-3d 0.03 1.1e-3 spacing=0.0555
 scene beam-alone 0.01 3.1e-5
+scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
+scene toth-standard-sph 0.01 5e-4 spacing=5e-3 tol=1e-3
+scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
+fails toth-dam-break-literal
 for path in "$scenes"/*.scene; do
     [ -d "$directory/$(basename "$path" .scene)" ] || complain "$path is not tried here"
 done

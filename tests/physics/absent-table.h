@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-/* An effect that would cost a lot: all columns, all rows. */
+/* An effect that would cost a lot: all columns, all rows, a density of its own. */
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
     (void)self;
@@ -18,11 +18,30 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     }
 }
 
+static void gather(const void *self, const struct side *a, const struct block *b,
+                   struct field_sum *to)
+{
+    (void)self;
+    (void)a;
+    for (int k = 0; k < b->n; k++)
+        to->s[0] += b->w[k];
+}
+
+static void settle(const void *self, const struct settle *s)
+{
+    const int first = s->v->p->from[s->kind];
+
+    (void)self;
+    for (int i = 0; i < s->n; i++)
+        s->rho[s->owner[i] - first] = 1000 + 1e-9 * s->sum[i][0];
+}
+
 extern const struct part LANE_NAME(absent_effect);
 const struct part LANE_NAME(absent_effect) = {
     .name = "absent", .about = "an effect for tests", .equation = "none", .source = "none",
     .needs = FIELD_DENSITY | FIELD_PRESSURE, .rows = 0x3ff,
     .columns = COLUMN_FORCE | COLUMN_DRHO, .acts = EFFECTS_ACT_ALL, .pairs = pairs,
+    .meets = EFFECTS_ACT_ALL, .gather_rows = 0x3ff, .gather = gather, .settle = settle,
 };
 
 /* The table is the library's own text; its end becomes one line more and the end. */

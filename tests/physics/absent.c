@@ -7,7 +7,7 @@
  * instructions. */
 #include "tank.h"
 
-#include "plan/engine.h"
+#include "plan/inside.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,6 +43,37 @@ static void state_holds_what_the_scene_names(void **state)
     tank_free(&t);
 }
 
+/* Without a summed density there is no pass over pairs for it, and no memory. */
+static void densities_that_evolve_are_not_summed(void **state)
+{
+    static const char *const none[] = {
+        "effects = { continuity = { }; };",
+        "effects = { continuity = { }; pressure = { }; };",
+        "walls = \"adami\"; effects = { continuity = { }; };", /* no law asks for a density */
+    };
+    static const char *const summed[] = {
+        "walls = \"ghost\"; effects = { summation = { }; };",
+        "walls = \"adami\"; effects = { continuity = { }; pressure = { }; };",
+        "walls = \"adami\"; effects = { summation = { }; pressure = { }; };",
+    };
+    struct tank t;
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        tank_make(&t, tank_water, tank_frame, none[i], NULL);
+        tank_rates(&t, 0, t.y, t.ydot);
+        assert_int_equal(t.plan->fields, 0);
+        assert_null(t.plan->main.rho);
+        assert_null(t.plan->main.sum);
+        tank_free(&t);
+        tank_make(&t, tank_water, tank_frame, summed[i], NULL);
+        assert_int_equal(t.plan->fields, i == 2 ? 2 : 1);
+        assert_non_null(t.plan->main.rho);
+        assert_non_null(t.plan->main.sum);
+        tank_free(&t);
+    }
+}
+
 /* Named, the effect has its column in the book and nothing else. */
 static void named_it_has_a_column(void **state)
 {
@@ -55,6 +86,7 @@ static void named_it_has_a_column(void **state)
               "effects = { continuity = { }; pressure = { }; artificial-viscosity = { };"
               " density-diffusion = { }; absent = { }; };", NULL);
     assert_int_equal(t.n, SIZE + 1);
+    assert_int_equal(t.plan->fields, 1);
     tank_free(&t);
 }
 
@@ -74,6 +106,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(state_holds_what_the_scene_names),
+        cmocka_unit_test(densities_that_evolve_are_not_summed),
         cmocka_unit_test(named_it_has_a_column),
     };
 

@@ -26,9 +26,20 @@ static const char *const wide =
     "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.4, 0.24, 0.24]; }; };";
 #endif
 
-static void make(struct tank *t, const char *scene)
+/* Every way to a density and every model of walls; all kernels at once. */
+static const char *const physics[] = {
+    TANK_EFFECTS TANK_ONE_KERNEL,
+    "walls = \"ghost\"; effects = { summation = { }; pressure = { };"
+    " laplacian-viscosity = { mu = 0.7; }; }; eos = { tension = false; };" TANK_SEED_KERNELS,
+    "walls = \"adami\";" TANK_EFFECTS TANK_ONE_KERNEL,
+    "walls = \"adami\"; effects = { summation = { }; pressure = { };"
+    " laminar-viscosity = { mu = 0.7; }; }; eos = { tension = false; };" TANK_SEED_KERNELS,
+};
+enum { PHYSICS = sizeof physics / sizeof physics[0] };
+
+static void make(struct tank *t, const char *scene, int which)
 {
-    tank_make(t, scene, tank_frame, TANK_EFFECTS, NULL);
+    tank_make(t, scene, tank_frame, physics[which], NULL);
     tank_shake(t, 7, 0.2, 1.0, 0.02);
 }
 
@@ -49,30 +60,56 @@ static void check_same_bits(const struct tank *t, const double *a, const double 
               what, i, plan_entry(t->plan, i), a[i], b[i]);
 }
 
-static void threads_and_lanes_do_not_matter(void **state)
+/* Rates of one moment, then densities that are not in them. */
+static double *rates_and_densities(struct tank *t)
+{
+    const struct particles *p = plan_particles(t->plan);
+    double *all = test_malloc((t->n + p->n) * sizeof *all);
+    struct view v;
+
+    tank_rates(t, 0.01, t->y, all);
+    plan_view(t->plan, 0.01, t->y, &v);
+    for (int k = 0; k < KINDS; k++)
+        if (v.rho[k])
+            memcpy(all + t->n + p->from[k], v.rho[k], particles_count(p, k) * sizeof *all);
+    return all;
+}
+
+static void check_threads_and_lanes(int which)
 {
     static const char *const lanes[] = { "2", "4" };
     double *first = NULL;
 
-    (void)state;
     for (int l = 0; l < 2; l++)
-        for (int threads = 1; threads <= 4; threads *= 2) {
+        for (int threads = 1; threads <= (which ? 2 : 4); threads *= 2) {
+            double *found;
             struct tank t;
             setenv("STIFFWATER_LANES", lanes[l], 1);
             set_threads(threads);
-            make(&t, wide);
+            make(&t, wide, which);
             check(l == 1 || plan_lanes(t.plan) == 2, "STIFFWATER_LANES=2 gives %d lanes",
                   plan_lanes(t.plan));
-            tank_rates(&t, 0.01, t.y, t.ydot);
-            if (first)
-                check_same_bits(&t, first, t.ydot, l ? "4 lanes" : "2 lanes");
-            else
-                first = tank_copy(&t, t.ydot);
+            found = rates_and_densities(&t);
+            if (first) {
+                check_same_bits(&t, first, found, l ? "4 lanes" : "2 lanes");
+                assert_memory_equal(first + t.n, found + t.n,
+                                    plan_particles(t.plan)->n * sizeof *first);
+                test_free(found);
+            } else {
+                first = found;
+            }
             tank_free(&t);
         }
     test_free(first);
     unsetenv("STIFFWATER_LANES");
     set_threads(2);
+}
+
+static void threads_and_lanes_do_not_matter(void **state)
+{
+    (void)state;
+    for (int which = 0; which < PHYSICS; which++)
+        check_threads_and_lanes(which);
 }
 
 /* Largest entry of each row, for comparisons to rounding. */
@@ -92,13 +129,12 @@ static void check_close(const struct tank *t, const double *a, const double *b, 
     }
 }
 
-static void rates_do_not_depend_on_history(void **state)
+static void check_history(int which)
 {
     double *home, *first, *second;
     struct tank t;
 
-    (void)state;
-    make(&t, DIM == 2 ? tank_water : wide);
+    make(&t, DIM == 2 || which ? tank_bare_water : wide, which);
     home = tank_copy(&t, t.y);
     first = tank_copy(&t, t.y);
     second = tank_copy(&t, t.y);
@@ -124,8 +160,15 @@ static void rates_do_not_depend_on_history(void **state)
     tank_free(&t);
 }
 
+static void rates_do_not_depend_on_history(void **state)
+{
+    (void)state;
+    for (int which = 0; which < PHYSICS; which++)
+        check_history(which);
+}
+
 /* Two plans go the same way; one of them is looked at in every manner between. */
-static void looking_changes_nothing(void **state)
+static void check_looking(int which)
 {
     struct tank seen, alone;
     struct plan_sheet sheet;
@@ -133,9 +176,8 @@ static void looking_changes_nothing(void **state)
     struct view view;
     double *aside;
 
-    (void)state;
-    make(&seen, tank_water);
-    make(&alone, tank_water);
+    make(&seen, tank_bare_water, which);
+    make(&alone, tank_bare_water, which);
     for (unsigned seed = 20; seed < 40; seed++) {
         const double far = seed % 3 ? 0.01 : 0.2;
         aside = tank_copy(&seen, seen.y);
@@ -160,14 +202,20 @@ static void looking_changes_nothing(void **state)
     tank_free(&alone);
 }
 
+static void looking_changes_nothing(void **state)
+{
+    (void)state;
+    for (int which = 0; which < PHYSICS; which++)
+        check_looking(which);
+}
+
 /* What the observer reports is what the right-hand side had. */
-static void observer_sees_the_same_forces(void **state)
+static void check_observer(int which)
 {
     struct tank t;
     double force[DIM];
 
-    (void)state;
-    make(&t, tank_water);
+    make(&t, tank_bare_water, which);
     tank_rates(&t, 0.01, t.y, t.ydot);
     memcpy(force, plan_force(t.plan, 1), sizeof force);
     assert_int_equal(plan_observe(t.plan, 0.01, t.y), 0);
@@ -180,6 +228,13 @@ static void observer_sees_the_same_forces(void **state)
         check(fabs(force[d] - plan_force(t.plan, 1)[d]) <= 1e-11 * fabs(force[d]),
               "the observer sees %g N, the run %g N", force[d], plan_force(t.plan, 1)[d]);
     tank_free(&t);
+}
+
+static void observer_sees_the_same_forces(void **state)
+{
+    (void)state;
+    for (int which = 0; which < PHYSICS; which++)
+        check_observer(which);
 }
 
 int main(void)

@@ -16,22 +16,49 @@
 #endif
 #define SLIDING "wall = { tank = { type = \"frame\"; slip = true; velocity = " VECTOR "; }; };"
 
-/* What acts beside gravity. */
-static const char *const effects[] = {
-    "effects = { continuity = { }; pressure = { }; };",
-    "effects = { continuity = { }; artificial-viscosity = { alpha = 0.5; }; };",
-    "effects = { continuity = { };"
-    " artificial-viscosity = { alpha = 0.5; only_approaching = true; }; };",
-    "effects = { continuity = { }; laminar-viscosity = { mu = 5.0; }; };",
-    "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };",
-    TANK_EFFECTS,
+/* Where pressure and density together make no energy at all. */
+enum closes {
+    NOWHERE,
+    WITHOUT_BEAM, /* sums over solids that move to each other: summation.c tells */
+    EVERYWHERE
 };
-enum { EFFECTS = sizeof effects / sizeof effects[0], SEEDS = 3 };
+
+/* What acts beside gravity. */
+static const struct {
+    const char *text;
+    enum closes closes;
+} effects[] = {
+    { "effects = { continuity = { }; pressure = { }; };", EVERYWHERE },
+    { "effects = { continuity = { }; artificial-viscosity = { alpha = 0.5; }; };", NOWHERE },
+    { "effects = { continuity = { };"
+      " artificial-viscosity = { alpha = 0.5; only_approaching = true; }; };", NOWHERE },
+    { "effects = { continuity = { }; laminar-viscosity = { mu = 5.0; }; };", NOWHERE },
+    { "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };", NOWHERE },
+    { TANK_EFFECTS, EVERYWHERE },
+    { TANK_EFFECTS "eos = { tension = false; };", EVERYWHERE },
+    { TANK_EFFECTS "eos = { type = \"linear\"; k = 250.0; };", EVERYWHERE },
+    { TANK_EFFECTS TANK_SEED_KERNELS, NOWHERE },
+    { TANK_SUMMED, WITHOUT_BEAM },
+    { TANK_SUMMED "eos = { tension = false; };", WITHOUT_BEAM },
+    { TANK_SUMMED "eos = { type = \"linear\"; tension = false; };", WITHOUT_BEAM },
+    { "walls = \"ghost\"; effects = { summation = { }; pressure = { };"
+      " laplacian-viscosity = { mu = 5.0; }; };" TANK_SEED_KERNELS, NOWHERE },
+    { "walls = \"ghost\"; effects = { summation = { }; pressure-printed = { }; };", NOWHERE },
+    { "walls = \"adami\";" TANK_EFFECTS, NOWHERE },
+    { "walls = \"adami\"; effects = { summation = { }; pressure = { }; };", NOWHERE },
+};
+enum { EFFECTS = sizeof effects / sizeof effects[0], SEEDS = DIM == 2 ? 3 : 1 };
 
 static const double when = 0.013; /* [s] */
 
-/* Every combination of effects and walls (in 2D with a beam too), three times. */
-static void for_all(void (*look)(struct tank *t, const char *what))
+/* One state of one combination; the name of the effects for complaints. */
+struct look {
+    const char *what;
+    bool closes;
+};
+
+/* Every combination of effects and walls (in 2D with a beam too), three times in 2D. */
+static void for_all(void (*look)(struct tank *t, const struct look *of))
 {
     const char *const walls[] = { tank_frame, MOVING, SLIDING };
 
@@ -40,16 +67,18 @@ static void for_all(void (*look)(struct tank *t, const char *what))
             for (int beam = 0; beam < (DIM == 2 ? 2 : 1); beam++)
                 for (unsigned seed = 1; seed <= SEEDS; seed++) {
                     struct tank t;
-                    tank_make(&t, beam ? tank_parted_water : tank_water, walls[w],
-                              beam ? tank_beam : "", effects[e], NULL);
+                    const struct look of = { effects[e].text, effects[e].closes > (beam != 0) };
+                    tank_make(&t, beam ? tank_parted_water : tank_bare_water, walls[w],
+                              beam ? tank_beam : "", effects[e].text,
+                              strstr(of.what, "kernel") ? "" : TANK_ONE_KERNEL, NULL);
                     tank_shake(&t, seed, 0.2, 1.0, 0.02);
-                    look(&t, effects[e]);
+                    look(&t, &of);
                     tank_free(&t);
                 }
 }
 
 /* Fluid alone: sum m u' + forces on all solids = m g. */
-static void check_momentum(struct tank *t, const char *what)
+static void check_momentum(struct tank *t, const struct look *of)
 {
     const struct particles *p = plan_particles(t->plan);
     const double *g = plan_scales(t->plan)->g;
@@ -65,8 +94,8 @@ static void check_momentum(struct tank *t, const char *what)
         }
         for (int o = 0; o < p->objects; o++)
             sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t->plan, o)[d];
-        check(fabs(sum) <= 1e-12 * size, "%s\ndirection %d: %g N of %g N come from nowhere", what,
-              d, sum, size);
+        check(fabs(sum) <= 1e-12 * size, "%s\ndirection %d: %g N of %g N come from nowhere",
+              of->what, d, sum, size);
     }
 }
 
@@ -87,19 +116,20 @@ static void sheet_at(struct tank *t, double h, struct plan_sheet *s)
     test_free(y);
 }
 
-/* d/dt along the rates, by central differences of fourth order. */
-static double slope(struct tank *t, double (*of)(const struct plan_sheet *s))
-{
-    const double h = 2e-6;
-    double step[2];
+/* So short a time [s] that few cross the density at rest, where a slope may jump. */
+static const double step = 2e-8;
 
-    for (int k = 0; k < 2; k++) {
-        struct plan_sheet before, after;
-        sheet_at(t, -h * (k + 1), &before);
-        sheet_at(t, h * (k + 1), &after);
-        step[k] = (of(&after) - of(&before)) / (2 * h * (k + 1));
-    }
-    return (4 * step[0] - step[1]) / 3;
+/* Sheets at -2, -1, 1 and 2 steps along the rates. */
+static void sheets_around(struct tank *t, struct plan_sheet s[4])
+{
+    for (int k = 0; k < 4; k++)
+        sheet_at(t, step * (k < 2 ? k - 2 : k - 1), &s[k]);
+}
+
+/* d/dt along the rates, by central differences of fourth order. */
+static double slope(const struct plan_sheet s[4], double (*of)(const struct plan_sheet *s))
+{
+    return (8 * (of(&s[2]) - of(&s[1])) - (of(&s[3]) - of(&s[0]))) / (12 * step);
 }
 
 static double kinetic(const struct plan_sheet *s)
@@ -134,18 +164,21 @@ static double turnover(const struct tank *t)
     return sum;
 }
 
-static void check_energy(struct tank *t, const char *what)
+static void check_energy(struct tank *t, const struct look *of)
 {
+    struct plan_sheet s[4];
     double size;
 
     tank_rates(t, when, t->y, t->ydot);
+    sheets_around(t, s);
     size = turnover(t);
-    check(fabs(slope(t, kinetic)) > 1e-4 * size, "%s\nnothing happens: the test is void", what);
-    check(fabs(slope(t, defect)) <= 1e-8 * size,
-          "%s\nenergy changes by %g W more than the book says, of %g W", what, slope(t, defect),
-          size);
-    check(fabs(slope(t, pressure_defect)) <= (strstr(what, "pressure") ? 1e-10 : 1) * size,
-          "%s\npressure and continuity make %g W of %g W", what, slope(t, pressure_defect), size);
+    check(fabs(slope(s, kinetic)) > 1e-4 * size, "%s\nnothing happens: the test is void",
+          of->what);
+    check(fabs(slope(s, defect)) <= 1e-8 * size,
+          "%s\nenergy changes by %g W more than the book says, of %g W", of->what,
+          slope(s, defect), size);
+    check(fabs(slope(s, pressure_defect)) <= 1e-10 * size || !of->closes,
+          "%s\npressure and density make %g W of %g W", of->what, slope(s, pressure_defect), size);
 }
 
 /* d(kinetic + potential + internal + elastic)/dt = sum of the booked powers. */
@@ -156,7 +189,7 @@ static void energy_changes_by_the_booked_powers(void **state)
 }
 
 /* Fluid and bodies together change by what the sheet says was given. */
-static void check_momentum_sheet(struct tank *t, const char *what)
+static void check_momentum_sheet(struct tank *t, const struct look *of)
 {
     const double h = 1e-3;
     struct plan_sheet a, b;
@@ -170,8 +203,8 @@ static void check_momentum_sheet(struct tank *t, const char *what)
     for (int d = 0; d < DIM; d++) {
         const double off = b.momentum[d] - a.momentum[d]
                          - (b.momentum_given[d] - a.momentum_given[d]);
-        check(fabs(off) <= 1e-10 * size, "%s\ndirection %d: momentum is off by %g of %g N s", what,
-              d, off, size);
+        check(fabs(off) <= 1e-10 * size, "%s\ndirection %d: momentum is off by %g of %g N s",
+              of->what, d, off, size);
     }
     check(a.mass > 0 && a.mass == b.mass, "mass went from %g to %g", a.mass, b.mass);
 }

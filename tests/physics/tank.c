@@ -10,17 +10,19 @@
 #include <unistd.h>
 
 #if DIM == 2
-const char *const tank_water =
-    "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [0.0, -9.81];"
-    "domain = { from = [0.0, 0.0]; to = [0.1, 0.08]; };"
-    "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.1, 0.06]; }; };";
+#define BARE                                                                             \
+    "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [0.0, -9.81];"                \
+    "domain = { from = [0.0, 0.0]; to = [0.1, 0.08]; };"                                 \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.1, 0.06]; }; };"
+const char *const tank_water = BARE;
 #else
-const char *const tank_water =
-    "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [0.0, 0.0, -9.81];"
-    "kernel = { support = 2.5; };"
-    "domain = { from = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.16]; };"
-    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.12]; }; };";
+#define BARE                                                                             \
+    "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [0.0, 0.0, -9.81];"           \
+    "domain = { from = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.16]; };"                       \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.12]; }; };"
+const char *const tank_water = BARE "kernel = { support = 2.5; };";
 #endif
+const char *const tank_bare_water = BARE;
 const char *const tank_frame = "wall = { tank = { type = \"frame\"; }; };";
 const char *const tank_parted_water =
     "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [0.0, -9.81];"

@@ -102,6 +102,47 @@ static void density_diffusion(const struct pair_particle *a, const struct pair_p
              * p.r * p.r * p.g / softened(p.r);
 }
 
+/* The seed's (24) is a force density; by (33), with a = F/rho, the force on a is
+ * m_a/rho_a times
+ *   -rho_a (p_a/rho_a + p_b/rho_b) m_b gradW                             (24) */
+static void pressure_printed(const struct pair_particle *a, const struct pair_particle *b,
+                             struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double pa = a->p2 * a->rho * a->rho, pb = b->p2 * b->rho * b->rho;
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = a->m / a->rho
+                 * -a->rho * (pa / a->rho + pb / b->rho) * b->m * p.g * p.x[d];
+}
+
+/* (V3) F = -m_a m_b mu/(rho_a rho_b) lapW v with lapW = s (H - r), s = 40/(pi H^5)
+ * in 2D and 45/(pi H^6) in 3D */
+static void laplacian_viscosity(const struct pair_particle *a, const struct pair_particle *b,
+                                struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double H = effects_scales.support, s = DIM == 2 ? 40 * H : 45;
+    const double laplacian = p.r < H ? s / (M_PI * pow(H, 6)) * (H - p.r) : 0;
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = -a->m * b->m * EFFECTS_MU / (a->rho * b->rho) * laplacian * p.v[d];
+}
+
+/* By (33) m_a/rho_a times
+ *   -mu (u_b - u_a) m_b/rho_b lapW                                       (28)
+ *   lapW = -40/(pi H^4) (H - r)                                          (31) */
+static void viscosity_printed(const struct pair_particle *a, const struct pair_particle *b,
+                              struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double H = effects_scales.support;
+    const double laplacian = p.r < H ? -40 / (M_PI * pow(H, 4)) * (H - p.r) : 0;
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = a->m / a->rho * -EFFECTS_MU * (b->v[d] - a->v[d]) * b->m / b->rho * laplacian;
+}
+
 pair_formula *effects_formula(const char *name)
 {
     static const struct {
@@ -109,9 +150,13 @@ pair_formula *effects_formula(const char *name)
         pair_formula *formula;
     } all[] = {
         { "continuity", continuity },
+        { "summation", continuity }, /* its rate is the same */
         { "pressure", pressure },
+        { "pressure-printed", pressure_printed },
         { "artificial-viscosity", artificial_viscosity },
         { "laminar-viscosity", laminar_viscosity },
+        { "laplacian-viscosity", laplacian_viscosity },
+        { "viscosity-printed", viscosity_printed },
         { "density-diffusion", density_diffusion },
     };
 

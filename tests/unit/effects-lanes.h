@@ -32,7 +32,9 @@ void LANE_NAME(effects_ask)(const struct pair_law *law, const struct pair_partic
 {
     static _Alignas(64) double record[(PAIR_MOST + 2) * RECORD];
     const struct pair_particle far = { .x = { 1e3 }, .rho = effects_scales.rho0, .m = 1 };
-    const struct kernel_use use = kernel_use_make(&kernel_wendland_c2, effects_scales.support, DIM);
+    const struct kernel_use use = kernel_use_make(
+        law->part->rows & NEED_LAPW ? &kernel_viscosity_log : &kernel_wendland_c2,
+        effects_scales.support, DIM);
     part_pairs *pairs = law->part->choose ? law->part->choose(law->self) : law->part->pairs;
     static struct block block;
     int j[PAIRS_ROWS * LANES];

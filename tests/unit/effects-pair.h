@@ -30,7 +30,8 @@ typedef void pair_ask(const struct pair_law *law, const struct pair_particle *a,
 extern pair_ask effects_ask_lanes2, effects_ask_lanes4;
 extern const struct part *const effects_table_lanes2[], *const effects_table_lanes4[];
 
-/* The world of these tests; the kernel is Wendland's C2. */
+/* The world of these tests; the kernel is Wendland's C2, but for laws made of a
+ * Laplacian that of viscosity, (K9). */
 extern const struct scales effects_scales;
 
 /* The same law by its formula, written plainly for one neighbour. */

@@ -164,14 +164,75 @@ static void energy_starts_as_half_c0_d_squared(void **state)
     }
 }
 
+/* (E1) p = k (rho - rho0), and what it stores: k (ln s + 1/s - 1), s = rho/rho0. */
+static void exponent_one_is_the_linear_equation(void **state)
+{
+    const struct eos e = water(1);
+
+    (void)state;
+    for (double rho = 600; rho < 1700; rho += 37) {
+        const double s = rho / 1000;
+
+        assert_close(eos_pressure(&e, rho), 400 * (rho - 1000), 1e-14);
+        assert_close(eos_density(&e, 400 * (rho - 1000)), rho, 1e-14);
+        assert_close(eos_energy(&e, rho), 400 * (log(s) + 1 / s - 1), 2e-11);
+        assert_close(eos_sound(&e, rho), 20, 1e-15);
+    }
+}
+
+/* Without tension nothing below rho0 has a pressure or an energy; above nothing changes. */
+static void clamped_knows_no_tension(void **state)
+{
+    (void)state;
+    for (int k = 0; k < GAMMAS; k++) {
+        const struct eos free = water(gammas[k]);
+        struct eos e = water(gammas[k]);
+
+        e.clamped = true;
+        for (double rho = 300; rho < 1000; rho += 33) {
+            assert_true(eos_pressure(&e, rho) == 0);
+            assert_true(eos_energy(&e, rho) == 0);
+            assert_true(eos_density(&e, eos_pressure(&free, rho)) == 1000);
+        }
+        for (double rho = 1000; rho < 1500; rho += 33) {
+            assert_true(eos_pressure(&e, rho) == eos_pressure(&free, rho));
+            assert_true(eos_energy(&e, rho) == eos_energy(&free, rho));
+            assert_close(eos_density(&e, eos_pressure(&e, rho)), rho, 1e-14);
+        }
+    }
+    const struct eos e = { .rho0 = 1000, .c0 = 20, .gamma = 7, .clamped = true };
+    assert_true(isnan(eos_pressure(&e, NAN)));
+    assert_true(isnan(eos_energy(&e, NAN)));
+    assert_true(isnan(eos_density(&e, NAN)));
+}
+
+/* de/drho = p/rho^2 on both sides of rho0 and at it, where p only bends. */
+static void clamped_energy_has_no_corner(void **state)
+{
+    (void)state;
+    for (int k = 0; k < GAMMAS; k++) {
+        struct eos e = water(gammas[k]);
+
+        e.clamped = true;
+        for (double h = 1; h > 1e-4; h /= 10) {
+            const double across = (eos_energy(&e, 1000 + h) - eos_energy(&e, 1000 - h)) / (2 * h);
+            const double above = (eos_energy(&e, 1050 + h) - eos_energy(&e, 1050 - h)) / (2 * h);
+
+            assert_true(across > 0 && across < 2e-4 * h); /* c0^2 h/(4 rho0^2) */
+            assert_close(above, eos_pressure(&e, 1050) / (1050.0 * 1050.0), 1e-4 * h * h + 1e-8);
+        }
+    }
+}
+
 static void batches_have_the_bits_of_single_calls(void **state)
 {
     double rho[67], p[67];
 
     (void)state;
-    for (int k = 0; k < GAMMAS; k++) {
-        const struct eos e = water(gammas[k]);
+    for (int k = 0; k < 2 * GAMMAS; k++) {
+        struct eos e = water(gammas[k / 2]);
 
+        e.clamped = k % 2;
         for (int i = 0; i < 67; i++)
             rho[i] = 900 + 3.1 * i;
         eos_pressures(&e, 67, rho, p);
@@ -192,6 +253,9 @@ int main(void)
         cmocka_unit_test(energy_is_the_integral_of_pressure),
         cmocka_unit_test(energy_keeps_its_digits_near_rest),
         cmocka_unit_test(energy_starts_as_half_c0_d_squared),
+        cmocka_unit_test(exponent_one_is_the_linear_equation),
+        cmocka_unit_test(clamped_knows_no_tension),
+        cmocka_unit_test(clamped_energy_has_no_corner),
         cmocka_unit_test(batches_have_the_bits_of_single_calls),
     };
 

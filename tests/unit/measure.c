@@ -1,5 +1,5 @@
-/* measure.c -- unit tests of the room measure, in 2D and 3D: front, height and
- * probes on lattices where the answers are known. */
+/* measure.c -- unit tests of the room measure, in 2D and 3D: front, height,
+ * probes and pairing on lattices where the answers are known. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "measure/crowd.h"
 #include "measure/front.h"
+#include "measure/pairing.h"
 #include "measure/probe.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@ enum { MOST = 20000, UP = DIM - 1 };
 static struct scales scales;
 static struct particles all;
 static struct view view;
-static double x[KINDS][MOST][DIM], u[MOST][DIM], p[MOST];
+static double x[KINDS][MOST][DIM], u[MOST][DIM], p[MOST], m[MOST], rho[MOST];
 
 static void empty_tank(void)
 {
@@ -74,14 +75,21 @@ static void look(void)
     view.p = &all;
 }
 
-static struct front front_now(void)
+static struct crowd *crowd_now(void)
 {
     struct crowd *c;
-    struct front found;
 
     look();
     assert_int_equal(crowd_create(&all, &c), STATUS_DONE);
     crowd_update(c, &view);
+    return c;
+}
+
+static struct front front_now(void)
+{
+    struct crowd *c = crowd_now();
+    struct front found;
+
     front_find(c, &found);
     crowd_free(&c);
     assert_null(c);
@@ -229,11 +237,12 @@ static void test_cells_miss_nobody(void **state)
 static void test_probe_on_a_linear_field(void **state)
 {
     double at[DIM], seen[DIM];
+    struct crowd *c;
 
     (void)state;
     empty_tank();
     add_block(KIND_FLUID, 0, 20, 0, 10);
-    look();
+    c = crowd_now();
     for (int i = 0; i < all.n; i++) {
         const double *y = x[KIND_FLUID][i];
         p[i] = 1000 + 300 * y[0] - 9810 * y[UP];
@@ -243,46 +252,75 @@ static void test_probe_on_a_linear_field(void **state)
     at[1] = 5 * scales.dx;
     at[0] = 10 * scales.dx; /* between four (eight) sites: as even as on one */
     at[UP] = 5 * scales.dx;
-    if (!(fabs(probe_pressure(&view, p, at) - (1000 + 300 * 0.5 - 9810 * 0.25)) < 1e-9))
-        fail_msg("pressure %g", probe_pressure(&view, p, at));
-    probe_velocity(&view, at, seen);
+    if (!(fabs(probe_pressure(c, p, at) - (1000 + 300 * 0.5 - 9810 * 0.25)) < 1e-9))
+        fail_msg("pressure %g", probe_pressure(c, p, at));
+    probe_velocity(c, at, seen);
     for (int d = 0; d < DIM; d++)
         assert_near(seen[d], (d + 1) * 0.5 + 0.25);
+    crowd_free(&c);
 }
 
 /* w(0) = 1 and w(1/2) = 3/16. */
 static void test_probe_weighs(void **state)
 {
     const double at[DIM] = { 0.5 };
+    struct crowd *c;
 
     (void)state;
     empty_tank();
     add(KIND_FLUID, 0.5, 0, 0);
     add(KIND_FLUID, 0.5 + 0.5 * scales.support, 0, 0);
-    look();
+    c = crowd_now();
     p[0] = 0;
     p[1] = 19;
-    assert_near(probe_pressure(&view, p, at), 3);
+    assert_near(probe_pressure(c, p, at), 3);
+    crowd_free(&c);
+}
+
+/* A drop at the edge of the support is hardly felt; its velocity is. */
+static void test_a_drop_is_no_impact(void **state)
+{
+    const double at[DIM] = { 0.5 };
+    const double part = 3.0 / 16 / ((DIM == 2 ? M_PI / 7 * 9 : 2 * M_PI / 21 * 27) / 16);
+    double seen[DIM];
+    struct crowd *c;
+
+    (void)state;
+    empty_tank();
+    add(KIND_FLUID, 0.5 + 0.5 * scales.support, 0, 0);
+    c = crowd_now();
+    p[0] = 1000;
+    u[0][0] = 7;
+    if (!(fabs(probe_pressure(c, p, at) - 1000 * fmin(part, 1)) < 1e-9))
+        fail_msg("%g of the pressure, %g expected", probe_pressure(c, p, at) / 1000, part);
+    assert_true(part < 0.8);
+    probe_velocity(c, at, seen);
+    assert_near(seen[0], 7);
+    crowd_free(&c);
 }
 
 /* At a wall the gauge reads a mean of the fluid within the support, no more. */
 static void test_probe_at_a_wall_and_in_the_air(void **state)
 {
     double at[DIM] = { 0.5 }, seen[DIM];
+    struct crowd *c;
 
     (void)state;
     empty_tank();
     add_block(KIND_FLUID, 0, 20, 0, 10);
-    look();
+    c = crowd_now();
     for (int i = 0; i < all.n; i++)
         p[i] = 9810 * (0.5 - x[KIND_FLUID][i][UP]);
     at[1] = DIM == 3 ? 0.25 : 0;
-    assert_true(probe_pressure(&view, p, at) < 9810 * 0.5);
-    assert_true(probe_pressure(&view, p, at) > 9810 * (0.5 - 0.4 * scales.support));
+    assert_true(probe_pressure(c, p, at) < 9810 * 0.5);
+    assert_true(probe_pressure(c, p, at) > 9810 * (0.5 - 0.4 * scales.support));
     at[UP] = 0.9;
-    assert_true(probe_pressure(&view, p, at) == 0);
-    probe_velocity(&view, at, seen);
+    assert_true(probe_pressure(c, p, at) == 0);
+    probe_velocity(c, at, seen);
     assert_true(seen[0] == 0 && seen[UP] == 0);
+    at[UP] = 1e30; /* far out of all cells */
+    assert_true(probe_pressure(c, p, at) == 0);
+    crowd_free(&c);
 }
 
 static void test_probe_of_height(void **state)
@@ -308,6 +346,134 @@ static void test_probe_of_height(void **state)
     crowd_free(&c);
 }
 
+/* Masses of a lattice; densities `times` that of it. */
+static struct pairing_index pairing_now(double times)
+{
+    struct pairing *g;
+    struct pairing_index found;
+
+    look();
+    for (int i = 0; i < MOST; i++) {
+        m[i] = 1000 * pow(scales.dx, DIM);
+        rho[i] = 1000 * times;
+    }
+    all.m = m;
+    view.rho[KIND_FLUID] = rho;
+    assert_int_equal(pairing_create(&all, &g), STATUS_DONE);
+    pairing_find(g, &view, &found);
+    pairing_free(&g);
+    assert_null(g);
+    return found;
+}
+
+static void test_a_lattice_has_no_pairs(void **state)
+{
+    struct pairing_index found;
+
+    (void)state;
+    empty_tank();
+    add_block(KIND_FLUID, 0, 8, 0, 8);
+    add_walls();
+    found = pairing_now(1);
+    assert_near(found.share, 0);
+    assert_near(found.mean, 1);
+    assert_near(found.least, 1);
+    found = pairing_now(pow(1.5, DIM)); /* as dense, each has less room than dx */
+    assert_near(found.mean, 1.5);
+}
+
+/* Everybody twice, 0.2 dx apart: twice the density. */
+static void test_pairs_are_pairs(void **state)
+{
+    struct pairing_index found;
+
+    (void)state;
+    empty_tank();
+    add_block(KIND_FLUID, 0, 8, 0, 8);
+    add_block(KIND_FLUID, 0, 8, 0, 8);
+    for (int i = all.n / 2; i < all.n; i++)
+        x[KIND_FLUID][i][UP] += 0.2 * scales.dx;
+    found = pairing_now(2);
+    assert_near(found.share, 1);
+    assert_near(found.mean, 0.2 * pow(2, 1.0 / DIM));
+    assert_near(found.least, 0.2 * pow(2, 1.0 / DIM));
+}
+
+/* A quarter of the fluid is paired; who has left, and solids, pair with nobody. */
+static void test_pairs_are_counted(void **state)
+{
+    const int layer = DIM == 3 ? 80 : 8; /* 8 x 10 sites of the depth, or 8 */
+    struct pairing_index found;
+
+    (void)state;
+    empty_tank();
+    add_block(KIND_FLUID, 0, 8, 0, 7);
+    add_block(KIND_FLUID, 0, 8, 0, 1);
+    for (int i = 7 * layer; i < 8 * layer; i++)
+        x[KIND_FLUID][i][UP] += 0.3 * scales.dx;
+    add(KIND_WALL, 2.5 * scales.dx, 0.5 * scales.dx, 5.5 * scales.dx);
+    add(KIND_FLUID, 2.5, 0.25, 0.5);
+    add(KIND_FLUID, 2.5, 0.25, 0.5);
+    add(KIND_FLUID, NAN, 0.25, 0.5);
+    found = pairing_now(1);
+    assert_near(found.share, 0.25);
+    assert_near(found.least, 0.3);
+    assert_near(found.mean, (2 * 0.3 + 0.7 + 5) / 8); /* 0.7: those above the pairs */
+}
+
+static void test_loners_have_no_neighbour(void **state)
+{
+    struct pairing_index found;
+
+    (void)state;
+    empty_tank();
+    found = pairing_now(1);
+    assert_true(found.share == 0 && isnan(found.mean) && isnan(found.least));
+    add(KIND_FLUID, 0.5, 0.25, 0.5);
+    add(KIND_FLUID, 0.5 + 1.01 * scales.support, 0.25, 0.5);
+    found = pairing_now(1);
+    assert_true(found.share == 0 && isnan(found.mean) && isnan(found.least));
+    x[KIND_FLUID][1][0] = 0.5 + 0.99 * scales.support;
+    assert_near(pairing_now(1).mean, 0.99 * scales.support / scales.dx);
+}
+
+/* What cells find is what a look at all pairs finds, on points in disorder, thick
+ * and thin. */
+static void test_nearest_of_all(void **state)
+{
+    (void)state;
+    for (int n = 100; n <= 1600; n *= 2) {
+        struct pairing_index found, seen = { .least = INFINITY };
+        int company = 0;
+
+        empty_tank();
+        srand(n);
+        for (int i = 0; i < n; i++)
+            add(KIND_FLUID, 2.0 * rand() / RAND_MAX, 0.5 * rand() / RAND_MAX,
+                1.0 * rand() / RAND_MAX);
+        found = pairing_now(1);
+        for (int i = 0; i < n; i++) {
+            double best = scales.support * scales.support;
+            for (int j = 0; j < n; j++) {
+                double r2 = 0;
+                for (int d = 0; d < DIM; d++)
+                    r2 += pow(x[KIND_FLUID][i][d] - x[KIND_FLUID][j][d], 2);
+                best = j != i ? fmin(best, r2) : best;
+            }
+            if (best == scales.support * scales.support)
+                continue;
+            company++;
+            seen.share += sqrt(best) < 0.5 * scales.dx;
+            seen.mean += sqrt(best) / scales.dx;
+            seen.least = fmin(seen.least, sqrt(best) / scales.dx);
+        }
+        assert_near(found.share, seen.share / n);
+        assert_near(found.mean, seen.mean / company);
+        assert_near(found.least, seen.least);
+        assert_true(seen.share > 0 && company > n / 4);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -322,8 +488,14 @@ int main(void)
         cmocka_unit_test(test_cells_miss_nobody),
         cmocka_unit_test(test_probe_on_a_linear_field),
         cmocka_unit_test(test_probe_weighs),
+        cmocka_unit_test(test_a_drop_is_no_impact),
         cmocka_unit_test(test_probe_at_a_wall_and_in_the_air),
         cmocka_unit_test(test_probe_of_height),
+        cmocka_unit_test(test_a_lattice_has_no_pairs),
+        cmocka_unit_test(test_pairs_are_pairs),
+        cmocka_unit_test(test_pairs_are_counted),
+        cmocka_unit_test(test_loners_have_no_neighbour),
+        cmocka_unit_test(test_nearest_of_all),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -44,15 +44,14 @@ void *__wrap_aligned_alloc(size_t to, size_t size)
     return __real_aligned_alloc(to, size);
 }
 
-static void right_hand_side_takes_no_memory(void **state)
+static void check_memory(const char *effects)
 {
     struct tank t;
     long before;
 
-    (void)state;
     before = taken;
-    tank_make(&t, DIM == 2 ? tank_parted_water : tank_water, tank_frame,
-              DIM == 2 ? tank_beam : "", TANK_EFFECTS, NULL);
+    tank_make(&t, DIM == 2 ? tank_parted_water : tank_bare_water, tank_frame,
+              DIM == 2 ? tank_beam : "", TANK_ONE_KERNEL, effects, NULL);
     check(taken > before + 10, "the counter does not count");
     tank_rates(&t, 0, t.y, t.ydot);
     before = taken;
@@ -71,6 +70,14 @@ static void right_hand_side_takes_no_memory(void **state)
         tank_rates(&t, 0, t.y, t.ydot);
     check(taken == before, "%ld times in 10 right-hand sides after rebuilds", taken - before);
     tank_free(&t);
+}
+
+static void right_hand_side_takes_no_memory(void **state)
+{
+    (void)state;
+    check_memory(TANK_EFFECTS);
+    check_memory(TANK_SUMMED "eos = { tension = false; };");
+    check_memory("walls = \"adami\";" TANK_EFFECTS "eos = { tension = false; };");
 }
 
 static void sides_add_up(void **state)
@@ -252,6 +259,41 @@ static void weights_are_those_of_the_scales(void **state)
     tank_free(&t);
 }
 
+/* Sound speed of a linear equation of state, from k or c0 or both if they agree. */
+static void stiffness_is_the_square_of_the_sound_speed(void **state)
+{
+    static const struct {
+        const char *eos;
+        double c0; /* 0: refused */
+    } cases[] = {
+        { "eos = { type = \"linear\"; k = 1e4; };", 100 },
+        { "eos = { type = \"linear\"; k = 2.0; };", 1.4142135623730951 },
+        { "eos = { type = \"linear\"; c0 = 30.0; };", 30 },
+        { "eos = { type = \"linear\"; c0 = 30.0; k = 900.0; };", 30 },
+        { "eos = { type = \"linear\"; c0 = 30.0; k = 901.0; };", 0 },
+        { "eos = { type = \"linear\"; };", -1 }, /* by the height of the water */
+    };
+
+    (void)state;
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[2048];
+        struct tank t;
+        snprintf(text, sizeof text, "%s%s%s%s", tank_water, tank_frame, TANK_EFFECTS, cases[i].eos);
+        if (cases[i].c0 == 0) {
+            assert_int_equal(tank_try(&t, text), STATUS_BAD_SCENE);
+            assert_non_null(strstr(status_message(), "k = 901"));
+            status_clear();
+        } else {
+            const double expected = cases[i].c0 > 0
+                ? cases[i].c0 : 10 * sqrt(2 * 9.81 * (DIM == 2 ? 0.06 : 0.12));
+            tank_make(&t, text, NULL);
+            check(fabs(plan_scales(t.plan)->c0 / expected - 1) < 1e-15 &&
+                  plan_scales(t.plan)->gamma == 1, "c0 = %.17g", plan_scales(t.plan)->c0);
+        }
+        tank_free(&t);
+    }
+}
+
 static void fastest_wave_and_decay_have_names(void **state)
 {
     struct limit limit[2];
@@ -282,6 +324,7 @@ int main(void)
         cmocka_unit_test(effect_left_out_costs_nothing),
         cmocka_unit_test(what_is_not_there_has_no_row),
         cmocka_unit_test(weights_are_those_of_the_scales),
+        cmocka_unit_test(stiffness_is_the_square_of_the_sound_speed),
         cmocka_unit_test(fastest_wave_and_decay_have_names),
     };
 
