@@ -1,19 +1,21 @@
 # panels.gp -- for figures of particles at several moments: which moments, and where each stands.
-# Loaded after style.gp; the loop over panels then does `eval next_panel`.
+# Loaded after style.gp; the loop over panels then does `eval next_panel`.  A 3D tank is shown cut
+# in the middle, or, with from_above = 1 set before, what runs along its floor.
 wall = '#a6a6a6'
 skin = '#101010'
 r = 0.65 * dx   # particles touch
 dye(c) = c == 0 ? 0x1f6fb4 : c == 1 ? 0xf2c418 : 0x009e73
-up = dim   # the column of the height; first is x
+from_above = exists('from_above') ? from_above : 0
+up = from_above ? 2 : dim   # the column that goes up in the picture; first is x
 p_column = 2 * dim + 2
 dye_column = 2 * dim + 3
 kind_column = 2 * dim + 4
 # x of a particle if it is fluid (0), wall (1, 2) or the skin of a beam or body (3, 4)
 sort(kind) = kind == 0 ? 0 : kind < 3 ? 1 : 3
-is(what) = sort(column(kind_column)) == what && in_plane($2) ? $1 : NaN
-# A 3D tank is shown cut in the middle.
-in_plane(y) = dim == 2 || abs(y - (low_y + high_y) / 2) < 1.01 * dx
-heading = dim == 2 ? title : title.', cut in the middle'
+is(what) = sort(column(kind_column)) == what && in_plane($2, $3) ? $1 : NaN
+in_plane(y, z) = dim == 2 || (from_above ? z > low_z && z < low_z + 3 * dx : \
+    abs(y - (low_y + high_y) / 2) < 1.01 * dx)
+heading = title.(dim == 2 ? '' : from_above ? ', the floor from above' : ', cut in the middle')
 
 stats '../snapshots.csv' using 1 skip 2 nooutput name 'shot'
 moments = shot_records < 6 ? int(shot_records) : 6
@@ -24,8 +26,8 @@ which(m) = moments > 1 ? int((m - 1) * (shot_records - 1) / (moments - 1) + 0.5)
 rim = 3.5 * dx
 left = low_x - rim
 right = high_x + rim
-bottom = (dim == 2 ? low_y : low_z) - rim
-above = (dim == 2 ? high_y : high_z) + rim
+bottom = (up == 2 ? low_y : low_z) - rim
+above = (up == 2 ? high_y : high_z) + rim
 is_long = above - bottom < 0.45 * (right - left)
 across = moments < 3 ? moments : moments == 4 || (is_long && moments > 4) ? 2 : 3
 down = (moments + across - 1) / across

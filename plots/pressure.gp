@@ -6,8 +6,10 @@ load 'panels.gp'
 
 # One scale for all moments: the weight of the column, or what pressure there is at the start.
 eval 'm = 1; '.next_panel
+set yrange [*:*]
 stats file using (sort(column(kind_column)) == 0 ? column(p_column) / 1e3 : NaN) skip 3 \
     nooutput name 'start'
+set yrange [bottom:above]
 highest = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : start_max > 0 ? start_max : 1
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'

@@ -66,7 +66,8 @@ claim "P1 feels the blow" "$(first probes.csv P1 2000) < 0.49"
 level() { echo "($(cell probes.csv "$1" "$2") + $spacing / 2)"; }
 claim "the column stands as filled" "$(level H4 0) > 0.554 && $(level H4 0) < 0.556"
 claim "the column falls" "$(level H4 0.2) < 0.535 && $(level H4 0.4) < $(level H4 0.2) - 0.03"
-claim "as in the experiment" "$(level H4 0.4) > 0.94 * 0.459 && $(level H4 0.4) < 1.06 * 0.459"
+claim "as in the experiment" \
+    "$(level H4 0.4) > 0.94 * 0.459 && $(level H4 0.4) < 1.06 * 0.459"
 claim "the floor is dry at first" "$(cell probes.csv H3 0.2) + $(cell probes.csv H2 0.3) == 0"
 claim "and wet in the end" "$(cell probes.csv H3 0.5) > 0.1 && $(cell probes.csv H2 0.5) > 0.05"
 claim "behind the box it stays dry" "$(cell probes.csv H1 0.5) < $spacing"

@@ -77,7 +77,7 @@ static int prepare(void *self, const struct scales *scales)
     const double nu = s->alpha * scales->c0 * scales->hs / (2 * (DIM + 2));
 
     s->strength = s->alpha * scales->c0 * scales->hs / 2;
-    s->rate = 3 * SCALES_LAPLACE * scales->laplace * nu / (scales->hs * scales->hs);
+    s->rate = 3 * SCALES_LAPLACE * scales->laplace_viscosity * nu / (scales->hs * scales->hs);
     return 0;
 }
 

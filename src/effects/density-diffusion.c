@@ -48,7 +48,7 @@ static int prepare(void *self, const struct scales *scales)
     s->strength = s->delta * scales->hs * scales->c0;
     for (int d = 0; d < DIM; d++)
         s->slope[d] = scales->rho0 * scales->g[d] / (scales->c0 * scales->c0);
-    s->rate = SCALES_LAPLACE * scales->laplace * s->delta * scales->c0 / scales->hs;
+    s->rate = SCALES_LAPLACE * scales->laplace_density * s->delta * scales->c0 / scales->hs;
     return 0;
 }
 

@@ -39,7 +39,7 @@ static int prepare(void *self, const struct scales *scales)
 {
     struct laminar_viscosity *s = self;
 
-    s->rate = SCALES_LAPLACE * scales->laplace / (scales->hs * scales->hs);
+    s->rate = SCALES_LAPLACE * scales->laplace_viscosity / (scales->hs * scales->hs);
     return 0;
 }
 

@@ -3,10 +3,11 @@
  *   rho_a = sum_b m_b W_ab,  b = a included                           (D3), (14)
  *
  * Its rate is (D1) exactly, so with the same kernel in the pressure force (P1) the
- * energy closes; the rate is summed for the book only.  At a free surface half of
- * the neighbours are missing: rho < rho0 there, which pulls the surface into clumps
- * unless the equation of state has tension = false.  Toth 2012, (14).  Checked in
- * tests/physics/laws.c and summation.c. */
+ * energy closes, but for solids that move against each other: they meet in the sum
+ * and not in the force.  The rate is summed for the book only.  At a free surface
+ * half of the neighbours are missing: rho < rho0 there, which pulls the surface into
+ * clumps unless the equation of state has tension = false.  Toth 2012, (14).
+ * Checked in tests/physics/summation.c. */
 #include "effects/density-rate.h"
 #include "effects/effects.h"
 

@@ -94,8 +94,19 @@ static int check_walls(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* What is allowed and still hardly meant. */
+static void doubt_tension(const struct plan *p)
+{
+    if (find_effect(p, "summation") && p->pressure && !p->scales.clamped)
+        status_warn("effects.summation with eos.tension = true: a free surface has half its "
+                    "neighbours, a density below rho0, and pulls itself into clumps; set "
+                    "eos.tension = false");
+}
+
 int plan_agree(const struct plan *p, const struct scene *scene)
 {
     TRY(check_needs(p, scene));
-    return check_walls(p, scene);
+    TRY(check_walls(p, scene));
+    doubt_tension(p);
+    return STATUS_DONE;
 }

@@ -25,7 +25,24 @@ static int take_part(struct plan *p, const struct part *part, void **self, const
     if (part->provides & FIELD_PRESSURE)
         p->pressure = to;
     p->parts++;
-    return part->prepare ? part->prepare(to->self, &p->scales) : STATUS_DONE;
+    return STATUS_DONE;
+}
+
+/* A part does not know the scene's file. */
+static int prepare_parts(struct plan *p, const struct scene *scene)
+{
+    char text[1024];
+
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *part = p->part[i].part;
+        int status = part->prepare ? part->prepare(p->part[i].self, &p->scales) : STATUS_DONE;
+        if (status == STATUS_DONE)
+            continue;
+        snprintf(text, sizeof text, "%s", status_message());
+        status_clear();
+        return status_fail(status, "%s: %s", scene_path(scene), text);
+    }
+    return STATUS_DONE;
 }
 
 /* Pressure first, then wall model, then effects in table order. */
@@ -242,6 +259,7 @@ static int build(struct plan *p, struct scene *scene)
     TRY(make_bodies(p));
     TRY(fill(p));
     TRY(take_parts(p));
+    TRY(prepare_parts(p, scene));
     TRY(plan_agree(p, scene));
     plan_fields_make(p);
     TRY(name_objects(p));

@@ -154,8 +154,8 @@ void kernels_scales(const struct engine *engine, struct kernel_use *const use[PA
 
     s->wave = sqrt(largest(gradient_term, use[PART_DENSITY], s->dx) / wave
                    * (largest(gradient_term, use[PART_PRESSURE], s->dx) / wave));
-    s->laplace = fmax(largest(laplace_term, use[PART_VISCOSITY], s->dx),
-                      largest(laplace_term, use[PART_DENSITY], s->dx)) / laplace;
+    s->laplace_density = largest(laplace_term, use[PART_DENSITY], s->dx) / laplace;
+    s->laplace_viscosity = largest(laplace_term, use[PART_VISCOSITY], s->dx) / laplace;
     s->laplacian = largest(laplacian_term, use[PART_VISCOSITY], s->dx);
     s->centre = kernel_w(use[PART_DENSITY], 0);
 }

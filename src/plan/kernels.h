@@ -20,7 +20,7 @@ int kernels_make(const struct engine *engine, const char *type,
                  struct kernel_use *use[PART_KERNELS]);
 void kernels_free(struct kernel_use *use[PART_KERNELS]);
 
-/* Sets wave, laplace, laplacian and centre of s; its dx is known. */
+/* Sets wave, laplace_*, laplacian and centre of s; its dx is known. */
 void kernels_scales(const struct engine *engine, struct kernel_use *const use[PART_KERNELS],
                     struct scales *s);
 

@@ -18,25 +18,26 @@ void liquid_pressures(const void *self, int n, const double *rho, double *p)
     eos_pressures(&l->eos, n, rho, p);
 }
 
-/* Sound and flow together: the fastest particle carries the fastest wave. */
+/* Sound and flow together, sound where it is: it is faster in what is pressed. */
 void liquid_limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct liquid *l = self;
     const int n = particles_count(v->p, KIND_FLUID);
-    const double *u = v->u[KIND_FLUID];
+    const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
     double most = -1;
 
     for (int i = 0; i < n; i++) {
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
             u2 += u[i * DIM + d] * u[i * DIM + d];
-        if (u2 > most) {
-            most = u2;
+        const double speed = eos_sound(&l->eos, rho[i]) + sqrt(u2);
+        if (speed > most) {
+            most = speed;
             out->where = i;
         }
     }
     if (most >= 0)
-        out->rate = l->reach * (l->eos.c0 + sqrt(most));
+        out->rate = l->reach * most;
 }
 
 void liquid_energy(const void *self, const struct view *v, struct energies *to)

@@ -27,7 +27,8 @@ struct scales {
     /* How the kernels of the scene differ from Wendland C2 of the same support,
      * by their largest eigenvalues on the lattice (1 when they do not differ). */
     double wave;            /* of waves: SCALES_WAVE wave/hs         [1]      */
-    double laplace;         /* of Laplacians made of gradients       [1]      */
+    double laplace_density, laplace_viscosity; /* of Laplacians made of gradients
+                               of these kernels                      [1]      */
     double laplacian;       /* largest eigenvalue of the Laplacian of the
                                viscosity kernel                      [1/m^2]  */
     double centre;          /* density kernel at its centre          [1/m^D]  */

@@ -16,6 +16,7 @@
 struct adami {
     struct eos eos;
     double g[DIM]; /* [m/s^2] */
+    double least;  /* pressure of half the density at rest [Pa] */
 };
 
 static const char *const with[] = { "continuity", "summation", NULL };
@@ -26,6 +27,7 @@ static int prepare(void *self, const struct scales *s)
 
     w->eos = (struct eos){ .rho0 = s->rho0, .c0 = s->c0, .gamma = s->gamma,
                            .clamped = s->clamped };
+    w->least = eos_pressure(&w->eos, s->rho0 / 2);
     for (int d = 0; d < DIM; d++)
         w->g[d] = s->g[d];
     return 0;
@@ -49,7 +51,8 @@ static void gather(const void *self, const struct side *a, const struct block *b
     *to = t;
 }
 
-/* A wall that no fluid is near has the density at rest. */
+/* A wall that no fluid is near has the density at rest; tension is carried over as
+ * far as half that density goes, for beyond the equation of state has no inverse. */
 static double density(const struct adami *w, const double *acceleration, const double *sum)
 {
     double p = sum[1];
@@ -58,7 +61,8 @@ static double density(const struct adami *w, const double *acceleration, const d
         return w->eos.rho0;
     for (int d = 0; d < DIM; d++)
         p += (w->g[d] - acceleration[d]) * sum[2 + d];
-    return eos_density(&w->eos, p / sum[0]);
+    p /= sum[0];
+    return eos_density(&w->eos, p > w->least ? p : w->least);
 }
 
 static void settle(const void *self, const struct settle *s)

@@ -171,7 +171,9 @@ static void default_kernel_has_scale_one(void **state)
         struct tank t;
         make(&t, same[i % 2], support[i / 2], "effects = { continuity = { }; };");
         s = plan_scales(t.plan);
-        check(s->wave == 1 && s->laplace == 1, "wave %.17g, Laplacian %.17g", s->wave, s->laplace);
+        check(s->wave == 1 && s->laplace_density == 1 && s->laplace_viscosity == 1,
+              "wave %.17g, Laplacians %.17g, %.17g", s->wave, s->laplace_density,
+              s->laplace_viscosity);
         check(fabs(s->centre / (sigma * pow(H, -DIM)) - 1) < 1e-14, "centre %.17g", s->centre);
         tank_free(&t);
     }

@@ -139,7 +139,8 @@ static void density_is_the_sum_over_everybody(void **state)
     } cases[] = {
         { TANK_ONE_KERNEL, TANK_SUMMED, true, wendland_c2 },
         { TANK_SEED_KERNELS, TANK_SUMMED CLAMPED, true, poly6 },
-        { TANK_ONE_KERNEL, "walls = \"ghost\"; effects = { summation = { }; };", true, wendland_c2 },
+        { TANK_ONE_KERNEL, "walls = \"ghost\"; effects = { summation = { }; };", true,
+          wendland_c2 },
         { TANK_ONE_KERNEL, "walls = \"adami\"; effects = { summation = { }; pressure = { }; };",
           false, wendland_c2 },
     };

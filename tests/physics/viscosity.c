@@ -54,7 +54,8 @@ static double found(const char *effect, const char *kernel, double support)
     udot = t.ydot + tank_at(&t, "velocity of fluid", NULL) + which * DIM;
     along = udot[0];
     for (int d = 1; d < DIM; d++)
-        check(fabs(udot[d]) <= 1e-12 * fabs(along), "%s: %g m/s^2 across the flow", effect, udot[d]);
+        check(fabs(udot[d]) <= 1e-12 * fabs(along), "%s: %g m/s^2 across the flow", effect,
+              udot[d]);
     tank_free(&t);
     return along / (2 * shear * MU / 1000);
 }
@@ -74,7 +75,8 @@ static void both_find_the_force_of_a_shear_flow(void **state)
                                        cases[i].support);
         print_message("# H = %g dx: %.4f by Morris, %.4f by the Laplacian of the force expected\n",
                       cases[i].support, morris, laplacian);
-        check(fabs(morris - 1) < cases[i].within, "Morris, H = %g dx: %g", cases[i].support, morris);
+        check(fabs(morris - 1) < cases[i].within, "Morris, H = %g dx: %g", cases[i].support,
+              morris);
         check(fabs(laplacian - 1) < cases[i].within, "Laplacian, H = %g dx: %g", cases[i].support,
               laplacian);
     }

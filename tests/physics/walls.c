@@ -82,7 +82,8 @@ static void check_solids(struct tank *t, bool shakes)
                 dry++;
             }
             check(fabs(v.rho[k][i] - expected) <= 1e-13 * expected,
-                  "point %d of kind %d: %.17g kg/m^3 instead of %.17g", i, k, v.rho[k][i], expected);
+                  "point %d of kind %d: %.17g kg/m^3 instead of %.17g", i, k, v.rho[k][i],
+                  expected);
         }
     check(near > 50 && dry > 20, "%d points near the water, %d not", near, dry);
 }

@@ -14,7 +14,7 @@
 const struct scales effects_scales = {
     .dimension = DIM, .dx = 0.1, .support = 0.3, .hs = 0.15, .rho0 = 1000, .c0 = 20,
     .gamma = 7, .speed = 2, .g = { 1.1, -9.81, 0.7 }, .fluid = true,
-    .wave = 1, .laplace = 1, .laplacian = 300, .centre = 25,
+    .wave = 1, .laplace_density = 1, .laplace_viscosity = 1, .laplacian = 300, .centre = 25,
 };
 
 enum { TRIES = 2000 };
