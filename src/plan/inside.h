@@ -92,6 +92,8 @@ struct plan {
     struct plan_workspace main, observer; /* observer made at the first look  */
     double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
     double *scratch;                   /* [size] rates for the observer       */
+    double later;                      /* of the half that is asked for, see
+                                          plan_half()                         */
     double wall_power;                 /* v . f of moving walls [W]           */
     bool moving_walls;
     char refusal[320];

@@ -18,7 +18,7 @@ enum plan_which {
     PLAN_ALL = 3,
 
     /* The two halves of the explicit side, a pass over pairs each; rows of others,
-     * positions among them, are 0. */
+     * positions among them, are 0.  See plan_half(). */
     PLAN_DENSITY = 4,  /* rates of densities                                  */
     PLAN_VELOCITY = 8  /* rates of velocities, forces on solids               */
 };
@@ -39,6 +39,13 @@ void plan_start(const struct plan *plan, double *y);        /* y at t = 0     */
  * the last bits (the order of sums follows the last rebuild). */
 int plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y, double *ydot);
 const char *plan_refusal(const struct plan *plan);
+
+/* One half, for methods that change velocities or densities by it: as plan_rhs(),
+ * but powers are booked with the velocities of the fluid (PLAN_VELOCITY) or with the
+ * pressures (PLAN_DENSITY) that the rates lead to in a time `later` [s].  With half
+ * of h, the book gets the very work of a kick v += h A. */
+int plan_half(struct plan *plan, enum plan_which which, double t, const double *y, double later,
+              double *ydot);
 
 /* NULL, or why this plan's explicit side has no two halves. */
 const char *plan_halves(const struct plan *plan);

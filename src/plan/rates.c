@@ -5,10 +5,13 @@
 
 #include <string.h>
 
-static int sum_pairs(struct plan *p, struct plan_workspace *w, const struct pairs_table *table)
+static int sum_pairs(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
+                     const double (*push)[DIM])
 {
     const struct sum_job job = {
         .list = w->list, .record = w->record, .table = table, .slots = p->slots,
+        .later = push ? p->later : 0, .push = push, .gamma = p->scales.gamma,
+        .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 
@@ -154,6 +157,19 @@ static void halve(struct plan *p, struct plan_workspace *w, enum plan_which whic
         book[p->book.work + i] = w->power[i];
 }
 
+/* What pushes the fluid besides pairs, where its rates will stand; NULL: nobody asks. */
+static const double (*pushes(const struct plan *p, const struct view *v, double *ydot))[DIM]
+{
+    double (*udot)[DIM];
+
+    if (p->later == 0 || p->row_x < 0)
+        return NULL;
+    udot = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
+    memset(udot, 0, (size_t)particles_count(v->p, KIND_FLUID) * sizeof *udot);
+    add_fields(p, v, ydot);
+    return (const double (*)[DIM])udot;
+}
+
 int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,
                const double *y, double *ydot)
 {
@@ -165,7 +181,7 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
     if (p->particles->n > 0)
-        TRY(sum_pairs(p, w, table));
+        TRY(sum_pairs(p, w, table, pushes(p, &v, ydot)));
     scatter(p, w, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);

@@ -37,6 +37,17 @@ int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, d
     return STATUS_DONE;
 }
 
+int plan_half(struct plan *p, enum plan_which which, double t, const double *y, double later,
+              double *ydot)
+{
+    int status;
+
+    p->later = later;
+    status = plan_rhs(p, which, t, y, ydot);
+    p->later = 0;
+    return status;
+}
+
 const char *plan_halves(const struct plan *p)
 {
     return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;

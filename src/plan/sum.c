@@ -102,23 +102,46 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
     }
 }
 
+/* Velocities of fluid and p/rho^2 as they will be `later`, to first order; those
+ * of solids are not the pairs' to change. */
+static void look_ahead(const struct sum_job *job, int first, int owners, const struct sum *all,
+                       struct side *a)
+{
+    const lanes p = a->p2 * a->rho * a->rho;
+    const lanes slope = (job->gamma * p + job->bulk - 2 * p) / (a->rho * a->rho * a->rho);
+    const lanes to = job->later * slope * all->drho;
+
+    a->p2 += job->clamped ? lanes_where(p > (lanes){0}, to) : to;
+    if (first >= job->list->start[KIND_FLUID + 1])
+        return;
+    for (int d = 0; d < DIM; d++) {
+        a->v[d] += job->later * all->f[d] / a->m;
+        for (int l = 0; l < owners; l++)
+            a->v[d][l] += job->later * job->push[job->list->order[first + l]][d];
+    }
+}
+
 /* Adds the sums in order of slots, writes the rates, books the power. */
 static void finish_group(const struct sum_job *job, int first, int owners, int quarter,
-                         const struct side *a, const struct sum *part, struct chunk_power *book)
+                         struct side *a, const struct sum *part, struct chunk_power *book)
 {
     struct sum all = { 0 };
 
     for (int s = 0; s < job->slots; s++) {
-        lanes power = a->p2 * part[s].drho;
-
-        for (int d = 0; d < DIM; d++) {
-            power += a->v[d] * part[s].f[d];
+        for (int d = 0; d < DIM; d++)
             all.f[d] += part[s].f[d];
-        }
         all.drho += part[s].drho;
-        book->part[s][quarter] += power;
     }
     all.drho /= a->m;
+    if (job->later != 0)
+        look_ahead(job, first, owners, &all, a);
+    for (int s = 0; s < job->slots; s++) {
+        lanes power = a->p2 * part[s].drho;
+
+        for (int d = 0; d < DIM; d++)
+            power += a->v[d] * part[s].f[d];
+        book->part[s][quarter] += power;
+    }
     for (int l = 0; l < owners; l++) {
         for (int d = 0; d < DIM; d++)
             job->f[(size_t)(first + l) * DIM + (size_t)d] = all.f[d][l];

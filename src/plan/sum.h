@@ -25,6 +25,14 @@ struct sum_job {
     const double *record;              /* [listed+1][RECORD], 64-byte aligned */
     const struct pairs_table *table;   /* [KINDS][KINDS] owner, partner       */
     int slots;                         /* rows of the book                    */
+    double later;                      /* powers are those of velocities and
+                                          pressures that rates lead to so long
+                                          after the records; 0: of the records */
+    const double (*push)[DIM];         /* accelerations of the fluid by other
+                                          things than pairs, creation order;
+                                          for later != 0                      */
+    double gamma, bulk;                /* dp/drho = (gamma p + bulk)/rho, 0 for */
+    bool clamped;                      /* p = 0 if clamped; for later != 0    */
     double *f;                         /* [listed][DIM] force on a slot [N]   */
     double *drho;                      /* [listed] rate of density of a slot
                                           [kg/m^D/s]: divided by the mass     */

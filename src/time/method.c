@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "scene/scene.h"
 #include "time/arkode.h"
+#include "time/dv.h"
 #include "time/fixed.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -19,6 +20,7 @@ const struct method *const method_table[] = {
     &arkode_opt53.method,
     &arkode_opt64.method,
     &arkode_bs54.method,
+    &dv_method,
     &fixed_leapfrog.method,
     &fixed_euler.method,
     &fixed_staggered.method,

@@ -1,5 +1,5 @@
-/* time-beam.c -- the seed's coupling on the program's own beam, without water:
- * what (46), (47) do to the first vibration of a cantilever under a step load. */
+/* time-beam.c -- the seed's coupling and the implicit bodies of "dv" on the program's
+ * own beam, without water: the first vibration of a cantilever under a step load. */
 #include "plan/plan.h"
 
 #include "base/status.h"
@@ -152,11 +152,51 @@ static void the_tip_converges_to_that_of_imex4(void **state)
                  second);
 }
 
+/* Between the first and the 21st time that the tip passes its rest upwards. */
+static void dv_keeps_the_frequency(void **state)
+{
+    struct method_step step;
+    struct beam b;
+    double w[2] = { 0, 0 }, first = 0, last = 0;
+
+    (void)state;
+    make(&b, "dv", 1e-4, 0);
+    for (int n = 0; n < 21;) {
+        assert_int_equal(b.method->step(b.self, 10, &step), STATUS_DONE);
+        w[0] = w[1];
+        w[1] = b.method->state(b.self)[b.tip] - bent;
+        if (!(w[0] < 0 && w[1] >= 0))
+            continue;
+        last = step.t - step.h * w[1] / (w[1] - w[0]);
+        first = n++ == 0 ? last : first;
+    }
+    end(&b);
+    if (!(fabs(20 * 2 * M_PI / (last - first) / omega - 1) < 3e-3))
+        fail_msg("%g rad/s instead of %g", 20 * 2 * M_PI / (last - first), omega);
+}
+
+static void the_tip_of_dv_converges(void **state)
+{
+    double exact[POINTS], tip[POINTS], error[2] = { 0 };
+
+    (void)state;
+    tips("imex4", 1e-6, 0, exact);
+    for (int i = 0; i < 2; i++) {
+        tips("dv", i ? 1e-6 : 1e-3, 0, tip);
+        for (int k = 0; k < POINTS; k++)
+            error[i] = fmax(error[i], fabs(tip[k] - exact[k]));
+    }
+    if (!(error[0] < 0.05 * bent && error[1] < 1e-3 * bent))
+        fail_msg("errors %g and %g of the deflection", error[0] / bent, error[1] / bent);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vibrations_die_as_backward_euler_says),
         cmocka_unit_test(the_tip_converges_to_that_of_imex4),
+        cmocka_unit_test(dv_keeps_the_frequency),
+        cmocka_unit_test(the_tip_of_dv_converges),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include "time/arkode.h"
+#include "time/dv.h"
 #include "time/method.h"
 
 #include <math.h>
@@ -45,5 +46,21 @@ void staggered_bodies_alone_set_their_step(void **state);
 void staggered_steps_do_not_depend_on_stiffness(void **state);
 void staggered_bodies_go_straight_between_the_ends(void **state);
 void staggered_halves_the_step_while_refused(void **state);
+
+struct dv *toy_dv(struct plan *p, double tol, double h);
+void toy_dv_free(struct dv *x);
+void dv_is_of_order_two_without_dissipation(void **state);
+void dv_books_the_work_of_a_kick(void **state);
+void dv_is_symmetric_in_time(void **state);
+void dv_estimates_its_error(void **state);
+void dv_starts_carefully(void **state);
+void dv_keeps_waves_and_decay_stable(void **state);
+void dv_is_not_disturbed_by_a_short_step(void **state);
+void dv_shortens_steps_without_an_answer(void **state);
+void dv_steps_do_not_depend_on_stiffness(void **state);
+void dv_resolves_vibrations_of_bodies(void **state);
+void dv_shows_bodies_under_the_last_load(void **state);
+void dv_estimates_the_error_of_bodies(void **state);
+void dv_needs_halves(void **state);
 
 #endif

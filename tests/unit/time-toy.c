@@ -82,23 +82,39 @@ static void particle_rates(struct plan *p, double t, const double *y, double *f)
                      rho = y[at(p, p->row_rho) + i];
         const double s = sin(t + i), c = cos(t + i), r = 1 + 0.1 * c;
         f[at(p, p->row_x) + i] = u;
-        f[at(p, p->row_u) + i] = -s - (x * x * x * rho - s * s * s * r);
+        f[at(p, p->row_u) + i] = -s - (x * x * x * rho - s * s * s * r) - p->drag * (u - c);
         if (p->stiffness > 0)
             f[at(p, p->row_u) + i] += y[at(p, p->row_q)] - q;
-        f[at(p, p->row_rho) + i] = -0.1 * s - (rho * u - r * c);
+        f[at(p, p->row_rho) + i] = -0.1 * s - (p->plain ? u - c : rho * u - r * c);
         if (p->stiffness > 0)
             f[at(p, p->row_rho) + i] += y[at(p, p->row_v)] - v;
     }
+}
+
+/* Of a half, rates of the other one and of positions are 0; the book is the
+ * velocities' business. */
+static void halve(const struct plan *p, enum plan_which which, double *f)
+{
+    const long *from = p->layout.from;
+
+    memset(f, 0, (size_t)from[LAYOUT_VELOCITY] * sizeof *f);
+    if (which == PLAN_VELOCITY)
+        memset(f + from[LAYOUT_OTHER], 0, TOY_PARTICLES * sizeof *f);
+    else
+        memset(f + from[LAYOUT_VELOCITY], 0,
+               (size_t)(from[LAYOUT_OTHER] - from[LAYOUT_VELOCITY]) * sizeof *f);
+    if (which == PLAN_DENSITY)
+        f[at(p, p->row_book)] = 0;
 }
 
 int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *f)
 {
     const double x = y[at(p, p->row_x)], u = y[at(p, p->row_u)];
 
-    p->counts.rhs_explicit += (which & PLAN_EXPLICIT) != 0;
+    p->counts.rhs_explicit += (which & (PLAN_EXPLICIT | PLAN_VELOCITY)) != 0;
     p->counts.rhs_implicit += which == PLAN_IMPLICIT;
     memset(f, 0, (size_t)plan_size(p) * sizeof *f);
-    if (which & PLAN_EXPLICIT) {
+    if (which != PLAN_IMPLICIT) {
         if (refused(p, t, y))
             return STATUS_FAILED;
         particle_rates(p, t, y, f);
@@ -107,9 +123,11 @@ int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, d
             p->counts.rebuilds++;
         }
         f[at(p, p->row_u)] += 1e-14 * p->listed;
-        f[at(p, p->row_book)] = x * u;
+        f[at(p, p->row_book)] = x * (u + p->later * f[at(p, p->row_u)]);
         if (p->stiffness > 0)
             f[at(p, p->row_v)] = cos(t) + x - sin(t);
+        if (which & (PLAN_DENSITY | PLAN_VELOCITY))
+            halve(p, which, f);
     }
     if ((which & PLAN_IMPLICIT) && p->stiffness > 0) {
         f[at(p, p->row_q)] += y[at(p, p->row_v)];
@@ -118,6 +136,22 @@ int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, d
     if (p->poison_after > 0 && t > p->poison_after)
         f[at(p, p->row_book)] = INFINITY;
     return STATUS_DONE;
+}
+
+int plan_half(struct plan *p, enum plan_which which, double t, const double *y, double later,
+              double *f)
+{
+    int status;
+
+    p->later = later;
+    status = plan_rhs(p, which, t, y, f);
+    p->later = 0;
+    return status;
+}
+
+const char *plan_halves(const struct plan *p)
+{
+    return p->whole;
 }
 
 /* q = rq + g v, v = rv - g (S q + d v). */

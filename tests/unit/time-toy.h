@@ -23,6 +23,10 @@ struct plan {
     double refuse_after;       /* refuses beyond this time; 0: never           */
     double poison_after;       /* answers with infinities; 0: never            */
     double solvable;           /* plan_solve() fails beyond this gamma; 0: never */
+    double drag;               /* u' = .. - drag (u - u_e)                     */
+    bool plain;                /* rho' = rho_e' - (u - u_e) + .., without rho  */
+    const char *whole;         /* why there are no halves; NULL: there are     */
+    double later;              /* the book takes u after this long, see plan_half() */
     double listed;             /* x_0 at the last "rebuild" of the list, which
                                   shows in the last bits of f                  */
     struct layout layout;
@@ -30,7 +34,7 @@ struct plan {
     struct plan_counts counts;
 };
 
-/* A plan with these knobs; wave is 1 unless said. */
+/* A plan with these knobs; wave is 1 and the others 0 unless said. */
 void toy_make(struct plan *p, double stiffness, double damping);
 void toy_exact(const struct plan *p, double t, double *y);
 

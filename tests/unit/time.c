@@ -25,7 +25,10 @@ void *toy_method(struct plan *p, const char *name, double tol, double h)
     toy_exact(p, 0, y);
     if (found->create(found, &def, p, 0, y, &self) != STATUS_DONE)
         fail_msg("%s", status_message());
-    if (h > 0 && found->adaptive) {
+    if (h > 0 && found == &dv_method) {
+        ((struct dv *)self)->def.h_first = 1e9;
+        p->wave = 0.95 * 2 / h;
+    } else if (h > 0 && found->adaptive) {
         struct arkode *a = self;
         a->def.h_first = 1e9;
         p->wave = 0.95 * a->wave / h;
@@ -96,7 +99,8 @@ static void methods_have_their_order(void **state)
                 { "opt64", 4, 0.1 },     { "bs54", 5, 0.1 },   { "erk2", 2, 0.02 },
                 { "erk3", 3, 0.05 },     { "erk4", 4, 0.1 },   { "erk5", 5, 0.1 },
                 { "leapfrog", 2, 0.02 }, { "euler-cfl", 1, 0.02 },
-                { "staggered", 1, 0.02 }, { "ARKODE_VERNER_8_5_6", 6, 0.2 } };
+                { "staggered", 1, 0.02 }, { "dv", 1, 0.02 },
+                { "ARKODE_VERNER_8_5_6", 6, 0.2 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -105,14 +109,16 @@ static void methods_have_their_order(void **state)
     }
 }
 
-/* Every method of the table runs, and its error follows tol. */
+/* Every method of the table runs, and its error follows tol (dv, of order 2: its own
+ * test). */
 static void all_methods_follow_the_tolerance(void **state)
 {
     (void)state;
     for (int i = 0; method_table[i]; i++) {
         double error[2];
         int steps[2];
-        for (int k = 0; k < 2 && method_table[i]->adaptive; k++) {
+        const bool asked = method_table[i]->adaptive && method_table[i] != &dv_method;
+        for (int k = 0; k < 2 && asked; k++) {
             struct plan p;
             void *self;
             toy_make(&p, 100, 1);
@@ -122,7 +128,7 @@ static void all_methods_follow_the_tolerance(void **state)
             assert_true(strlen(found->table(self)) >= 5);
             toy_method_free(&self);
         }
-        if (method_table[i]->adaptive
+        if (asked
             && !(error[0] < 5e-3 && error[1] < 1e-5 && error[1] < error[0] / 5))
             fail_msg("%s: errors %g %g, steps %d %d", method_table[i]->name, error[0], error[1],
                      steps[0], steps[1]);
@@ -136,7 +142,7 @@ static void right_hand_sides_are_not_wasted(void **state)
         const char *name;
         int a_step;
     } row[] = { { "imex3", 4 }, { "ark436", 6 }, { "cks43", 4 }, { "bs54", 7 }, { "erk3", 3 },
-                { "leapfrog", 1 }, { "euler-cfl", 2 }, { "staggered", 2 } };
+                { "leapfrog", 1 }, { "euler-cfl", 2 }, { "staggered", 2 }, { "dv", 1 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -187,7 +193,7 @@ static void dense_output_has_about_the_order(void **state)
         double order, h;
     } row[] = { { "imex3", 3, 0.05 }, { "imex4", 4, 0.1 },  { "ark436", 4, 0.1 },
                 { "bs54", 5, 0.1 },   { "leapfrog", 2, 0.02 }, { "euler-cfl", 1, 0.02 },
-                { "staggered", 1, 0.02 } };
+                { "staggered", 1, 0.02 }, { "dv", 1, 0.02 } };
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -241,10 +247,10 @@ static void interpolants_reproduce_polynomials(void **state)
 static void looking_does_not_change_the_run(void **state)
 {
     static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl",
-                                         "staggered" };
+                                         "staggered", "dv" };
 
     (void)state;
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 7; i++) {
         double final[3][64];
         long rebuilds[3];
         for (int looks = 0; looks < 3; looks++) {
@@ -297,10 +303,10 @@ static void a_refusal_shortens_the_step(void **state)
 static void a_lasting_refusal_ends_the_run_with_a_message(void **state)
 {
     static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl",
-                                         "staggered" };
+                                         "staggered", "dv" };
 
     (void)state;
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 7; i++) {
         struct plan p;
         int steps;
         toy_make(&p, 4, 0.5);
@@ -320,10 +326,10 @@ static void a_lasting_refusal_ends_the_run_with_a_message(void **state)
 /* Also where no weight looks: the book is a quadrature. */
 static void infinities_in_a_quadrature_are_seen(void **state)
 {
-    static const char *const names[] = { "imex3", "ark436", "leapfrog" };
+    static const char *const names[] = { "imex3", "ark436", "leapfrog", "dv" };
 
     (void)state;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         struct plan p;
         int steps;
         toy_make(&p, 4, 0.5);
@@ -493,10 +499,10 @@ static void dense_output_of_stiff_entries_is_smooth(void **state)
 
 static void a_restart_forgets_the_past(void **state)
 {
-    static const char *const names[] = { "imex4", "bs54", "leapfrog" };
+    static const char *const names[] = { "imex4", "bs54", "leapfrog", "dv" };
 
     (void)state;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         struct plan p;
         double y[64], first[64];
         int steps;
@@ -591,6 +597,19 @@ int main(void)
         cmocka_unit_test(staggered_steps_do_not_depend_on_stiffness),
         cmocka_unit_test(staggered_bodies_go_straight_between_the_ends),
         cmocka_unit_test(staggered_halves_the_step_while_refused),
+        cmocka_unit_test(dv_is_of_order_two_without_dissipation),
+        cmocka_unit_test(dv_books_the_work_of_a_kick),
+        cmocka_unit_test(dv_is_symmetric_in_time),
+        cmocka_unit_test(dv_estimates_its_error),
+        cmocka_unit_test(dv_starts_carefully),
+        cmocka_unit_test(dv_keeps_waves_and_decay_stable),
+        cmocka_unit_test(dv_is_not_disturbed_by_a_short_step),
+        cmocka_unit_test(dv_shortens_steps_without_an_answer),
+        cmocka_unit_test(dv_steps_do_not_depend_on_stiffness),
+        cmocka_unit_test(dv_resolves_vibrations_of_bodies),
+        cmocka_unit_test(dv_shows_bodies_under_the_last_load),
+        cmocka_unit_test(dv_estimates_the_error_of_bodies),
+        cmocka_unit_test(dv_needs_halves),
         cmocka_unit_test(implicit_steps_do_not_depend_on_stiffness),
         cmocka_unit_test(dense_output_of_stiff_entries_is_smooth),
         cmocka_unit_test(a_restart_forgets_the_past),
