@@ -16,7 +16,7 @@
  *     RHS      one plan_rhs() after the other with that share of rebuilds
  *
  * The share is that of the default method in data/scenes/dam-break.scene from 0
- * to 0.3 s: 57, 35, 19 % of right-hand sides at skins of 0.05, 0.1, 0.2 (here 55, 35, 20). */
+ * to 0.3 s: 21, 12, 7 % of right-hand sides at skins of 0.05, 0.1, 0.2 (here 20, 10, 5). */
 #include "plan/inside.h"
 
 #include "base/status.h"
@@ -235,7 +235,7 @@ static void per_effect(int n, double support)
     struct water w;
     double before = 0;
 
-    water_make(&w, n, support, 0.1, 1, NULL);
+    water_make(&w, n, support, 0.05, 1, NULL);
     printf("one effect after the other (%dD, %d particles, H = %.2f dx), ns per particle:\n",
            DIM, w.all, support);
     const struct pairs_table *t = &w.plan->table[KIND_FLUID * KINDS + KIND_FLUID];
@@ -254,7 +254,7 @@ static void per_effect(int n, double support)
 
 static void rebuild_parts(int n, double support)
 {
-    static const double skins[] = { 0.05, 0.1, 0.2 }, shares[] = { 0.55, 0.35, 0.2 };
+    static const double skins[] = { 0.05, 0.1, 0.2 }, shares[] = { 0.2, 0.1, 0.05 };
 
     printf("rebuilding the list, ns per particle:\n");
     for (int i = 0; i < 3; i++) {
@@ -276,8 +276,8 @@ static void two_threads(int n, double support)
     double wall[BENCH_REPEATS], cpu[BENCH_REPEATS];
     struct water w;
 
-    water_make(&w, n, support, 0.1, 1, NULL);
-    w.share = 0.35;
+    water_make(&w, n, support, 0.05, 1, NULL);
+    w.share = 0.2;
     for (int r = 0; r < BENCH_REPEATS; r++) {
         double took[2], used[2];
 
@@ -308,12 +308,12 @@ static void cases(void)
 
     for (int i = 0; i < 3; i++)
         for (int wide = 0; wide < 2; wide++)
-            run(n[i], wide ? 3.0 : 2.52, 0.1, 0.35);
+            run(n[i], wide ? 3.0 : 2.52, 0.05, 0.2);
 }
 #else
 static void cases(void)
 {
-    run(50000, 2.5, 0.1, 0.35);
+    run(50000, 2.5, 0.05, 0.2);
 }
 #endif
 
@@ -331,7 +331,7 @@ int main(int argc, char **argv)
     head();
     cases();
     setenv("STIFFWATER_LANES", "2", 1);
-    run(50000, support, 0.1, 0.35);
+    run(50000, support, 0.05, 0.2);
     unsetenv("STIFFWATER_LANES");
     per_effect(50000, support);
     rebuild_parts(50000, support);

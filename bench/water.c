@@ -100,8 +100,8 @@ void water_make(struct water *w, int n, double support, double skin, double widt
     memcpy(w->y[1], w->y[0], (size_t)w->size * sizeof(double));
     const double *u = row(w, w->y[0], "velocity of fluid");
     double *x = row(w, w->y[1], "position of fluid");
-    for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed half the skin */
-        x[i] += 0.51 * skin * support * dx * u[i];
+    for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed two skins */
+        x[i] += 2.05 * skin * support * dx * u[i];
     water_rates(w);
 }
 

@@ -6,28 +6,81 @@
 #include <math.h>
 #include <string.h>
 
-static void combine_block(int terms, const double *c, const double *const *x, long from, int n,
-                          double *to)
+/* Terms that one pass adds up: more passes wait longer for memory. */
+enum { TOGETHER = 6 };
+
+/* to = unit + (c[0] x[0] + c[1] x[1] + ...); fast with a constant number of terms. */
+static inline __attribute__((always_inline)) void
+add_up(int terms, const double *c, const double *const *x, const double *unit, int n, double *to)
 {
-    const int unit = terms > 1 && c[0] == 1; /* x[0] is added last */
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+
+        for (int k = 0; k < terms; k++)
+            sum += c[k] * x[k][i];
+        to[i] = unit ? unit[i] + sum : sum;
+    }
+}
+
+#define ADD_UP(name, terms)                                                                \
+    static void name(const double *c, const double *const *x, const double *unit, int n,   \
+                     double *to)                                                           \
+    {                                                                                      \
+        if (unit)                                                                          \
+            add_up(terms, c, x, unit, n, to);                                              \
+        else                                                                               \
+            add_up(terms, c, x, NULL, n, to);                                              \
+    }
+
+ADD_UP(add_up_1, 1)
+ADD_UP(add_up_2, 2)
+ADD_UP(add_up_3, 3)
+ADD_UP(add_up_4, 4)
+ADD_UP(add_up_5, 5)
+ADD_UP(add_up_6, 6)
+
+typedef void add_up_terms(const double *c, const double *const *x, const double *unit, int n,
+                          double *to);
+
+static add_up_terms *const together[TOGETHER + 1] = {
+    NULL, add_up_1, add_up_2, add_up_3, add_up_4, add_up_5, add_up_6
+};
+
+/* As many terms as there may be, in passes over a block that stays near. */
+static void add_up_many(int terms, const double *c, const double *const *x, const double *unit,
+                        int n, double *to)
+{
     double sum[VECTOR_BLOCK];
 
     memset(sum, 0, sizeof sum);
-    for (int k = unit; k < terms; k++) {
-        const double ck = c[k], *xk = x[k] + from;
-        if (ck == 0)
-            continue;
+    for (int k = 0; k < terms; k++) {
+        const double ck = c[k], *xk = x[k];
 #pragma omp simd
         for (int i = 0; i < n; i++)
             sum[i] += ck * xk[i];
     }
-    if (unit) {
-        const double *x0 = x[0] + from;
-#pragma omp simd
-        for (int i = 0; i < n; i++)
-            sum[i] = x0[i] + sum[i];
-    }
-    memcpy(to + from, sum, (size_t)n * sizeof *sum);
+    for (int i = 0; i < n; i++)
+        to[i] = unit ? unit[i] + sum[i] : sum[i];
+}
+
+static void combine_block(int terms, const double *c, const double *const *x, long from, int n,
+                          double *to)
+{
+    const int unit = terms > 1 && c[0] == 1; /* x[0] is added last */
+    const double *xk[64], *first = unit ? x[0] + from : NULL;
+    double ck[64];
+    int m = 0;
+
+    for (int k = unit; k < terms; k++)
+        if (c[k] != 0) {
+            ck[m] = c[k];
+            xk[m++] = x[k] + from;
+        }
+    if (m > 0 && m <= TOGETHER)
+        together[m](ck, xk, first, n, to + from);
+    else
+        add_up_many(m, ck, xk, first, n, to + from);
 }
 
 void vector_combine(int terms, const double *c, const double *const *x, long n, double *to)

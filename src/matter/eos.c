@@ -73,11 +73,20 @@ double eos_sound(const struct eos *e, double rho)
  *   e = B/rho0 [ (s^(gamma-1) - 1)/(gamma - 1) + 1/s - 1 ]
  *     = B/rho0 L^2 [ (gamma - 1) R((gamma - 1) L) + R(-L) ],  R = second_remainder,
  *
- * the second line without the cancellation of the first, and good for gamma = 1. */
+ * the second line without the cancellation of the first, and good for gamma = 1.
+ * With gamma = 7 and s = 1 + d the bracket is a polynomial and 1/(1 + d), both
+ * of which begin with d^2 once d and -d have gone. */
+static inline double seventh_energy(double d)
+{
+    return d * d * (1 / (1 + d) + 2.5 + d * (10. / 3 + d * (2.5 + d * (1 + d / 6))));
+}
+
 double eos_energy(const struct eos *e, double rho)
 {
     if (e->clamped && rho < e->rho0)
         return 0;
+    if (e->gamma == 7)
+        return stiffness(e) / e->rho0 * seventh_energy(strain(e, rho));
     const double a = e->gamma - 1, log_s = log1p(strain(e, rho));
     const double sum = a * second_remainder(a * log_s) + second_remainder(-log_s);
 

@@ -18,10 +18,10 @@ static int sum_pairs(struct plan *p, struct plan_workspace *w, const struct pair
     return p->engine->sum->pairs(&job, &w->scratch);
 }
 
-/* Rates of the fluid to their places in ydot: x' = u, u' = f/m, rho'; one pass,
- * as it is memory that it waits for. */
-static void scatter_fluid(const struct plan *p, const struct plan_workspace *w,
-                          const struct view *v, double *ydot)
+/* Rates of the fluid to their places in ydot: x' = u, u' = f/m, rho'; one pass in
+ * the order of ydot, as scattered writes wait longer than scattered reads. */
+static void spread_fluid(const struct plan *p, const struct plan_workspace *w,
+                         const struct view *v, double *ydot)
 {
     const struct list *l = w->list;
     const int n = particles_count(v->p, KIND_FLUID), row = p->density_row[KIND_FLUID];
@@ -30,27 +30,21 @@ static void scatter_fluid(const struct plan *p, const struct plan_workspace *w,
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
     double *rhodot = row < 0 ? NULL : ydot + layout_at(&p->layout, row);
 
-    if (l->start[KIND_FLUID + 1] - l->start[KIND_FLUID] < n) { /* some have left the domain */
-        memcpy(xdot, u, (size_t)n * sizeof *xdot);
-        memset(udot, 0, (size_t)n * sizeof *udot);
-        if (rhodot)
-            memset(rhodot, 0, (size_t)n * sizeof *rhodot);
-    }
 #pragma omp parallel for schedule(static) if (n > 4096)
-    for (int s = l->start[KIND_FLUID]; s < l->start[KIND_FLUID + 1]; s++) {
-        const int i = l->order[s];
+    for (int i = 0; i < n; i++) {
+        const int s = l->slot[i]; /* -1: has left the domain */
         const double im = 1 / v->p->m[i];
         for (int d = 0; d < DIM; d++) {
             xdot[i][d] = u[i][d];
-            udot[i][d] = w->f[(size_t)s * DIM + d] * im;
+            udot[i][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d] * im;
         }
         if (rhodot)
-            rhodot[i] = w->drho[s];
+            rhodot[i] = s < 0 ? 0 : w->drho[s];
     }
 }
 
 /* Rates of density of solids that have one of their own. */
-static void scatter_solids(const struct plan *p, const struct plan_workspace *w, double *ydot)
+static void spread_solids(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
     const struct list *l = w->list;
 
@@ -60,11 +54,9 @@ static void scatter_solids(const struct plan *p, const struct plan_workspace *w,
         if (p->density_row[k] < 0)
             continue;
         rhodot = ydot + layout_at(&p->layout, p->density_row[k]);
-        if (l->start[k + 1] - l->start[k] < n)
-            memset(rhodot, 0, (size_t)n * sizeof *rhodot);
 #pragma omp parallel for schedule(static) if (n > 4096)
-        for (int s = l->start[k]; s < l->start[k + 1]; s++)
-            rhodot[l->order[s] - first] = w->drho[s];
+        for (int i = 0; i < n; i++)
+            rhodot[i] = l->slot[first + i] < 0 ? 0 : w->drho[l->slot[first + i]];
     }
 }
 
@@ -116,13 +108,13 @@ static void add_fields(const struct plan *p, const struct view *v, double *ydot)
 }
 
 /* Rates of everything but bodies, fields and the book. */
-static void scatter(const struct plan *p, const struct plan_workspace *w, const struct view *v,
+static void spread(const struct plan *p, const struct plan_workspace *w, const struct view *v,
                     double *ydot)
 {
     if (p->row_x < 0)
         return;
-    scatter_fluid(p, w, v, ydot);
-    scatter_solids(p, w, ydot);
+    spread_fluid(p, w, v, ydot);
+    spread_solids(p, w, ydot);
 }
 
 /* Forces on everybody are known: what follows from them. */
@@ -182,7 +174,7 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
     TRY(plan_fields(p, w, &v));
     if (p->particles->n > 0)
         TRY(sum_pairs(p, w, table, pushes(p, &v, ydot)));
-    scatter(p, w, &v, ydot);
+    spread(p, w, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);
     else

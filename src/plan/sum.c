@@ -149,15 +149,26 @@ static void finish_group(const struct sum_job *job, int first, int owners, int q
     }
 }
 
+/* Nobody near: rates of exactly 0. */
+static void clear_group(const struct sum_job *job, int first, int owners)
+{
+    memset(job->f + (size_t)first * DIM, 0, (size_t)owners * DIM * sizeof *job->f);
+    memset(job->drho + first, 0, (size_t)owners * sizeof *job->drho);
+}
+
 static void sum_group(const struct sum_job *job, int g, int quarter, struct block *b,
                       struct chunk_power *book)
 {
     const struct list *list = job->list;
     const int first = list->group_slot[g], kind = list->group_kind[g];
-    const int end = list->start[kind + 1], left = end - first;
+    const int end = list->start[kind + 1], owners = end - first < LANES ? end - first : LANES;
     struct sum part[SUM_SLOTS];
     struct side a;
 
+    if (list->segment_from[g] == list->segment_from[g + 1]) {
+        clear_group(job, first, owners);
+        return;
+    }
     gather_side(job->record, first, end, list->listed, &a);
     memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
@@ -168,7 +179,7 @@ static void sum_group(const struct sum_job *job, int g, int quarter, struct bloc
         if (table->n > 0) /* the list also serves fields */
             sum_segment(job, table, segment, &a, b, part);
     }
-    finish_group(job, first, left < LANES ? left : LANES, quarter, &a, part, book);
+    finish_group(job, first, owners, quarter, &a, part, book);
 }
 
 /* The parts of one sum of power in one order for every lane width. */

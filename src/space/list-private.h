@@ -3,6 +3,7 @@
 #define SPACE_LIST_PRIVATE_H
 
 #include "space/cells.h"
+#include "space/drift.h"
 #include "space/list.h"
 
 enum {
@@ -35,6 +36,7 @@ struct list_private {
                            units, two coordinates modulo 2^16 in a word      */
     double farthest;    /* from 0, of a coordinate                    [m]    */
     struct cells cells[KINDS];
+    struct drift drift;
     int stores;
     struct list_store *store; /* [stores]                                    */
     int *group_slot, *group_kind, *segment_from;

@@ -13,7 +13,8 @@
 enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 500 };
 
 struct check {
-    bool moved;
+    bool moved; /* somebody, further than half the skin                      */
+    bool back;  /* one who was left out is inside again                      */
     int bad; /* lowest particle whose position is not finite, or n            */
 };
 
@@ -87,6 +88,7 @@ void list_free(struct list **list)
     }
     for (int kind = 0; kind < KINDS; kind++)
         free(own->cells[kind].start);
+    drift_free(&own->drift);
     for (int w = 0; w < LIST_WORDS; w++)
         free(own->place[w]);
     free(own->store);
@@ -111,8 +113,8 @@ static void look_closer(const struct list *list, int i, const double *x, struct 
             c->bad = i < c->bad ? i : c->bad;
             return;
         }
-    if (list->slot[i] >= 0 || list_inside(&list->def, x))
-        c->moved = true;
+    c->moved |= list->slot[i] >= 0;
+    c->back |= list->slot[i] < 0 && list_inside(&list->def, x);
 }
 
 /* Displacements of the particles from..to-1 of one kind, x of the first; those
@@ -135,12 +137,13 @@ static void check_range(const struct list *list, const double *x, int from, int 
 
 static struct check check(const struct list *list, const struct cloud *cloud)
 {
-    bool moved = false;
+    bool moved = false, back = false;
     int bad = list->n;
 
-#pragma omp parallel if (list->n > WORTH_CHECKING) reduction(|| : moved) reduction(min : bad)
+#pragma omp parallel if (list->n > WORTH_CHECKING) reduction(|| : moved, back) \
+    reduction(min : bad)
     {
-        struct check c = { false, list->n };
+        struct check c = { false, false, list->n };
         const long t = threads_me(), of = threads_all();
 
         for (int kind = 0; kind < KINDS; kind++) {
@@ -150,9 +153,15 @@ static struct check check(const struct list *list, const struct cloud *cloud)
             check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
         }
         moved = c.moved;
+        back = c.back;
         bad = c.bad;
     }
-    return (struct check){ moved, bad };
+    return (struct check){ moved, back, bad };
+}
+
+static bool outdated(const struct list *list, const struct cloud *cloud, const struct check *c)
+{
+    return list->builds == 0 || c->back || (c->moved && !drift_harmless(list, cloud));
 }
 
 bool list_stale(const struct list *list, const struct cloud *cloud)
@@ -160,7 +169,7 @@ bool list_stale(const struct list *list, const struct cloud *cloud)
     if (list->builds == 0)
         return true;
     const struct check c = check(list, cloud);
-    return c.moved || c.bad < list->n;
+    return c.bad < list->n || outdated(list, cloud, &c);
 }
 
 /* Before the first build everybody counts as left out. */
@@ -242,6 +251,7 @@ static int join(struct list *list)
 static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     TRY(cells_sort(list, cloud));
+    TRY(drift_note(list, cloud));
     make_groups(list);
     TRY(make_stores(list, threads_most()));
 #pragma omp parallel if (list->listed > WORTH_BUILDING)
@@ -266,7 +276,7 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
     if (list->bad >= 0)
         return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
                            "was too large, or a force is not finite", list->bad);
-    return c.moved || list->builds == 0 ? rebuild(list, cloud, rows) : STATUS_DONE;
+    return outdated(list, cloud, &c) ? rebuild(list, cloud, rows) : STATUS_DONE;
 }
 
 double list_entries(const struct list *list)

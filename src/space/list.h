@@ -7,7 +7,7 @@
  *
  * The list sorts everybody by kind and cell ("slots"), holds for each group of
  * LANES owners the rows of their neighbours, and is rebuilt only when somebody
- * moved so far that a pair may be missing: further than half the skin.  The
+ * moved so far that a pair may be missing (space/drift.h).  The
  * order is made from positions and creation order alone (kind, then cell, then
  * creation index), so a rebuild at given positions gives given bits.  A lane's
  * neighbours stand in ascending order of slots, nobody is his own neighbour,

@@ -174,7 +174,15 @@ void list_sorts_the_same(void **state)
     space_cloud_free(c);
 }
 
-/* A rebuild happens when somebody moved more than half the skin or came in. */
+/* Everybody moves along by this. */
+static void shift(struct space_cloud *c, double by)
+{
+    for (int i = DIM; i < c->n * DIM; i++)
+        c->x[i] += by;
+}
+
+/* A rebuild happens when a pair is missing, somebody moved further than two skins,
+ * or came in. */
 void list_knows_when_stale(void **state)
 {
     (void)state;
@@ -191,11 +199,17 @@ void list_knows_when_stale(void **state)
         assert_int_equal(engine->update(list, &c->cloud), 0);
         assert_int_equal(list->builds, 1);
         assert_false(engine->stale(list, &c->cloud));
-        c->x[5 * DIM + 1] += 0.0099;
+        shift(c, 0.039 / sqrt(DIM));
+        assert_false(engine->stale(list, &c->cloud));
+        shift(c, 0.002 / sqrt(DIM));
+        assert_true(engine->stale(list, &c->cloud));
+        shift(c, -0.041 / sqrt(DIM));
+        assert_false(engine->stale(list, &c->cloud));
+        c->x[5 * DIM + 1] += 0.0199;
         c->x[0] = -2;
         assert_int_equal(engine->update(list, &c->cloud), 0);
         assert_int_equal(list->builds, 1);
-        c->x[5 * DIM + 1] += 0.0002;
+        c->x[5 * DIM + 1] += 0.0202;
         assert_true(engine->stale(list, &c->cloud));
         assert_int_equal(engine->update(list, &c->cloud), 0);
         assert_int_equal(list->builds, 2);
@@ -221,7 +235,7 @@ void list_reports_bad_positions(void **state)
             const struct list_engine *engine = space_engine(e)->list;
             struct space_cloud *c = space_cloud(mixed, 0.15, 0.02);
             struct list *list = make(engine, c);
-            const double good = c->x[17 * DIM];
+            const double good = c->x[17 * DIM], y = c->x[200 * DIM + 1];
 
             c->x[200 * DIM + 1] = bad[b];
             c->x[17 * DIM] = bad[b];
@@ -230,7 +244,7 @@ void list_reports_bad_positions(void **state)
             c->x[17 * DIM] = good;
             assert_true(engine->update(list, &c->cloud) != 0);
             assert_int_equal(list->bad, 200);
-            c->x[200 * DIM + 1] = 0.5;
+            c->x[200 * DIM + 1] = y < 0.5 ? y + 0.3 : y - 0.3; /* a rebuild */
             assert_int_equal(engine->update(list, &c->cloud), 0);
             assert_int_equal(list->bad, -1);
             check_fresh(c, list);

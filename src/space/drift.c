@@ -1,0 +1,289 @@
+/* drift.c -- displacements compared block by block. */
+#include "space/drift.h"
+
+#include "base/status.h"
+#include "space/list-private.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double farthest = 2; /* displacement that blocks allow for [skins] */
+
+enum {
+    CROWD = 128, /* in a block at most, to be looked at one by one           */
+    PATIENCE = 4 /* pairs looked at, per particle                            */
+};
+
+/* Who stands in a block. */
+struct crowd {
+    int n;
+    double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
+};
+
+/* Blocks over the grids of all kinds, an empty one around them; coarser until
+ * there are not many more than particles. */
+static size_t make_grid(const struct list *list, struct drift *drift)
+{
+    const double edge = list->def.support + 2 * farthest * list->def.skin;
+    const struct cells *cells = list->own->cells;
+    double high[DIM];
+
+    for (int d = 0; d < DIM; d++) {
+        drift->low[d] = INFINITY;
+        high[d] = -INFINITY;
+        for (int kind = 0; kind < KINDS; kind++) {
+            if (cells[kind].n[d] == 0)
+                continue;
+            drift->low[d] = fmin(drift->low[d], cells[kind].low[d]);
+            high[d] = fmax(high[d], cells[kind].low[d]
+                                        + cells[kind].n[d] / cells[kind].per_metre[d]);
+        }
+    }
+    for (double coarse = 1;; coarse *= 1.25) {
+        double blocks = 1;
+
+        for (int d = 0; d < DIM; d++) {
+            drift->per_metre[d] = 1 / (coarse * edge);
+            blocks *= floor((high[d] - drift->low[d]) * drift->per_metre[d]) + 3;
+        }
+        if (blocks > 8.0 * list->listed + 4096)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            drift->n[d] = (int)((high[d] - drift->low[d]) * drift->per_metre[d]) + 3;
+        return (size_t)blocks;
+    }
+}
+
+static int make_room(const struct list *list, struct drift *drift, size_t blocks)
+{
+    if (list_grow((void **)&drift->block, &drift->block_room, (size_t)list->n + 1,
+                  sizeof *drift->block)
+        && list_grow((void **)&drift->next, &drift->next_room, (size_t)list->n + 1,
+                     sizeof *drift->next)
+        && list_grow((void **)&drift->head, &drift->head_room, blocks, sizeof *drift->head)
+        && list_grow((void **)&drift->used, &drift->used_room, blocks, sizeof *drift->used)
+        && list_grow((void **)&drift->kinds, &drift->kinds_room, blocks, sizeof *drift->kinds)
+        && list_grow((void **)&drift->range, &drift->range_room, blocks,
+                     2 * DIM * sizeof *drift->range))
+        return STATUS_DONE;
+    return list_no_memory(list);
+}
+
+static int block_of(const struct drift *drift, const double *x)
+{
+    int block = 0;
+
+    for (int d = DIM - 1; d >= 0; d--)
+        block = block * drift->n[d] + 1 + (int)((x[d] - drift->low[d]) * drift->per_metre[d]);
+    return block;
+}
+
+int drift_note(struct list *list, const struct cloud *cloud)
+{
+    struct drift *drift = &list->own->drift;
+
+    drift->useds = 0;
+    if (list->listed == 0)
+        return STATUS_DONE;
+    const size_t blocks = make_grid(list, drift);
+    TRY(make_room(list, drift, blocks));
+    memset(drift->kinds, 0, blocks);
+    for (int kind = 0; kind < KINDS; kind++) {
+        const double *x = cloud->x[kind];
+
+        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++, x += DIM) {
+            drift->block[i] = -1;
+            if (list->slot[i] < 0)
+                continue;
+            const int b = drift->block[i] = block_of(drift, x);
+            drift->next[i] = drift->kinds[b] ? drift->head[b] : -1;
+            drift->head[b] = i;
+            if (drift->kinds[b] == 0)
+                drift->used[drift->useds++] = b;
+            drift->kinds[b] |= (unsigned char)KIND_BIT(kind);
+        }
+    }
+    return STATUS_DONE;
+}
+
+static bool at_rest(const struct list *list, const struct cloud *cloud, int kind)
+{
+    const size_t from = (size_t)list->def.from[kind] * DIM;
+    const size_t n = (size_t)list->def.from[kind + 1] * DIM - from;
+    const double *built = list->own->built + from;
+
+    for (size_t k = 0; k < n; k++)
+        if (cloud->x[kind][k] != built[k] && built[k] < INFINITY)
+            return false;
+    return true;
+}
+
+/* Nobody yet, or only such as did not move. */
+static void start_ranges(const struct drift *drift, unsigned resting)
+{
+    for (int k = 0; k < drift->useds; k++) {
+        const int b = drift->used[k];
+        const double least = drift->kinds[b] & resting ? 0 : INFINITY;
+        double *range = drift->range + (size_t)b * 2 * DIM;
+
+        for (int d = 0; d < DIM; d++) {
+            range[2 * d] = least;
+            range[2 * d + 1] = -least;
+        }
+    }
+}
+
+/* False when somebody went too far. */
+static bool widen_ranges(const struct list *list, const struct cloud *cloud, int kind)
+{
+    const struct drift *drift = &list->own->drift;
+    const double limit = farthest * list->def.skin;
+    const double *x = cloud->x[kind], *built = list->own->built;
+    bool near = true;
+
+    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++, x += DIM) {
+        if (drift->block[i] < 0)
+            continue;
+        double *range = drift->range + (size_t)drift->block[i] * 2 * DIM, far = 0;
+        for (int d = 0; d < DIM; d++) {
+            const double moved = x[d] - built[(size_t)i * DIM + (size_t)d];
+            range[2 * d] = moved < range[2 * d] ? moved : range[2 * d];
+            range[2 * d + 1] = moved > range[2 * d + 1] ? moved : range[2 * d + 1];
+            far += moved * moved;
+        }
+        near &= far <= limit * limit;
+    }
+    return near;
+}
+
+/* The largest displacement of anybody of one block against one of the other,
+ * squared [m^2]. */
+static double apart(const double *a, const double *b)
+{
+    double far = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        const double one = a[2 * d + 1] - b[2 * d], other = b[2 * d + 1] - a[2 * d];
+        const double most = one > other ? one : other;
+        far += most * most;
+    }
+    return far;
+}
+
+/* Offsets to a block and to one of each two opposite blocks that touch it. */
+static int touching(const struct drift *drift, int *offset)
+{
+    int n = 0;
+
+    for (int z = DIM == 3 ? -1 : 0; z <= (DIM == 3); z++)
+        for (int y = -1; y <= 1; y++)
+            for (int x = -1; x <= 1; x++) {
+                const int to = (z * drift->n[1] + y) * drift->n[0] + x;
+                if (to >= 0)
+                    offset[n++] = to;
+            }
+    return n;
+}
+
+/* False when they are too many. */
+static bool meet(const struct list *list, const struct cloud *cloud, int block,
+                 struct crowd *crowd)
+{
+    const struct drift *drift = &list->own->drift;
+
+    crowd->n = 0;
+    for (int i = drift->head[block]; i >= 0; i = drift->next[i], crowd->n++) {
+        int kind = 0;
+
+        if (crowd->n == CROWD)
+            return false;
+        while (i >= list->def.from[kind + 1])
+            kind++;
+        memcpy(crowd->now[crowd->n], cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
+               sizeof crowd->now[0]);
+        memcpy(crowd->was[crowd->n], list->own->built + (size_t)i * DIM, sizeof crowd->was[0]);
+    }
+    return true;
+}
+
+static double square(const double *x, const double *y)
+{
+    double sum = 0;
+
+    for (int d = 0; d < DIM; d++)
+        sum += (x[d] - y[d]) * (x[d] - y[d]);
+    return sum;
+}
+
+/* Two within the support now who were too far apart to be listed? */
+static bool pair_missing(const struct list *list, const struct crowd *a, const struct crowd *b)
+{
+    const double support = list->def.support, radius = support + list->def.skin;
+    bool missing = false;
+
+    for (int i = 0; i < a->n; i++)
+        for (int k = 0; k < b->n; k++)
+            missing |= square(a->now[i], b->now[k]) <= support * support
+                     && square(a->was[i], b->was[k]) >= radius * radius;
+    return missing;
+}
+
+/* No pair missing between a block and those that touch it; looks at pairs one by
+ * one as long as patience lasts. */
+static bool complete(const struct list *list, const struct cloud *cloud, int block, int offsets,
+                     const int *offset, long *patience)
+{
+    const struct drift *drift = &list->own->drift;
+    const double limit = list->def.skin * list->def.skin;
+    const double *range = drift->range + (size_t)block * 2 * DIM;
+    struct crowd here, there;
+    bool met = false;
+
+    for (int o = 0; o < offsets; o++) {
+        const int other = block + offset[o];
+
+        if (!drift->kinds[other] || apart(range, drift->range + (size_t)other * 2 * DIM) <= limit)
+            continue;
+        if (!met && !meet(list, cloud, block, &here))
+            return false;
+        met = true;
+        if (!meet(list, cloud, other, &there))
+            return false;
+        *patience -= (long)here.n * there.n;
+        if (*patience < 0 || pair_missing(list, &here, &there))
+            return false;
+    }
+    return true;
+}
+
+bool drift_harmless(const struct list *list, const struct cloud *cloud)
+{
+    const struct drift *drift = &list->own->drift;
+    int offset[14]; /* half of 27, and the block itself */
+    const int offsets = touching(drift, offset);
+    long patience = (long)PATIENCE * list->listed;
+    unsigned resting = 0;
+
+    for (int kind = 0; kind < KINDS; kind++)
+        resting |= at_rest(list, cloud, kind) ? KIND_BIT(kind) : 0;
+    start_ranges(drift, resting);
+    for (int kind = 0; kind < KINDS; kind++)
+        if (!(resting & KIND_BIT(kind)) && !widen_ranges(list, cloud, kind))
+            return false;
+    for (int k = 0; k < drift->useds; k++)
+        if (!complete(list, cloud, drift->used[k], offsets, offset, &patience))
+            return false;
+    return true;
+}
+
+void drift_free(struct drift *drift)
+{
+    free(drift->block);
+    free(drift->next);
+    free(drift->head);
+    free(drift->used);
+    free(drift->kinds);
+    free(drift->range);
+    *drift = (struct drift){ 0 };
+}

@@ -1,0 +1,43 @@
+/* drift.h -- whether a list is still right although somebody moved further than
+ * half its skin.
+ *
+ * A pair can only be missing when its two moved against each other by more than
+ * the skin.  Neighbours in water mostly move along together, so displacements
+ * are compared block by block of the domain, and one by one where blocks do not
+ * answer. */
+#ifndef SPACE_DRIFT_H
+#define SPACE_DRIFT_H
+
+#include "space/kinds.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct list;
+
+/* Blocks are so wide that those who may meet stand in one block or in two that
+ * touch.  Starts as { 0 }. */
+struct drift {
+    double low[DIM];       /* corner of the grid                   [m]       */
+    double per_metre[DIM]; /* blocks                               [1/m]     */
+    int n[DIM];            /* blocks; the outermost are empty                */
+    int *block;            /* [particles] where each stood; -1: left out     */
+    int *next;             /* [particles] the next in the same block, or -1  */
+    int *head;             /* [blocks] the first there                       */
+    int *used;             /* [useds] blocks with somebody                   */
+    int useds;
+    unsigned char *kinds;  /* [blocks] KIND_BITs of who is there             */
+    double *range;         /* [blocks][DIM][2] least and largest displacement [m] */
+    size_t block_room, next_room, head_room, used_room, kinds_room, range_room;
+};
+
+/* Notes where everybody stands, right after sorting. 0 or STATUS_FAILED (no
+ * memory). */
+int drift_note(struct list *list, const struct cloud *cloud);
+
+/* True when no pair is missing; false when one is, somebody moved further than
+ * two skins, or a rebuild costs less than to find out. */
+bool drift_harmless(const struct list *list, const struct cloud *cloud);
+
+void drift_free(struct drift *drift);
+
+#endif
