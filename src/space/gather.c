@@ -138,7 +138,7 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
 /* One division for all laws that soften 1/r^2. */
 static void soften(double support, struct block *b)
 {
-    const double eta2 = 0.01 * (support / 2) * (support / 2);
+    const double eta2 = kernel_softening(support);
 
     for (int k = 0; k < b->n; k++)
         b->gw_r2[k] = b->gw[k] / (b->r2[k] + eta2);
@@ -146,12 +146,16 @@ static void soften(double support, struct block *b)
 
 void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b)
 {
-    if (needs & (NEED_GRADW | NEED_GRADW_R2))
-        use->kernel->gradient(use->support, use->scale, b->n, b->r, b->mm, b->gw);
-    if (needs & NEED_GRADW_R2)
+    const struct kernel *kernel = use->kernel;
+
+    if ((needs & NEED_GRADW_R2) && kernel->both)
+        kernel->both(use->support, use->scale, b->n, b->r, b->r2, b->mm, b->gw, b->gw_r2);
+    else if (needs & (NEED_GRADW | NEED_GRADW_R2))
+        kernel->gradient(use->support, use->scale, b->n, b->r, b->mm, b->gw);
+    if ((needs & NEED_GRADW_R2) && !kernel->both)
         soften(use->support, b);
     if (needs & NEED_W)
-        use->kernel->value(use->support, use->scale, b->n, b->r, b->mm, b->w);
+        kernel->value(use->support, use->scale, b->n, b->r, b->mm, b->w);
     if (needs & NEED_LAPW)
-        use->kernel->laplacian(use->support, use->scale, b->n, b->r, b->mm, b->lw);
+        kernel->laplacian(use->support, use->scale, b->n, b->r, b->mm, b->lw);
 }

@@ -12,6 +12,10 @@
 typedef void kernel_rows(double support, double scale, int n, const lanes *r, const lanes *m,
                          lanes *to);
 
+typedef void kernel_soft_rows(double support, double scale, int n, const lanes *r,
+                              const lanes *r2, const lanes *m, lanes *restrict g,
+                              lanes *restrict g_r2);
+
 struct kernel {
     const char *name, *about, *source;
     double sigma[4]; /* [D] normalisation in 2D and 3D, 0 where undefined    */
@@ -30,7 +34,17 @@ struct kernel {
      * r [m]; exactly 0 from r = H on, finite at r = 0 (those that divide by r
      * count it as KERNEL_CLOSE H at least).  scale = sigma_D/H^D. */
     kernel_rows *gradient, *value, *laplacian;
+
+    /* g[k] as above and g_r2[k] = g[k]/(r2[k] + kernel_softening(support)), r2 [m^2],
+     * in one loop, where the rest hides behind the division; NULL: in two loops. */
+    kernel_soft_rows *both;
 };
+
+/* 0.01 hs^2, hs half the support [m^2]. */
+static inline double kernel_softening(double support)
+{
+    return 0.01 * (support / 2) * (support / 2);
+}
 
 #define KERNEL_CLOSE 1e-9
 

@@ -34,15 +34,33 @@ static double curvature(double q)
     return -20 * t * t * (1 - 4 * q);
 }
 
+static inline lanes gradient_of(double inverse, double factor, lanes r, lanes m)
+{
+    const lanes t = lanes_positive(1 - inverse * r);
+
+    return factor * m * t * (t * t);
+}
+
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
     const double inverse = 1 / support;
     const double factor = -20 * scale * inverse * inverse;
 
+    for (int k = 0; k < n; k++)
+        g[k] = gradient_of(inverse, factor, r[k], m[k]);
+}
+
+static void both(double support, double scale, int n, const lanes *r, const lanes *r2,
+                 const lanes *m, lanes *restrict g, lanes *restrict g_r2)
+{
+    const double inverse = 1 / support, eta2 = kernel_softening(support);
+    const double factor = -20 * scale * inverse * inverse;
+
     for (int k = 0; k < n; k++) {
-        const lanes t = lanes_positive(1 - inverse * r[k]);
-        g[k] = factor * m[k] * t * (t * t);
+        const lanes gk = gradient_of(inverse, factor, r[k], m[k]);
+        g[k] = gk;
+        g_r2[k] = gk / (r2[k] + eta2);
     }
 }
 
@@ -76,4 +94,5 @@ const struct kernel kernel_wendland_c2 = {
     .sigma = { [2] = 7 / M_PI, [3] = 21 / (2 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
     .gradient = gradient, .value = value, .laplacian = laplacian,
+    .both = both,
 };

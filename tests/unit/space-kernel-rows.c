@@ -20,6 +20,7 @@ static const double H = 0.3;
 struct rows {
     _Alignas(32) double r[NUMBERS];
     _Alignas(32) double m[NUMBERS], g[NUMBERS], w[NUMBERS], l[NUMBERS];
+    _Alignas(32) double r2[NUMBERS], same[NUMBERS], soft[NUMBERS]; /* of both() */
 };
 
 /* From 0 to a little more than H. */
@@ -28,6 +29,7 @@ static void distances(struct rows *a)
     for (int i = 0; i < NUMBERS; i++) {
         a->r[i] = H * i / (NUMBERS - 9.5);
         a->m[i] = 2 + i;
+        a->r2[i] = a->r[i] * a->r[i];
     }
 }
 
@@ -39,6 +41,18 @@ static void compute(struct rows *a, const struct kernel *k, double support, int 
     k->gradient(support, scale, NUMBERS / width, r, m, (lanes *)a->g);
     k->value(support, scale, NUMBERS / width, r, m, (lanes *)a->w);
     k->laplacian(support, scale, NUMBERS / width, r, m, (lanes *)a->l);
+    if (k->both)
+        k->both(support, scale, NUMBERS / width, r, (const lanes *)a->r2, m, (lanes *)a->same,
+                (lanes *)a->soft);
+}
+
+/* One loop gives the bits of two. */
+static void compare_both(const struct kernel *k, const struct rows *a, int i)
+{
+    check(a->same[i] == a->g[i], "%s: both() has W'(r)/r = %g, not %g", k->name, a->same[i],
+          a->g[i]);
+    check(a->soft[i] == a->g[i] / (a->r2[i] + 0.01 * (H / 2) * (H / 2)),
+          "%s: softened %g", k->name, a->soft[i]);
 }
 
 static void compare(const struct kernel *k, const struct rows *a, int i)
@@ -84,6 +98,8 @@ void kernel_rows_agree(void **state)
         compare_centre(kernel_table[i], &a);
         for (int n = 1; n < NUMBERS; n++)
             compare(kernel_table[i], &a, n);
+        for (int n = 0; n < NUMBERS && kernel_table[i]->both; n++)
+            compare_both(kernel_table[i], &a, n);
     }
 }
 
