@@ -27,28 +27,27 @@ do for [i = 1:2] {
     set title kernel[i].', H = 4 dx'
     plot sprintf('cluster-%s-4/snapshots/0005.csv', kernel[i]) \
         using (column('kind') == 0 ? $1 : NaN):2:(r):(dye(column('dye'))) skip 2 \
-        with circles fs transparent solid 0.75 border lc rgb variable
+        with circles fs transparent solid 0.6 noborder lc rgb variable
 }
 
 set lmargin at screen 0.69
 set rmargin at screen 0.985
-set bmargin at screen 0.14
+set bmargin at screen 0.36
 set border 3
-set tics nomirror out
+set xtics nomirror out (2.52, 3, 4, 5)
+set ytics nomirror out
 set grid
 set size noratio
 set title 'in pairs after 0.1 s under 50 kPa'
-set xlabel 'support H / dx'
+set xlabel 'support H / dx' offset 0, 0.5
 set ylabel '% of the particles' offset 1.5
 set xrange [2.4:5.1]
 set yrange [-3:104]
-set xtics (2.52, 3, 4, 5)
-set key at graph 1, 0.55 right samplen 2 spacing 1.1
+set key at screen 0.985, 0.2 right maxrows 3 samplen 2 spacing 1.1
 kernels = 'poly6 gauss cubic-spline quintic-spline wendland-c2 wendland-c4 wendland-c6 spiky seed'
-name(k) = k eq 'seed' ? 'poly6, spiky: the seed' : k
-plot for [i = 1:4] 'clustering.csv' using (strcol(1) eq word(kernels, i) ? $2 : NaN):(100 * $3) \
-        with linespoints lw 3 pt 7 ps 1.4 lc rgb pick(i) title word(kernels, i), \
-    for [i = 5:9] '' using (strcol(1) eq word(kernels, i) ? $2 : NaN):(100 * $3) \
-        with linespoints lw 3 pt 6 ps 1.4 lc rgb pick(5) \
-        title i == 5 ? 'wendland, spiky, seed' : ''
+of(i) = strcol(1) eq word(kernels, i) ? $2 : NaN
+plot for [i = 1:4] 'clustering.csv' using (of(i)):(100 * $3) with linespoints lw 3 pt 7 ps 1.4 \
+        lc rgb pick(i) title word(kernels, i), \
+    for [i = 5:9] '' using (of(i)):(100 * $3) with linespoints lw 3 pt 6 ps 1.4 lc rgb pick(5) \
+        title i == 5 ? 'wendland-c2, c4, c6' : i == 6 ? "spiky; the seed's two" : ''
 unset multiplot

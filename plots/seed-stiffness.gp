@@ -22,8 +22,8 @@ set rmargin 3
 set xlabel 'time  T = t √(2g/a)'
 set ylabel 'front  Z = x / a'
 set xrange [0:3.6]
-set yrange [0.8:4.4]
-set key bottom right samplen 3 spacing 1.15
+set yrange [0.8:5]
+set key top left Left reverse samplen 3 spacing 1.2
 line(i) = sprintf("'%s/front.csv' using (T($1)):(Z($2)) skip 2 with lines lw %g dt %s lc rgb pick(%d) title label[%d]", \
     word(runs, i), i == 3 ? 4 : 3, dash[i], i, i)
 made(i) = sprintf("'%s/book.csv' using 1:(column('pressure_defect') > 0 ? column('pressure_defect') : NaN) skip 1 with lines lw %g dt %s lc rgb pick(%d) title label[%d]", \
@@ -42,7 +42,7 @@ set xrange [0:0.6]
 set yrange [0.01:1000]
 set logscale y
 set datafile columnheaders
-set key bottom right
-set label 1 'all that was there at the start' at 0.01, 19.62 offset 0, 0.7 tc rgb '#606060'
+unset key
+set label 1 'energy at the start' at 0.01, 19.62 offset 0, 0.7 tc rgb '#606060'
 eval "plot 19.62 lw 1.5 dt '-' lc rgb '#606060' notitle".works
 unset multiplot

@@ -5,8 +5,8 @@ dx = 3.3333333333333333e-3
 r = 0.65 * dx
 dye(c) = c == 0 ? 0x1f6fb4 : 0xf2c418
 runs = 'tension tension-one no-tension continuity'
-array what[4] = ["as the seed: two kernels, tension", 'one kernel, tension', \
-    "the seed's kernels, no tension", 'density that evolves']
+array what[4] = ["two kernels, tension: as printed", 'one kernel (wendland-c2), tension', \
+    'two kernels, no tension', 'density that evolves, adami walls']
 set datafile columnheaders
 
 set terminal pngcairo size 1640, 660 font 'Sans,16'

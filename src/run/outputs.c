@@ -128,6 +128,7 @@ int outputs_field(struct outputs *o, struct plan *plan, double t, const double *
 {
     struct cloud_frame f;
 
+    TRY(tables_pairing(o->tables, plan, t, y));
     if (!o->fields)
         return STATUS_DONE;
     frame_of(o, plan, t, y, &f);

@@ -241,14 +241,6 @@ static int row_front(struct tables *o, double t)
     return series_row(o->front, (double[]){ t, front.x, front.height });
 }
 
-static int row_pairing(struct tables *o, double t)
-{
-    struct pairing_index found;
-
-    pairing_find(o->pairing, crowd_view(o->crowd), &found);
-    return series_row(o->pairs, (double[]){ t, found.share, found.mean, found.least });
-}
-
 static int row_probes(struct tables *o, struct plan *plan, double t)
 {
     double v[COLUMNS_MOST];
@@ -276,8 +268,19 @@ static int row_water(struct tables *o, struct plan *plan, double t, const double
     plan_view(plan, t, y, &view);
     crowd_update(o->crowd, &view);
     TRY(row_front(o, t));
-    TRY(row_pairing(o, t));
     return row_probes(o, plan, t);
+}
+
+int tables_pairing(struct tables *o, struct plan *plan, double t, const double *y)
+{
+    struct pairing_index found;
+    struct view view;
+
+    if (!o->pairing)
+        return STATUS_DONE;
+    plan_view(plan, t, y, &view);
+    pairing_find(o->pairing, &view, &found);
+    return series_row(o->pairs, (double[]){ t, found.share, found.mean, found.least });
 }
 
 int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,

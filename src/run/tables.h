@@ -12,8 +12,11 @@ struct tables;
  * left and this one has nothing for. */
 int tables_open(struct tables **out, struct plan *plan, const char *dir);
 
-/* A row in every table for moment t and state y, whose sheet of the book is given,
- * with what it cannot explain [J]. */
+/* A row in pairing.csv: it costs as much as a right-hand side. */
+int tables_pairing(struct tables *o, struct plan *plan, double t, const double *y);
+
+/* A row in every other table for moment t and state y, whose sheet of the book is
+ * given, with what it cannot explain [J]. */
 int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
                 const struct plan_sheet *sheet, double defect);
 
