@@ -4,6 +4,7 @@
 #include "output/figures.h"
 #include "plan/catalogue.h"
 #include "run/run.h"
+#include "study/compare.h"
 #include "time/method.h"
 
 #include <gsl/gsl_errno.h>
@@ -36,16 +37,33 @@ static int explain(const char *name)
 
 static int plot(const char *directory)
 {
-    char scripts[4200], reference[4200], report[4200];
+    char scripts[4200], reference[4200], report[4200], table[4200];
 
     snprintf(report, sizeof report, "%.4096s/run.json", directory);
-    if (access(report, R_OK) != 0)
+    snprintf(table, sizeof table, "%.4096s/compare.csv", directory);
+    if (access(report, R_OK) != 0 && access(table, R_OK) != 0)
         return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s cannot be read)", directory,
                            report);
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
     snprintf(reference, sizeof reference, "%.4096s/data/reference", cli_data());
     return figures_draw(directory, scripts, reference);
+}
+
+static int compare(const struct cli *c)
+{
+    char scripts[4200];
+    const struct compare_order order = {
+        .scene = c->subject, .overrides = c->overrides, .override = c->override,
+        .directory = c->directory, .methods = c->methods,
+        .tols = c->tols ? c->tols : "1e-2,1e-3,1e-4", .sweeps = c->sweeps, .sweep = c->sweep,
+        .reference = c->reference, .early = c->early, .growth = c->growth, .repeat = c->repeat,
+        .jobs = c->jobs, .threads = c->threads, .budget = c->budget, .quiet = c->quiet,
+        .scripts = scripts,
+    };
+
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    return compare_scene(&order);
 }
 
 static int carry_out(const struct cli *c)
@@ -61,9 +79,8 @@ static int carry_out(const struct cli *c)
     case CLI_PLOT: return plot(c->subject);
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
-    default:
-        return status_fail(STATUS_BAD_SCENE, "%s is not there yet",
-                           c->command == CLI_RESUME ? "resume" : "compare");
+    case CLI_COMPARE: return compare(c);
+    default: return status_fail(STATUS_BAD_SCENE, "resume is not there yet");
     }
 }
 

@@ -2,6 +2,7 @@
 #include "algebra/sundials.h"
 
 #include "base/status.h"
+#include <cvode/cvode.h>
 #include <stdio.h>
 
 static char complaint[512];
@@ -45,6 +46,12 @@ int sundials_listen(void *arkode)
     return 0;
 }
 
+int sundials_listen_cvode(void *cvode)
+{
+    (void)cvode;
+    return 0;
+}
+
 #else
 
 static void heard(int code, const char *module, const char *function, char *message, void *data)
@@ -61,6 +68,11 @@ static int prepare(SUNContext *context)
 int sundials_listen(void *arkode)
 {
     return ARKStepSetErrHandlerFn(arkode, heard, NULL);
+}
+
+int sundials_listen_cvode(void *cvode)
+{
+    return CVodeSetErrHandlerFn(cvode, heard, NULL);
 }
 
 #endif

@@ -61,6 +61,7 @@ void sundials_close(SUNContext *context); /* NULL is welcome */
 /* Redirects what an integrator complains of (6.x: to be called for each; 7.x
  * has it from its context, and this does nothing). */
 int sundials_listen(void *arkode);
+int sundials_listen_cvode(void *cvode);
 
 /* The last complaint of any integrator since sundials_forget(), "" if none. */
 const char *sundials_complaint(void);

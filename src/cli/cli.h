@@ -2,6 +2,8 @@
 #ifndef CLI_CLI_H
 #define CLI_CLI_H
 
+#include "study/compare.h"
+
 #include <stdbool.h>
 
 enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
@@ -16,6 +18,13 @@ struct cli {
     const char *directory;                /* -o; NULL: chosen from the scene  */
     int threads;                          /* 0: as the environment says       */
     bool quiet;
+
+    const char *methods, *tols, *reference; /* of compare, as struct compare_order has them */
+    int sweeps;
+    const char *sweep[COMPARE_SWEEPS];
+    int repeat, jobs;
+    double budget, early;
+    bool growth;
 };
 
 /* Fills c from the arguments.  --help and --version print and end the program;

@@ -30,14 +30,33 @@ static void add_override(struct argp_state *argp, const char *key, const char *v
     s->cli->override[s->cli->overrides++] = value ? text : key;
 }
 
-static int positive(struct argp_state *argp, const char *arg)
+static int positive(struct argp_state *argp, const char *option, const char *arg)
 {
     char *end;
     const long n = strtol(arg, &end, 10);
 
     if (*end || n < 1 || n > 4096)
-        argp_error(argp, "--threads %s: a number from 1 to 4096 is expected", arg);
+        argp_error(argp, "--%s %s: a number from 1 to 4096 is expected", option, arg);
     return (int)n;
+}
+
+static double seconds(struct argp_state *argp, const char *option, const char *arg)
+{
+    char *end;
+    const double s = strtod(arg, &end);
+
+    if (*end || !(s > 0 && s <= 1e9))
+        argp_error(argp, "--%s %s: a number of seconds above 0 is expected", option, arg);
+    return s;
+}
+
+static void add_sweep(struct argp_state *argp, const char *arg)
+{
+    struct state *s = argp->input;
+
+    if (s->cli->sweeps == COMPARE_SWEEPS)
+        argp_error(argp, "more than %d keys to sweep", COMPARE_SWEEPS);
+    s->cli->sweep[s->cli->sweeps++] = arg;
 }
 
 static void take_word(struct argp_state *argp, const char *word)
@@ -54,6 +73,37 @@ static void take_word(struct argp_state *argp, const char *word)
         argp_error(argp, "%s: one word too many", word);
 }
 
+static error_t take_comparison(int key, char *arg, struct argp_state *argp)
+{
+    struct cli *c = ((struct state *)argp->input)->cli;
+
+    switch (key) {
+    case 'M': c->methods = arg; break;
+    case 'T': c->tols = arg; break;
+    case 'R': c->reference = arg; break;
+    case 's': add_sweep(argp, arg); break;
+    case 'r': c->repeat = positive(argp, "repeat", arg); break;
+    case 'j': c->jobs = positive(argp, "jobs", arg); break;
+    case 'b': c->budget = seconds(argp, "budget", arg); break;
+    case 'e': c->early = seconds(argp, "early", arg); break;
+    case 'g': c->growth = true; break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static void check_whole(struct argp_state *argp)
+{
+    struct state *s = argp->input;
+
+    if (!s->cli->subject)
+        argp_error(argp, "%s what? Usage: %s %s", s->command->name, s->command->name,
+                   s->command->args);
+    if (s->command->id == CLI_COMPARE && !s->cli->methods)
+        argp_error(argp, "--methods is missing: which methods are to be compared? For example "
+                   "--methods cks43,leapfrog@0.25; `stiffwater list methods` shows all");
+}
+
 static error_t take(int key, char *arg, struct argp_state *argp)
 {
     struct state *s = argp->input;
@@ -63,15 +113,11 @@ static error_t take(int key, char *arg, struct argp_state *argp)
     case 'm': add_override(argp, "method", arg); break;
     case 't': add_override(argp, "tol", arg); break;
     case 'u': add_override(argp, "until", arg); break;
-    case 'n': s->cli->threads = positive(argp, arg); break;
+    case 'n': s->cli->threads = positive(argp, "threads", arg); break;
     case 'q': s->cli->quiet = true; break;
     case ARGP_KEY_ARG: take_word(argp, arg); break;
-    case ARGP_KEY_END:
-        if (!s->cli->subject)
-            argp_error(argp, "%s what? Usage: %s %s", s->command->name, s->command->name,
-                       s->command->args);
-        break;
-    default: return ARGP_ERR_UNKNOWN;
+    case ARGP_KEY_END: check_whole(argp); break;
+    default: return take_comparison(key, arg, argp);
     }
     return 0;
 }

@@ -4,8 +4,10 @@
 #include "base/status.h"
 #include "scene/scene.h"
 #include "time/arkode.h"
+#include "time/cvode.h"
 #include "time/dv.h"
 #include "time/fixed.h"
+#include "time/gslode.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +22,11 @@ const struct method *const method_table[] = {
     &arkode_opt53.method,
     &arkode_opt64.method,
     &arkode_bs54.method,
+    &cvode_adams.method,
+    &cvode_bdf.method,
+    &gslode_rkf45.method,
+    &gslode_rk8pd.method,
+    &gslode_msadams.method,
     &dv_method,
     &fixed_leapfrog.method,
     &fixed_euler.method,

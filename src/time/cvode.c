@@ -1,0 +1,193 @@
+/* cvode.c -- steps by SUNDIALS' CVODE, one at a time.
+ *
+ * CVODE is started anew at the beginning and after a restart: it then goes back to
+ * order 1 and chooses its first step by itself. */
+#include "time/cvode.h"
+
+#include "base/status.h"
+#include <math.h>
+#include <stdio.h>
+
+static const char *name(const struct cvode *c)
+{
+    return c->row->method.name;
+}
+
+static int refuse_start(const struct cvode *c)
+{
+    return status_fail(STATUS_FAILED,
+                       "%s cannot start at t = %.9g s: the right-hand side has no answer there "
+                       "(%s); look for particles that overlap or start outside the domain",
+                       name(c), c->t, c->rates.refusal);
+}
+
+/* Steps that had to be repeated, of the error test and of the solver. */
+static long repeated(const struct cvode *c)
+{
+    long errors = 0, solves = 0;
+
+    if (c->h > 0) {
+        CVodeGetNumErrTestFails(c->cvode, &errors);
+        CVodeGetNumStepSolveFails(c->cvode, &solves);
+    }
+    return errors + solves;
+}
+
+static int launch(struct cvode *c)
+{
+    if (CVodeReInit(c->cvode, c->t, c->y) != 0
+        || CVodeSetInitStep(c->cvode, c->def.h_first) != 0
+        || CVodeSetMinStep(c->cvode, c->def.h_min) != 0)
+        return cvode_refuse(c, "to start");
+    c->floored = c->def.h_min > 0;
+    c->launched = true;
+    return STATUS_DONE;
+}
+
+/* The first step that CVODE took says what is short. */
+static int set_floor(struct cvode *c)
+{
+    sunrealtype first;
+
+    c->floored = true;
+    if (CVodeGetActualInitStep(c->cvode, &first) != 0
+        || CVodeSetMinStep(c->cvode, 1e-6 * first) != 0)
+        return cvode_refuse(c, "a shortest step");
+    return STATUS_DONE;
+}
+
+static const char *reason(int flag)
+{
+    switch (flag) {
+    case CV_ERR_FAILURE:
+        return "no step, however short, passes the error test";
+    case CV_CONV_FAILURE:
+        return "the equations of a step, however short, are not solved by its iteration";
+    case CV_TOO_MUCH_ACC:
+        return "the state is not finite, or tol is below what double precision can resolve";
+    default:
+        return sundials_complaint();
+    }
+}
+
+/* The message of a run that cannot go on. */
+static int collapse(const struct cvode *c, int flag)
+{
+    const bool refused = c->rates.refusal[0];
+    const long entry = vector_largest(c->y);
+    sunrealtype h = 0;
+
+    if (flag == CV_FIRST_RHSFUNC_ERR)
+        return refuse_start(c);
+    CVodeGetCurrentStep(c->cvode, &h);
+    return status_fail(STATUS_FAILED,
+                       "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s. Things to "
+                       "try: a smaller tol, the norm \"max\", more viscosity or density "
+                       "diffusion, a smaller spacing, a higher sound speed, or another method "
+                       "(imex3, cks43)", name(c), c->t, h, reason(flag),
+                       refused ? "the right-hand side has no answer: "
+                               : "the largest error, or what is not finite, is in ",
+                       refused      ? c->rates.refusal
+                       : entry >= 0 ? plan_entry(c->rates.plan, entry) : "no entry known");
+}
+
+static int refuse_not_finite(const struct cvode *c, double t, long entry)
+{
+    return status_fail(STATUS_FAILED,
+                       "%s accepted a step to t = %.9g s after which %s is not finite: this is a "
+                       "bug, please report it with the scene", name(c), t,
+                       plan_entry(c->rates.plan, entry));
+}
+
+/* The entry whose error was largest in the step just made. */
+static const char *largest_error(struct cvode *c)
+{
+    if (CVodeGetEstLocalErrors(c->cvode, c->spare) != 0)
+        return "not known";
+    N_VWrmsNorm(c->spare, c->weight);
+    return plan_entry(c->rates.plan, vector_largest(c->spare));
+}
+
+static void report(struct cvode *c, double planned, struct method_step *out)
+{
+    const bool cut = c->h < planned * (1 - 1e-9);
+
+    *out = (struct method_step){ .t = c->t, .h = c->h,
+                                 .limiter = cut ? METHOD_OUTPUT : METHOD_ERROR,
+                                 .rejected = c->rejected + repeated(c) };
+    snprintf(out->where, sizeof out->where, "%.95s",
+             cut ? "end of the segment" : largest_error(c));
+}
+
+/* What CVODE meant to take; 0 before its first step. */
+static double planned_step(const struct cvode *c)
+{
+    sunrealtype h = 0;
+
+    if (c->h > 0)
+        CVodeGetCurrentStep(c->cvode, &h);
+    return h;
+}
+
+int cvode_step(void *self, double t_stop, struct method_step *out)
+{
+    struct cvode *c = self;
+    const double t_old = c->t;
+    sunrealtype t;
+    int flag;
+    long bad;
+
+    if (!(t_stop > t_old))
+        return status_fail(STATUS_FAILED, "a step to t = %.9g s was asked for at t = %.9g s",
+                           t_stop, t_old);
+    sundials_forget();
+    if (!c->launched)
+        TRY(launch(c));
+    const double planned = planned_step(c);
+    const long before = repeated(c);
+    if (CVodeSetStopTime(c->cvode, t_stop) != 0)
+        return cvode_refuse(c, "the end of a segment");
+    flag = CVode(c->cvode, t_stop, c->spare, &t, CV_ONE_STEP);
+    if (flag < 0)
+        return collapse(c, flag);
+    bad = vector_first_bad(c->n, vector_data(c->spare));
+    if (bad >= 0)
+        return refuse_not_finite(c, t, bad);
+    vector_copy(c->n, vector_data(c->spare), vector_data(c->y));
+    c->t = t;
+    c->h = t - t_old;
+    if (!c->floored)
+        TRY(set_floor(c));
+    report(c, repeated(c) > before || t < t_stop ? 0 : planned, out);
+    return STATUS_DONE;
+}
+
+/* CVODE's own interpolant, of the order of the step. */
+int cvode_at(void *self, double t, double *y)
+{
+    struct cvode *c = self;
+
+    if (t == c->t) {
+        vector_copy(c->n, vector_data(c->y), y);
+        return STATUS_DONE;
+    }
+    if (!(c->h > 0 && t >= c->t - c->h * (1 + 1e-12) && t < c->t)
+        || CVodeGetDky(c->cvode, t, 0, c->spare) != 0)
+        return status_fail(STATUS_FAILED, "the state at t = %.9g s was asked for, which does not "
+                                          "lie in the last step (to %.9g s)", t, c->t);
+    vector_copy(c->n, vector_data(c->spare), y);
+    return STATUS_DONE;
+}
+
+int cvode_restart(void *self, double t, const double *y)
+{
+    struct cvode *c = self;
+
+    c->rejected += repeated(c);
+    vector_copy(c->n, y, vector_data(c->y));
+    c->t = t;
+    c->h = 0;
+    c->launched = false;
+    c->rates.refusal[0] = '\0';
+    return STATUS_DONE;
+}

@@ -1,0 +1,29 @@
+/* rates.c -- asks the plan for the whole right-hand side. */
+#include "time/rates.h"
+
+#include "algebra/vector.h"
+#include "base/status.h"
+#include <stdio.h>
+
+static int refuse(struct rates *r, const char *before, const char *why, const char *after)
+{
+    snprintf(r->refusal, sizeof r->refusal, "%s%.250s%s", before, why, after);
+    status_clear();
+    return STATUS_FAILED;
+}
+
+int rates_ask(struct rates *r, double t, const double *y, double *f)
+{
+    const long n = plan_size(r->plan);
+    long bad;
+
+    if (plan_rhs(r->plan, PLAN_ALL, t, y, f) != STATUS_DONE) {
+        const char *said = status_message(); /* of memory */
+        return refuse(r, "", said[0] ? said : plan_refusal(r->plan), "");
+    }
+    bad = vector_first_bad(n, f);
+    if (bad >= 0)
+        return refuse(r, "the rate of ", plan_entry(r->plan, bad), " is not finite");
+    r->refusal[0] = '\0';
+    return STATUS_DONE;
+}

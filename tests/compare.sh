@@ -1,0 +1,231 @@
+#!/bin/sh
+# compare.sh -- `stiffwater compare' keeps its word: a row for each run, those that failed, were
+# refused or stopped included; errors that shrink with the tolerance; what is there is not run
+# again; a signal leaves a table.  Run by `make check'.
+scenes=${top_srcdir:-.}/data/scenes
+stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
+case $scenes in /*) ;; *) scenes=$(pwd)/$scenes ;; esac
+case $stiffwater in /*) ;; *) stiffwater=$(pwd)/$stiffwater ;; esac
+directory=$(mktemp -d) || exit 99
+trap 'rm -rf "$directory"' EXIT
+cd "$directory" || exit 99
+failed=0
+tried=0
+
+complain()
+{
+    failed=$((failed + 1))
+    echo "compare: $*"
+    sed 's/^/    /' said
+}
+
+# expect STATUS WORD ...: compares; what is said is in the file `said'.
+expect()
+{
+    wanted=$1
+    shift
+    timeout 300 "$stiffwater" compare "$@" >said 2>&1 </dev/null
+    found=$?
+    what=$*
+    tried=$((tried + 1))
+    [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
+}
+
+# says PATTERN ...: the last answer holds each of them.
+says()
+{
+    for pattern in "$@"; do
+        grep -q -F -e "$pattern" said || complain "$what: \"$pattern\" is not said"
+    done
+}
+
+# field DIR METHOD TOL COLUMN [MORE]: of the row, whose end holds MORE
+field()
+{
+    awk -F, -v method="$2" -v tol="$3" -v wanted="$4" -v more="$5" '
+        /^#/ { next }
+        !column { for (i = 1; i <= NF; i++) if ($i == wanted) column = i; next }
+        $1 == method && $2 == tol && index($0, more) { print $column }' "$1/compare.csv"
+}
+
+# row DIR METHOD TOL COLUMN WORD [MORE]
+row()
+{
+    seen=$(field "$1" "$2" "$3" "$4" "$6")
+    [ "$seen" = "$5" ] || complain "$1: $4 of $2 $3 is \"$seen\" instead of \"$5\""
+}
+
+# holds CONDITION NUMBER...: awk's condition of a, b, c
+holds()
+{
+    awk -v a="$2" -v b="$3" -v c="$4" "BEGIN { exit !(a != \"\" && a == a + 0 && ($1)) }" ||
+        complain "$what: $1 does not hold for a = $2, b = $3, c = $4"
+}
+
+dam="$scenes/dam-break.scene spacing=0.0125 --until 0.1"
+
+# --- mistakes -------------------------------------------------------------------------------
+# shellcheck disable=SC2086 # scene and keys are words
+{
+expect 2 $dam
+says --methods
+expect 2 $dam --methods cks44 -o wrong
+says cks44 cks43
+expect 2 $dam --methods cks43@0.1 -o wrong
+expect 2 $dam --methods cks43,,dv -o wrong
+says --methods
+expect 2 $dam --methods cks43 --tols 1e-2,none -o wrong
+says none
+expect 2 $dam --methods cks43 --sweep spacing -o wrong
+says spacing KEY=VALUE
+expect 2 $dam --methods cks43 --reference bs54 -o wrong
+says METHOD:TOL
+expect 2 $dam --methods cks43 --repeat 0 -o wrong
+expect 2 $dam --methods cks43 --budget none -o wrong
+expect 2 no-such.scene --methods cks43 -o wrong
+says no-such.scene
+[ ! -e wrong ] || complain "a mistake leaves a directory"
+expect 2 $dam --methods cks43 --tols 1e-2 fluid.dey=1 -o refused
+says dey dye
+expect 2 $dam --methods cks43 --tols 1e-2 --sweep spacing=0.0125,0.024 -o refused
+says spacing=0.024
+
+# --- a dam break ------------------------------------------------------------------------------
+expect 0 $dam --methods cks43,leapfrog@0.25,leapfrog@0.025,leapfrog@4 --tols 1e-1,1e-5,20 --jobs 2 \
+    --reference bs54:1e-07 --repeat 3 --growth -o dam
+}
+says "error at most" "position" "cks43 1e-5" "4 of 6 runs came to their end"
+head -n 1 dam/compare.csv | grep -q '^# units: ' || complain "compare.csv has no line of units"
+columns=method,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit
+columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,energy_defect
+sed -n 2p dam/compare.csv | grep -q -x "$columns,message" || complain "compare.csv has other columns"
+[ "$(wc -l <dam/compare.csv)" = 8 ] || complain "compare.csv has not a row for each run"
+row dam cks43 1e-1 status "done"
+row dam cks43 1e-5 status "done"
+row dam leapfrog@0.25 nan status "done"
+row dam leapfrog@4 nan status failed
+row dam leapfrog@4 nan error_front nan
+row dam cks43 20 status refused
+row dam cks43 1e-1 error_tip nan
+grep '^leapfrog@4,' dam/compare.csv | grep -q 'particle' || complain "no reason why it failed"
+grep '^cks43,20,' dam/compare.csv | grep -q 'tol' || complain "no reason why it was refused"
+for quantity in position front impulse; do
+    holds "a > 0 && a < 1e-2 && b < a / 10 && b > 0" "$(field dam cks43 1e-1 error_$quantity)" \
+        "$(field dam cks43 1e-5 error_$quantity)"
+    holds "a > 0 && a < 1e-2 && b < a / 10 && b > 0" \
+        "$(field dam leapfrog@0.25 nan error_$quantity)" \
+        "$(field dam leapfrog@0.025 nan error_$quantity)"
+done
+holds "a > 0 && b > 0 && c >= a / 2" "$(field dam cks43 1e-1 cpu_s)" \
+    "$(field dam cks43 1e-1 cpu_spread)" "$(field dam cks43 1e-1 wall_s)"
+holds "a > 0 && b == 4 * a && c == b" "$(field dam cks43 1e-1 steps)" \
+    "$(field dam cks43 1e-1 rhs_explicit)" "$(field dam cks43 1e-1 pair_passes)"
+[ -d dam/runs/cks43-1e-1-3 ] || complain "there are no three runs"
+[ ! -e dam/runs/leapfrog@4-2 ] || [ ! -e dam/runs/leapfrog@4-2/run.json ] ||
+    complain "what failed is repeated"
+for word in '"reference_method": "bs54"' '"reference_tol": "1e-07"' '"reference_status": "done"' \
+    '"early": ' '"growth_rate": ' '"positions_until": 0'; do
+    grep -q -F -e "$word" dam/compare.json || complain "compare.json lacks $word"
+done
+grep -q -x 'gravity=\[9.8.*e-06,-9.8.*\]' dam/runs/disturbed-*/order || complain "gravity is not tilted"
+cmp -s dam/compare.md /dev/null && complain "compare.md is empty"
+if command -v gnuplot >/dev/null; then
+    [ -s dam/figures/work-precision.png ] || complain "there is no figure"
+    rm -f dam/figures/*
+    "$stiffwater" plot dam >said 2>&1 || complain "the figure cannot be drawn again"
+fi
+
+# The error is that of the files: front of a run and of the reference, by awk.
+front=$(paste -d, dam/runs/cks43-1e-1/front.csv dam/runs/reference-bs54-1e-07/front.csv | awk -F, '
+    /^[#t]/ { next }
+    !n { first = $5 }
+    { n++; sum += ($2 - $5) ^ 2; far = $5 - first; if (far ^ 2 > most) most = far ^ 2 }
+    END { print sqrt(sum / n / most) }')
+holds "(a / b - 1) ^ 2 < 1e-8" "$(field dam cks43 1e-1 error_front)" "$front"
+
+# --- again: nothing is run twice ----------------------------------------------------------------
+stamp()
+{
+    find dam/runs -name run.json -exec ls --full-time {} + | awk '{ print $6, $7, $9 }' | sort
+}
+stamp >before
+cp dam/compare.csv before.csv
+# shellcheck disable=SC2086
+expect 0 $dam --methods cks43,leapfrog@0.25,leapfrog@0.025,leapfrog@4 --tols 1e-1,1e-5,20 --jobs 2 \
+    --reference bs54:1e-07 --repeat 3 --growth -o dam
+says "from before"
+stamp | cmp -s before - || complain "what is there is run again"
+cmp -s before.csv dam/compare.csv || complain "the same runs give another table"
+rm dam/runs/cks43-1e-1/order
+# shellcheck disable=SC2086
+expect 0 $dam --methods cks43,dv --tols 1e-1 --reference bs54:1e-07 -o dam
+[ "$(stamp | comm -13 before - | wc -l)" = 2 ] || complain "what is missing is not run, or more"
+row dam dv 1e-1 status "done"
+
+# One letter in a setting, or in a file that the scene includes, makes another run.
+# defect_of WORD ...: the energy defect of cks43 at 1e-1, into the file `differ'
+defect_of()
+{
+    expect 0 "$@" --methods cks43 --tols 1e-1 -q -o other
+    field other cks43 1e-1 energy_defect >>differ
+}
+# shellcheck disable=SC2086
+{
+defect_of $dam "fluid.velocity=[0.1,0]"
+defect_of $dam "fluid.velocity=[0.2,0]"
+}
+sed 's/^spacing.*/@include "part.scene"/' "$scenes/dam-break.scene" >local.scene
+for spacing in 0.0125 0.0250; do
+    echo "spacing = $spacing;" >part.scene
+    defect_of local.scene --until 0.1
+done
+[ "$(sort -u differ | wc -l)" = 4 ] || complain "another scene takes what was there: $(cat differ)"
+
+# --- a budget, and a row for what it stops --------------------------------------------------------
+expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001,cks43 \
+    --tols 1e-1 --budget 2 -q -o budget
+row budget leapfrog@0.000001 nan status stopped
+row budget cks43 1e-1 status "done"
+grep -q "running\|error at most" said && complain "quiet, it talks"
+expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001 \
+    --budget 0.001 -o budget
+row budget leapfrog@0.000001 nan status stopped
+
+# --- swept keys, a beam -------------------------------------------------
+expect 0 "$scenes/beam-alone.scene" --until 5e-3 output.interval=5e-4 --methods imex3 \
+    --tols 1e-2,1e-4 --sweep beam.E=5e8,1e9 --sweep beam.elements=10,12 --jobs 2 -o beam
+[ "$(wc -l <beam/compare.csv)" = 10 ] || complain "two swept keys: not 2 x 4 rows"
+sed -n 2p beam/compare.csv | grep -q ',beam.E,beam.elements,message$' || complain "no swept columns"
+row beam imex3 1e-4 status "done" ,1e9,12,
+row beam imex3 1e-4 error_position nan ,1e9,12,
+holds "a > 0 && a < 1 && b < a / 10" "$(field beam imex3 1e-2 error_tip ,5e8,10,)" \
+    "$(field beam imex3 1e-4 error_tip ,5e8,10,)"
+grep -q '"reference_method": "imex4"' beam/compare.json || complain "another reference with a beam"
+
+# --- stopped, and on from there ----------------------------------------------------------------------
+for signal in INT TERM; do
+    tried=$((tried + 1))
+    rm -f stopped/runs/leapfrog@0.000001/steps.csv
+    env --default-signal=INT "$stiffwater" compare "$scenes/dam-break.scene" spacing=0.025 \
+        --until 0.02 --methods cks43,leapfrog@0.000001 --tols 1e-1 -o stopped >said 2>&1 &
+    pid=$!
+    waited=0
+    until grep -q -s '^cks43' stopped/compare.csv && [ -s stopped/runs/leapfrog@0.000001/steps.csv ] ||
+        [ $waited = 200 ]; do
+        sleep 0.1
+        waited=$((waited + 1))
+    done
+    kill -s $signal $pid
+    wait $pid
+    found=$?
+    what="SIG$signal"
+    [ $found = 3 ] || complain "SIG$signal: exit status $found instead of 3"
+    row stopped cks43 1e-1 status "done"
+    [ -z "$(field stopped leapfrog@0.000001 nan status)" ] || complain "a row of what was stopped"
+    grep -q '"status": "stopped"' stopped/runs/leapfrog@0.000001/run.json ||
+        complain "SIG$signal: the run was not stopped in order"
+done
+grep -q "3 of them\|1 of them" said || complain "what was done is done again"
+
+echo "compare: $tried tried, $failed complaints"
+[ $failed = 0 ]
