@@ -67,7 +67,7 @@ static void pack_only(void *water)
     struct view v;
 
     plan_view_make(w->plan, 0, w->y[w->now], &v);
-    bench_must(plan_pack(w->plan, &w->plan->main, &v));
+    bench_must(plan_pack(w->plan, &w->plan->main, &v, KIND_BIT(KINDS) - 1));
 }
 
 static struct cloud cloud_of(struct water *w)
