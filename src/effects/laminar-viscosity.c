@@ -8,8 +8,7 @@
  * stands for the seed's (28)-(31), whose printed kernel is wrong in sign and
  * dimension.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
-
-#include <math.h>
+#include "effects/lightest.h"
 
 struct laminar_viscosity {
     double mu;   /* dynamic viscosity                 [Pa s] */
@@ -43,19 +42,10 @@ static int prepare(void *self, const struct scales *scales)
     return 0;
 }
 
-/* The lightest particle diffuses fastest. */
 static void limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct laminar_viscosity *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
-    double least = HUGE_VAL;
-
-    for (int i = 0; i < n; i++)
-        if (v->rho[KIND_FLUID][i] < least) {
-            least = v->rho[KIND_FLUID][i];
-            out->where = i;
-        }
-    out->rate = s->rate * s->mu / least;
+    out->rate = s->rate * s->mu / lightest_fluid(v, &out->where);
     out->decay = true;
 }
 

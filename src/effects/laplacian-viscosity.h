@@ -10,8 +10,7 @@
 #define EFFECTS_LAPLACIAN_VISCOSITY_H
 
 #include "effects/effects.h"
-
-#include <math.h>
+#include "effects/lightest.h"
 
 struct laplacian_viscosity {
     double mu;     /* dynamic viscosity                             [Pa s]   */
@@ -38,19 +37,10 @@ static void laplacian_viscosity_pairs(const void *self, const struct side *a,
     *to = t;
 }
 
-/* The lightest particle diffuses fastest. */
 static void laplacian_viscosity_limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct laplacian_viscosity *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
-    double least = HUGE_VAL;
-
-    for (int i = 0; i < n; i++)
-        if (v->rho[KIND_FLUID][i] < least) {
-            least = v->rho[KIND_FLUID][i];
-            out->where = i;
-        }
-    out->rate = s->rate * s->factor / least;
+    out->rate = s->rate * s->factor / lightest_fluid(v, &out->where);
     out->decay = true;
 }
 
