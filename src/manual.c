@@ -11,6 +11,7 @@
 #include "plan/catalogue.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
+#include "state/flow.h"
 #include "time/method.h"
 #include "walls/walls.h"
 #define LANES 2 /* names and sources of kernels do not depend on it */
@@ -37,7 +38,7 @@ static const struct group {
                      "STATE",
       { settings_eos_params } },
     { "fluid.NAME", "fluid.NAME.", "A region filled with fluid",
-      { shape_params, settings_fluid_params } },
+      { shape_params, settings_fluid_params, flow_params } },
     { "wall.NAME", "wall.NAME.", "A region filled with wall",
       { shape_params, settings_wall_params, walls_motion_params } },
     { "probe.NAME", "probe.NAME.", "A place to measure at", { settings_probe_params } },

@@ -54,7 +54,7 @@ says stiffwater SUNDIALS GSL libconfig HDF5 OpenMP
 expect 0 -V
 
 # --- tables ---------------------------------------------------------------------------------
-for table in effects kernels eos pressure walls bodies methods; do
+for table in effects kernels eos pressure walls bodies flows methods; do
     expect 0 list $table
     [ -s said ] || complain "list $table is empty"
     cp said "table.$table"

@@ -6,6 +6,7 @@
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "scene/scene.h"
+#include "state/flow.h"
 #include "walls/walls.h"
 
 #include <math.h>
@@ -31,7 +32,8 @@ static const struct group {
     { "reference", "scales of the flow", { settings_reference_params } },
     { "eos", "equation of state; its own keys: see `explain tait`, `explain linear`", { settings_eos_params } },
     { "output", "how often files are written", { settings_output_params } },
-    { "fluid", "fluid.NAME: a region filled with fluid", { shape_params, settings_fluid_params } },
+    { "fluid", "fluid.NAME: a region filled with fluid", 
+      { shape_params, settings_fluid_params, flow_params } },
     { "wall", "wall.NAME: a region filled with wall",
       { shape_params, settings_wall_params, walls_motion_params } },
     { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
@@ -85,10 +87,17 @@ static void list_bodies(FILE *to)
         fprintf(to, "%-22s %s\n", bodies_table[i]->name, bodies_table[i]->about);
 }
 
+static void list_flows(FILE *to)
+{
+    for (int i = 0; flow_table[i]; i++)
+        fprintf(to, "%-22s %s; keys: %s\n", flow_table[i]->name, flow_table[i]->about,
+                flow_table[i]->keys);
+}
+
 int catalogue_list(const char *what, FILE *to)
 {
     static const char *const words[] = { "effects", "kernels", "eos", "pressure", "walls",
-                                         "bodies", "methods", NULL };
+                                         "bodies", "flows", "methods", NULL };
     const char *near;
 
     if (strcmp(what, "effects") == 0)
@@ -101,10 +110,12 @@ int catalogue_list(const char *what, FILE *to)
         list_parts(engine_pick()->walls, to);
     else if (strcmp(what, "bodies") == 0)
         list_bodies(to);
+    else if (strcmp(what, "flows") == 0)
+        list_flows(to);
     else {
         near = scene_nearest(what, words);
         return status_fail(STATUS_BAD_SCENE, "list %s: no such table%s%s%s; there are effects, "
-                           "kernels, eos, pressure, walls, bodies, methods", what,
+                           "kernels, eos, pressure, walls, bodies, flows, methods", what,
                            near ? " (did you mean " : "", near ? near : "", near ? "?)" : "");
     }
     return STATUS_DONE;

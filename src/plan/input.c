@@ -190,6 +190,17 @@ static void *objects(const struct scene_node *group, size_t size)
     return status_alloc(scene_count(group) + 1, size);
 }
 
+/* What a flow at the start must know of the rest of the scene. */
+static int read_flow(const struct input *in, struct input_fluid *f, const char *path)
+{
+    const struct eos *eos = in->pressure_self;
+
+    shape_bounds(&f->set.shape, f->flow.low, f->flow.high);
+    f->flow.gravity = -in->set.gravity[DIM - 1];
+    f->flow.rho0 = eos->rho0;
+    return flow_check(&f->flow, path, f->where);
+}
+
 static int read_fluids(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "fluid");
@@ -207,11 +218,13 @@ static int read_fluids(struct scene *scene, struct input *in)
         snprintf(path, sizeof path, "fluid.%s", f->name);
         TRY(fill_shares(scene, node, path,
                         (struct share[]){ { shape_params, &f->set.shape },
-                                          { settings_fluid_params, &f->set } }, 2));
+                                          { settings_fluid_params, &f->set },
+                                          { flow_params, &f->flow } }, 3));
         if (strcmp(f->set.shape.type, "frame") == 0)
             return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame is a shape for walls, not "
                                "for a fluid", f->where, path);
         TRY(shape_check(&f->set.shape, path, f->where));
+        TRY(read_flow(in, f, path));
     }
     return STATUS_DONE;
 }

@@ -5,6 +5,7 @@
 #include "bodies/bodies.h"
 #include "plan/engine.h"
 #include "plan/settings.h"
+#include "state/flow.h"
 #include "walls/walls.h"
 
 struct scene;
@@ -13,6 +14,7 @@ struct scene_node;
 struct input_fluid {
     char name[64], where[256];
     struct settings_fluid set;
+    struct flow flow;
 };
 
 struct input_wall {

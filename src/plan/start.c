@@ -23,6 +23,17 @@ static double depth_pressure(const struct plan *p, int f, const double *x)
     return pressure > 0 ? pressure : 0;
 }
 
+/* Pressure [Pa] that fluid number f starts with at x. */
+static double start_pressure(const struct plan *p, int f, const double *x)
+{
+    const struct input_fluid *in = &p->in.fluid[f];
+    const struct flow_kind *flow = flow_find(&in->flow);
+    const bool weight = strcmp(in->set.initial, "hydrostatic") == 0;
+
+    return (weight ? depth_pressure(p, f, x) : 0)
+           + (flow && flow->pressure ? flow->pressure(&in->flow, x) : 0);
+}
+
 static const struct eos *eos_of(const struct plan *p)
 {
     return p->pressure ? p->pressure->self : NULL;
@@ -49,8 +60,8 @@ static void start_fluid(const struct plan *p, double *rho)
         if (ob->kind != KIND_FLUID)
             continue;
         for (int i = ob->from; i < ob->from + ob->n; i++)
-            if (eos_of(p) && strcmp(p->in.fluid[f].set.initial, "hydrostatic") == 0)
-                rho[i] = eos_density(eos_of(p), depth_pressure(p, f, all->x0[i]));
+            if (eos_of(p))
+                rho[i] = eos_density(eos_of(p), start_pressure(p, f, all->x0[i]));
         f++;
     }
 }
@@ -64,8 +75,8 @@ static void start_solids(const struct plan *p, int k, double *rho)
         const double *x = all->x0[all->from[k] + i];
         double pressure = 0;
         for (int f = 0; f < p->in.fluids && eos_of(p); f++)
-            if (near_fluid(p, f, x) && strcmp(p->in.fluid[f].set.initial, "hydrostatic") == 0)
-                pressure = fmax(pressure, depth_pressure(p, f, x));
+            if (near_fluid(p, f, x))
+                pressure = fmax(pressure, start_pressure(p, f, x));
         if (eos_of(p))
             rho[i] = eos_density(eos_of(p), pressure);
     }
@@ -87,6 +98,15 @@ void plan_start_density(const struct plan *p, double *y)
     }
 }
 
+static void start_velocity(const struct input_fluid *in, const double *x, double *u)
+{
+    const struct flow_kind *flow = flow_find(&in->flow);
+
+    memcpy(u, in->set.velocity, DIM * sizeof *u);
+    if (flow)
+        flow->velocity(&in->flow, x, u);
+}
+
 static void start_motion(const struct plan *p, double *y)
 {
     const struct particles *all = p->particles;
@@ -96,11 +116,10 @@ static void start_motion(const struct plan *p, double *y)
         const struct object *ob = &all->object[o];
         if (ob->kind != KIND_FLUID)
             continue;
-        for (int i = ob->from; i < ob->from + ob->n; i++)
-            for (int d = 0; d < DIM; d++) {
-                x[(size_t)i * DIM + d] = all->x0[i][d];
-                u[(size_t)i * DIM + d] = p->in.fluid[f].set.velocity[d];
-            }
+        for (int i = ob->from; i < ob->from + ob->n; i++) {
+            memcpy(x + (size_t)i * DIM, all->x0[i], DIM * sizeof *x);
+            start_velocity(&p->in.fluid[f], all->x0[i], u + (size_t)i * DIM);
+        }
         f++;
     }
 }
