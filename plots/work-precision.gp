@@ -1,104 +1,101 @@
 # work-precision.gp -- what accuracy costs: error against CPU time and against pair passes, a line
-# a method; runs that failed or were stopped stand at the top edge
+# a method.  work-precision.png has every quantity, work-precision-NAME.png one of them; swept
+# values have panels of their own there.  Runs that failed or were stopped stand at the top edge.
 # needs: compare.csv figures/constants.gp
 load 'style.gp'
-table = '../compare.csv'
-set datafile missing NaN
-eval read_names
-sweeps = words(names) - 18
-head(word) = strstrt(word, '@') ? word[1:strstrt(word, '@') - 1] : word
-swept(i) = i > sweeps ? '' : (i > 1 ? '/' : '').strcol(17 + i)
-place(i) = sweeps < 1 ? 'all' : swept(1).swept(2).swept(3).swept(4)
+load 'comparison.gp'
 
-# Methods and combinations of swept values, in the order of the table.
-methods = ''
-places = ''
-add(list, word) = strstrt(' '.list.' ', ' '.word.' ') ? list : list.(strlen(list) ? ' ' : '').word
-stats table using (methods = add(methods, head(strcol(1))), places = add(places, place(0)), 0) \
-    skip 2 nooutput
-key_of(p) = (sweeps == 1 ? word(names, 18).' = ' : '').word(places, p)
-mine(m, p) = head(strcol(1)) eq word(methods, m) && place(0) eq word(places, p)
-done(c) = strcol(3) eq 'done' && abs(column(c)) > 0 ? abs(column(c)) : NaN
-missed(word) = strcol(3) eq word ? 0.965 : NaN
+# An error above this is none: it stands at the top edge.
+array most[5] = [10, 1, 1, 1, E0 > 0 ? E0 : 1e300]
+good(q) = strcol(3) eq 'done' && error(q) > 0 && error(q) <= most[q] ? error(q) : NaN
+at_edge(q) = strcol(3) eq 'failed' || strcol(3) eq 'stopped' || error(q) > most[q] ? 0.965 : NaN
+sign(i) = strcol(3) eq 'failed' ? 2 : strcol(3) eq 'stopped' ? 12 : 8
 
-# Quantities of which there is an error, with the runs' columns.
-shown = ''
-do for [c = 13:17] {
-    stats table using (strcol(3) eq 'done' && strcol(c) ne 'nan' && strcol(c) ne '0') skip 2 \
-        nooutput name 'has'
-    if (has_sum > 0) { shown = shown.' '.c }
+if (words(shown) == 0) { exit }
+cost(w) = w == 1 ? column(4) : passes(0)
+array name_of[2] = ['CPU time [s]', say_passes]
+array least[2]
+array largest[2]
+do for [w = 1:2] {
+    stats table using (cost(w) > 0 ? cost(w) : NaN) skip 2 nooutput name 'cost'
+    least[w] = cost_min / 1.2
+    largest[w] = cost_max * 1.2
 }
-title_of(c) = c == 13 ? 'positions [spacings]' : c == 14 ? 'front [its way]' : \
-    c == 15 ? 'tip [its largest]' : c == 16 ? 'impulse [its largest]' : 'energy defect [J]'
+
+# A panel of quantity q, cost in column w, at place p ('' for all), with the n-th of `rows' rows.
+wide = 1700.0
+key_wide = 330
+gap = 118
+panel_wide = (wide - key_wide - 2 * gap) / 2
+panel = "set lmargin at screen (gap + side * (panel_wide + gap)) / wide; \
+    set rmargin at screen (gap + side * (panel_wide + gap) + panel_wide) / wide; \
+    set tmargin at screen 1 - (head + (n - 1) * high) / tall; \
+    set bmargin at screen 1 - (head + n * high - foot) / tall; \
+    set xrange [least[w]:largest[w]]; \
+    plot for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(good(q)) skip 2 \
+        with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) notitle, \
+    for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) skip 2 \
+        axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; unset label 9"
+axes = "set logscale xy; set format y '10^{%T}'; set ytics autofreq; set y2range [0:1]; unset y2tics; unset key; \
+    set yrange [*:*]; set xtics autofreq format (largest[w] / least[w] < 50 ? '%g' : '10^{%T}'); \
+    if (largest[w] / least[w] < 50) { set xtics (); \
+        do for [e = -6:12] { do for [d in '1 2 5'] { set xtics add (d * 10.0**e) } } }"
+both_panels = "do for [side = 0:1] { w = side + 1; eval axes; \
+    set ylabel side ? '' : axis[q] offset 1, 0; \
+    set xlabel n < rows ? '' : name_of[w]; eval panel }"
+
+# What stands beside and below the panels: the key, and why runs are missing.
+has_places = 0
+legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at screen 0.999; \
+    set tmargin at screen 1 - head / tall; set bmargin at screen 0.01; eval empty; \
+    set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 noenhanced; \
+    set label 1 reasons at screen 20 / wide, (22 * reason_lines - 5) / tall left noenhanced \
+        font ',13' tc rgb '#404040'; \
+    plot for [i = 1:words(lines)] NaN with linespoints lw 2.2 ps 1.4 pt mark(member(i)) \
+        dt dash(member(i)) lc rgb look(i) title say_line(word(lines, i)), \
+        NaN with points pt 2 ps 1.6 lw 3 lc rgb grey title 'failed', \
+        NaN with points pt 12 ps 1.6 lw 3 lc rgb grey title 'stopped', \
+        NaN with points pt 8 ps 1.6 lw 2 lc rgb grey title 'off the scale'; unset label 1"
+
+below = 22 * reason_lines + (reason_lines > 0 ? 15 : 0)
+start = "reset; load 'style.gp'; set datafile missing NaN; eval dashes; \
+    set terminal pngcairo size wide, tall font 'Sans,17'; set output file; \
+    set multiplot; set label 9 title noenhanced at screen 0.42, 1 - 24.0 / tall center font ',20'"
+head = 55
+foot = 64
+
+# Every quantity, all places in one.
+key_high = 31 * (words(lines) + 4)     # what the key needs
+larger(i, j) = i > j ? i : j
 rows = words(shown)
-if (rows == 0) { exit }
-
-# Where the columns of cost reach; 1, 2, 5 are labelled where there is less than a decade or two.
-do for [w in '4 11'] {
-    stats table using (column(w + 0) > 0 ? column(w + 0) : NaN) skip 2 nooutput name 'cost'.w
+high = larger(330, key_high / rows)
+tall = 1.0 * head + rows * high + 25 + below
+file = 'work-precision.png'
+eval start
+do for [n = 1:rows] {
+    q = word(shown, n) + 0
+    p = ''
+    eval both_panels
 }
-low_cost(w) = (w == 4 ? cost4_min : cost11_min) / 1.3
-high_cost(w) = (w == 4 ? cost4_max : cost11_max) * 1.3
-
-high = 380
-set terminal pngcairo size 1500, 130 + high * rows font 'Sans,18'
-set output 'work-precision.png'
-set multiplot title title noenhanced
-set logscale xy
-set format xy '10^{%T}'
-set y2range [0:1]
-unset y2tics
-unset key
-set lmargin 11
-set rmargin 2
-dash(p) = p == 1 ? 1 : p + 1
-mark(p) = word('7 5 9 13 11 6 4 8', 1 + (p - 1) % 8) + 0
-
-body = real(high * rows) / (130 + high * rows)
-do for [k = 1:rows] {
-    c = word(shown, k) + 0
-    do for [side = 0:1] {
-        w = side ? 11 : 4
-        set origin 0.5 * side, body * (rows - k) / rows + 70.0 / (130 + high * rows)
-        set size 0.5, body / rows
-        set ylabel side ? '' : title_of(c)
-        set xlabel k < rows ? '' : side ? 'pair passes' : 'CPU time [s]'
-        set xrange [low_cost(w):high_cost(w)]
-        set xtics format (high_cost(w) / low_cost(w) < 50 ? '%g' : '10^{%T}')
-        set xtics autofreq
-        if (high_cost(w) / low_cost(w) < 50) {
-            set xtics ()
-            do for [e = -6:12] { do for [d in '1 2 5'] { set xtics add (d * 10.0**e) } }
-        }
-        plot for [m = 1:words(methods)] for [p = 1:words(places)] table \
-            using (mine(m, p) ? column(w) : NaN):(done(c)) skip 2 \
-            with linespoints lw 2.5 ps 1.4 pt mark(p) dt dash(p) lc rgb pick(m), \
-            for [m = 1:words(methods)] for [p = 1:words(places)] table \
-            using (mine(m, p) ? column(w) : NaN):(missed('failed')) skip 2 axes x1y2 \
-            with points pt 2 ps 1.8 lw 3 lc rgb pick(m), \
-            for [m = 1:words(methods)] for [p = 1:words(places)] table \
-            using (mine(m, p) ? column(w) : NaN):(missed('stopped')) skip 2 axes x1y2 \
-            with points pt 12 ps 1.8 lw 3 lc rgb pick(m)
-    }
-}
-
-# The key, below everything.
-set origin 0, 0
-set size 1, 80.0 / (130 + high * rows)
-set lmargin 2
-unset logscale
-unset border
-unset tics
-unset grid
-unset xlabel
-unset ylabel
-set format xy ''
-set xrange [0:1]
-set yrange [0:1]
-set key center center horizontal maxrows 2 samplen 2 width 1
-plot for [m = 1:words(methods)] NaN with lines lw 4 lc rgb pick(m) title word(methods, m), \
-    for [p = 1:(words(places) > 1 ? words(places) : 0)] NaN with linespoints lw 2 ps 1.4 \
-    pt mark(p) dt dash(p) lc rgb grey title key_of(p), \
-    NaN with points pt 2 ps 1.8 lw 3 lc rgb grey title 'failed', \
-    NaN with points pt 12 ps 1.8 lw 3 lc rgb grey title 'stopped'
+eval legend
 unset multiplot
+
+# Each quantity, a row for each place; where lines are swept over a hundred values, the first six.
+most_rows = 6
+places_shown = words(places) > most_rows ? most_rows : words(places)
+do for [k in shown] {
+    q = k + 0
+    rows = places_shown
+    high = larger(rows > 1 ? 400 : 620, key_high / rows)
+    tall = 1.0 * head + rows * high + 25 + below
+    file = 'work-precision-'.quantity[q].'.png'
+    eval start
+    do for [n = 1:rows] {
+        p = word(places, n)
+        if (sweeps > 0) { set label 7 p noenhanced at graph 0.02, 0.07 left }
+        eval both_panels
+    }
+    unset label 7
+    eval legend
+    unset multiplot
+}

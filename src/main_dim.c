@@ -21,15 +21,26 @@ static int list(const char *what)
     return STATUS_DONE;
 }
 
+static void explain_method(const struct method *m)
+{
+    char order[64] = "changes from step to step";
+
+    if (m->order > 0)
+        snprintf(order, sizeof order, "%d", m->order);
+    printf("%s -- %s\n  source: %s\n  order: %s\n  %s%s%s%s\n", m->name, m->about, m->source,
+           order,
+           m->adaptive ? "its step follows an error estimate: tol, norm"
+                       : "its step is a CFL number: NAME@0.25",
+           m->varies ? "" : "; or is constant, in seconds: ", m->varies ? "" : m->name,
+           m->varies ? "" : "@1e-4s");
+}
+
 /* Methods first: the catalogue knows what a scene is made of, not how it is run. */
 static int explain(const char *name)
 {
     for (int i = 0; method_table[i]; i++)
         if (strcmp(method_table[i]->name, name) == 0) {
-            printf("%s -- %s\n  source: %s\n  %s\n", name, method_table[i]->about,
-                   method_table[i]->source,
-                   method_table[i]->adaptive ? "its step follows an error estimate: tol, norm"
-                                             : "its step is a CFL number: NAME@0.25");
+            explain_method(method_table[i]);
             return STATUS_DONE;
         }
     return catalogue_explain(name, stdout);

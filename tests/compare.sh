@@ -62,6 +62,17 @@ holds()
         complain "$what: $1 does not hold for a = $2, b = $3, c = $4"
 }
 
+# drawn DIR NAME...: these figures are there, and no others.
+drawn()
+{
+    command -v gnuplot >/dev/null || return 0
+    ls "$1"/figures/*.png >there
+    from=$1
+    shift
+    for name in "$@"; do echo "$from/figures/$name.png"; done | sort | cmp -s - there ||
+        complain "other figures than $*: $(cat there)"
+}
+
 dam="$scenes/dam-break.scene spacing=0.0125 --until 0.1"
 
 # --- mistakes -------------------------------------------------------------------------------
@@ -94,11 +105,13 @@ says spacing=0.024
 expect 0 $dam --methods cks43,leapfrog@0.25,leapfrog@0.025,leapfrog@4 --tols 1e-1,1e-5,20 --jobs 2 \
     --reference bs54:1e-07 --repeat 3 --growth -o dam
 }
-says "error at most" "position" "cks43 1e-5" "4 of 6 runs came to their end"
+says "CPU time; error at most | position | front | impulse | energy [J/m] |" \
+    "pair passes; error at most |" "cks43 1e-5" "4 of 6 runs came to their end" \
+    "| leapfrog@4 | failed | the fluid has run away" "| cks43 20 | refused | "
 head -n 1 dam/compare.csv | grep -q '^# units: ' || complain "compare.csv has no line of units"
 columns=method,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit
 columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,energy_defect
-sed -n 2p dam/compare.csv | grep -q -x "$columns,message" || complain "compare.csv has other columns"
+sed -n 2p dam/compare.csv | grep -q -x "$columns,t_end,run,message" || complain "compare.csv has other columns"
 [ "$(wc -l <dam/compare.csv)" = 8 ] || complain "compare.csv has not a row for each run"
 row dam cks43 1e-1 status "done"
 row dam cks43 1e-5 status "done"
@@ -107,6 +120,10 @@ row dam leapfrog@4 nan status failed
 row dam leapfrog@4 nan error_front nan
 row dam cks43 20 status refused
 row dam cks43 1e-1 error_tip nan
+row dam cks43 1e-1 t_end 0.1
+row dam leapfrog@0.025 nan run leapfrog@0.025
+[ -d "dam/runs/$(field dam cks43 1e-1 run)" ] || complain "the column run names no directory"
+holds "a > 0 && a < 0.1" "$(field dam leapfrog@4 nan t_end)"
 grep '^leapfrog@4,' dam/compare.csv | grep -q 'particle' || complain "no reason why it failed"
 grep '^cks43,20,' dam/compare.csv | grep -q 'tol' || complain "no reason why it was refused"
 for quantity in position front impulse; do
@@ -130,9 +147,14 @@ done
 grep -q -x 'gravity=\[9.8.*e-06,-9.8.*\]' dam/runs/disturbed-*/order || complain "gravity is not tilted"
 cmp -s dam/compare.md /dev/null && complain "compare.md is empty"
 if command -v gnuplot >/dev/null; then
-    [ -s dam/figures/work-precision.png ] || complain "there is no figure"
-    rm -f dam/figures/*
-    "$stiffwater" plot dam >said 2>&1 || complain "the figure cannot be drawn again"
+    drawn dam work-precision work-precision-position work-precision-front \
+        work-precision-impulse work-precision-energy step-lengths
+    rm -f dam/figures/*.png
+    echo old >dam/figures/work-precision-tip.png
+    "$stiffwater" plot dam >said 2>&1 || complain "the figures cannot be drawn again"
+    says dam/figures/work-precision-energy.png
+    drawn dam work-precision work-precision-position work-precision-front \
+        work-precision-impulse work-precision-energy step-lengths
 fi
 
 # The error is that of the files: front of a run and of the reference, by awk.
@@ -181,11 +203,22 @@ for spacing in 0.0125 0.0250; do
 done
 [ "$(sort -u differ | wc -l)" = 4 ] || complain "another scene takes what was there: $(cat differ)"
 
+# --- steps of one length: no tolerance, whether the method has an estimate or not ----------------
+# shellcheck disable=SC2086
+expect 0 $dam --methods cks43@2e-4s,leapfrog@5e-5s --tols 1e-1,1e-2 --reference bs54:1e-07 -o dam
+[ "$(wc -l <dam/compare.csv)" = 4 ] || complain "fixed steps: not a row each"
+row dam cks43@2e-4s nan status "done"
+row dam leapfrog@5e-5s nan status "done"
+holds "a == 500 && b == 2000" "$(field dam cks43@2e-4s nan steps)" \
+    "$(field dam leapfrog@5e-5s nan steps)"
+
 # --- a budget, and a row for what it stops --------------------------------------------------------
 expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001,cks43 \
     --tols 1e-1 --budget 2 -q -o budget
 row budget leapfrog@0.000001 nan status stopped
 row budget cks43 1e-1 status "done"
+grep -q '^leapfrog.*"stopped by the budget of 2 s at t = .* s of 0.02 s"$' budget/compare.csv ||
+    complain "no word of the budget"
 grep -q "running\|error at most" said && complain "quiet, it talks"
 expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001 \
     --budget 0.001 -o budget
@@ -195,11 +228,13 @@ row budget leapfrog@0.000001 nan status stopped
 expect 0 "$scenes/beam-alone.scene" --until 5e-3 output.interval=5e-4 --methods imex3 \
     --tols 1e-2,1e-4 --sweep beam.E=5e8,1e9 --sweep beam.elements=10,12 --jobs 2 -o beam
 [ "$(wc -l <beam/compare.csv)" = 10 ] || complain "two swept keys: not 2 x 4 rows"
-sed -n 2p beam/compare.csv | grep -q ',beam.E,beam.elements,message$' || complain "no swept columns"
+sed -n 2p beam/compare.csv | grep -q ',beam.E,beam.elements,t_end,run,message$' || complain "no swept columns"
 row beam imex3 1e-4 status "done" ,1e9,12,
 row beam imex3 1e-4 error_position nan ,1e9,12,
 holds "a > 0 && a < 1 && b < a / 10" "$(field beam imex3 1e-2 error_tip ,5e8,10,)" \
     "$(field beam imex3 1e-4 error_tip ,5e8,10,)"
+drawn beam cost-against-beam.E cost-against-beam.elements step-lengths work-precision \
+    work-precision-energy work-precision-tip
 grep -q '"reference_method": "imex4"' beam/compare.json || complain "another reference with a beam"
 
 # --- stopped, and on from there ----------------------------------------------------------------------

@@ -138,8 +138,11 @@ scene still-water 0.1 3.3e-3
 scene toth-beam 0.03 7e-4
 scene dam-break-3d 0.03 1.1e-3 spacing=0.0555
 scene beam-alone 0.01 3.1e-5
+scene elastica 0.3 1.7e-3
+scene soft-gate 0.03 7e-4
 scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
 scene toth-standard-sph 0.01 5e-4 spacing=5e-3 tol=1e-3
+scene tank-sizes 0.01 3.3e-4
 scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
 fails toth-dam-break-literal
 for path in "$scenes"/*.scene; do

@@ -46,6 +46,12 @@ int sundials_listen(void *arkode)
     return 0;
 }
 
+int sundials_listen_mri(void *mri)
+{
+    (void)mri;
+    return 0;
+}
+
 int sundials_listen_cvode(void *cvode)
 {
     (void)cvode;
@@ -68,6 +74,11 @@ static int prepare(SUNContext *context)
 int sundials_listen(void *arkode)
 {
     return ARKStepSetErrHandlerFn(arkode, heard, NULL);
+}
+
+int sundials_listen_mri(void *mri)
+{
+    return MRIStepSetErrHandlerFn(mri, heard, NULL);
 }
 
 int sundials_listen_cvode(void *cvode)

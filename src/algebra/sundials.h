@@ -7,6 +7,7 @@
 #define ALGEBRA_SUNDIALS_H
 
 #include <arkode/arkode_arkstep.h>
+#include <arkode/arkode_mristep.h>
 #include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
@@ -25,6 +26,7 @@
 #define ARKodeSetCFLFraction          ARKStepSetCFLFraction
 #define ARKodeSetDeduceImplicitRhs    ARKStepSetDeduceImplicitRhs
 #define ARKodeSetErrorBias            ARKStepSetErrorBias
+#define ARKodeSetFixedStep            ARKStepSetFixedStep
 #define ARKodeSetFixedStepBounds      ARKStepSetFixedStepBounds
 #define ARKodeSetInitStep             ARKStepSetInitStep
 #define ARKodeSetInterpolantDegree    ARKStepSetInterpolantDegree
@@ -47,6 +49,13 @@
 #define ARKodeWFtolerances            ARKStepWFtolerances
 #endif
 
+/* What both steppers have, for MRIStep: SUNDIALS_MRI(Evolve)(...). */
+#if SUNDIALS_AT_LEAST(7, 1)
+#define SUNDIALS_MRI(name) ARKode##name
+#else
+#define SUNDIALS_MRI(name) MRIStep##name
+#endif
+
 /* We interpolate ourselves: the least that this version can be asked to keep. */
 #ifdef ARK_INTERP_NONE
 #define SUNDIALS_INTERPOLANT ARK_INTERP_NONE
@@ -61,6 +70,7 @@ void sundials_close(SUNContext *context); /* NULL is welcome */
 /* Redirects what an integrator complains of (6.x: to be called for each; 7.x
  * has it from its context, and this does nothing). */
 int sundials_listen(void *arkode);
+int sundials_listen_mri(void *mri);
 int sundials_listen_cvode(void *cvode);
 
 /* The last complaint of any integrator since sundials_forget(), "" if none. */

@@ -14,12 +14,16 @@
 
 #define AT(member) .offset = offsetof(struct beam_def, member)
 
+static const char *const theories[] = { "linear", "elastica", NULL };
 static const char *const planes[] = { "none", "stress", "strain", NULL };
 static const char *const inertias[] = { "consistent", "lumped", "lumped-ends", NULL };
 static const char *const roots[] = { "clamped", "pinned", "free", NULL };
 static const char *const tips[] = { "free", "pinned", "clamped", NULL };
 
 const struct param beam_def_params[] = {
+    { .key = "theory", .unit = "", AT(theory), .type = PARAM_WORD, .words = theories,
+      .about = "linear: small deflections, a tip that bends by a fifth of the length is 4 % off; "
+               "elastica: bends and turns as far as it likes, and its skin with it" },
     { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
       .required = 1, .about = "position of the root (first node), on the axis" },
     { .key = "angle", .unit = "deg", AT(angle), .fallback = 90, .min = -360, .max = 360,
@@ -69,6 +73,13 @@ const struct param beam_def_params[] = {
       .about = "uniform load across the beam from t = 0; positive as tip_force" },
     { .key = "load_until", .unit = "s", AT(load_until), .max = 1e9,
       .about = "when tip_force and load end and the beam swings freely; 0: never" },
+    { .key = "follower", .unit = "", AT(follower), .type = PARAM_FLAG,
+      .about = "true: tip_force and load turn with the beam; elastica only" },
+    { .key = "bent", .unit = "deg", AT(bent), .min = -3600, .max = 3600,
+      .about = "how far the tip has turned at t = 0, in a smooth bow from the root; elastica "
+               "only" },
+    { .key = "bent_rate", .unit = "deg/s", AT(bent_rate), .min = -1e9, .max = 1e9,
+      .about = "how fast that angle grows at t = 0; elastica only" },
     { 0 },
 };
 
@@ -119,10 +130,38 @@ static int check_ends(const struct beam_def *d, const char *path)
     return STATUS_DONE;
 }
 
+static int check_linear(const struct beam_def *d, const char *path)
+{
+    if (d->follower || d->bent != 0 || d->bent_rate != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s is for beams that bend far; set theory = "
+                           "\"elastica\", or leave it out", path,
+                           d->follower ? "follower" : d->bent != 0 ? "bent" : "bent_rate");
+    return STATUS_DONE;
+}
+
+static int check_elastica(const struct beam_def *d, const char *path)
+{
+    if (d->beta > 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: beta = %g s is damping by the stiffness of the "
+                           "straight beam, which would brake every turn of a beam that bends "
+                           "far; set damping_ratio or alpha instead, or theory = \"linear\"",
+                           path, d->beta);
+    if ((d->bent != 0 || d->bent_rate != 0) && end_of(d->tip) != BENDING_FREE)
+        return status_fail(STATUS_BAD_SCENE, "%s: bent and bent_rate make a bow, whose tip is "
+                           "not where a tip that is %s stays; set tip = \"free\"", path, d->tip);
+    return STATUS_DONE;
+}
+
+bool beam_def_far(const struct beam_def *d)
+{
+    return strcmp(d->theory, "elastica") == 0;
+}
+
 int beam_def_check(const struct beam_def *d, const char *path)
 {
     TRY(check_mass(d, path));
     TRY(check_ends(d, path));
+    TRY(beam_def_far(d) ? check_elastica(d, path) : check_linear(d, path));
     if (d->thickness > d->length)
         return status_fail(STATUS_BAD_SCENE, "%s: thickness = %g m is more than length = %g m: "
                            "that is a block, not a beam; are the two exchanged?", path,
@@ -137,12 +176,22 @@ int beam_def_check(const struct beam_def *d, const char *path)
     return STATUS_DONE;
 }
 
+/* How much less a wide plate gives way. */
+static double wide(const struct beam_def *d)
+{
+    return strcmp(d->plane, "strain") == 0 ? 1 - d->nu * d->nu : 1;
+}
+
+double beam_def_axial(const struct beam_def *d)
+{
+    return d->E * d->thickness / wide(d);
+}
+
 struct bending_def beam_def_bending(const struct beam_def *d)
 {
-    const double wide = strcmp(d->plane, "strain") == 0 ? 1 - d->nu * d->nu : 1;
     struct bending_def b = {
         .elements = d->elements, .length = d->length,
-        .EI = d->E * pow(d->thickness, 3) / 12 / wide,
+        .EI = d->E * pow(d->thickness, 3) / 12 / wide(d),
         .mu = d->mass > 0 ? d->mass / d->length : d->density * d->thickness,
         .alpha = d->alpha, .beta = d->beta, .drag = d->drag, .inertia = inertia_of(d->inertia),
         .root = end_of(d->root), .tip = end_of(d->tip),

@@ -6,6 +6,7 @@
 #include "bodies/bending.h"
 
 struct beam_def {
+    const char *theory;        /* "linear", "elastica"                        */
     double at[3];              /* root                                   [m]  */
     double angle;              /* of the axis, root to tip, from +x      [deg] */
     double length, thickness;  /* [m]                                         */
@@ -23,6 +24,8 @@ struct beam_def {
     double tip_force;          /* across [N, 2D: N/m]                         */
     double load;               /* across, per length [N/m, 2D: N/m^2]         */
     double load_until;         /* [s]; 0: for ever                            */
+    bool follower;             /* tip_force and load turn with the beam       */
+    double bent, bent_rate;    /* at t = 0: turn of the tip [deg], [deg/s]    */
 };
 
 extern const struct param beam_def_params[];
@@ -30,8 +33,14 @@ extern const struct param beam_def_params[];
 /* Refuses (BAD_SCENE) what cannot stand; path is "beam.NAME". */
 int beam_def_check(const struct beam_def *d, const char *path);
 
+/* Does the scene ask for theory = "elastica"? */
+bool beam_def_far(const struct beam_def *d);
+
 /* EI, mass per length, ends and damping, of a def that passed the check. */
 struct bending_def beam_def_bending(const struct beam_def *d);
+
+/* Stiffness against stretch EA [N, 2D: N/m]. */
+double beam_def_axial(const struct beam_def *d);
 
 /* Unit vectors along the axis and across it (turned by +90 degrees), exact at
  * multiples of 90 degrees. */

@@ -75,6 +75,15 @@ void beam_skin_move(const struct beam_skin *s, const double *q, const double *v,
     }
 }
 
+void beam_skin_drift(const struct beam_skin *s, const double *v, double (*u)[DIM])
+{
+    for (int i = 0; i < s->points; i++) {
+        const double across = dot4(s->point[i].shape, v + s->point[i].first);
+        for (int d = 0; d < DIM; d++)
+            u[i][d] = across * s->def.normal[d];
+    }
+}
+
 double beam_skin_load(const struct beam_skin *s, const double (*force)[DIM], double *f)
 {
     double axial = 0;

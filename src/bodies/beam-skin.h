@@ -43,6 +43,9 @@ void beam_skin_free(struct beam_skin **s); /* NULL is welcome */
 void beam_skin_move(const struct beam_skin *s, const double *q, const double *v,
                     double (*x)[DIM], double (*u)[DIM]);
 
+/* u [points][DIM] alone, from rates v. */
+void beam_skin_drift(const struct beam_skin *s, const double *v, double (*u)[DIM]);
+
 /* Adds N^T force to f; force [points][DIM].  Returns the sum along the axis,
  * which bends nothing. */
 double beam_skin_load(const struct beam_skin *s, const double (*force)[DIM], double *f);

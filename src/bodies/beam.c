@@ -186,6 +186,131 @@ static int beam_solve(struct body *b, const struct layout *l, double t, double g
     return STATUS_DONE;
 }
 
+/* --- together with implicit viscosity -------------------------------------- */
+
+static int beam_unknowns(const struct body *b)
+{
+    return b->bending->dofs;
+}
+
+static void beam_read(struct body *b, const struct layout *l, const double *y, double *v)
+{
+    for (int i = 0; i < b->bending->dofs; i++)
+        v[i] = y[place(b, l, i, true)];
+}
+
+static void beam_write(struct body *b, const struct layout *l, double gamma, const double *r,
+                       const double *v, double *z)
+{
+    for (int i = 0; i < b->bending->dofs; i++) {
+        const double moved = bending_held(b->bending, i) ? 0 : gamma * v[i];
+        z[place(b, l, i, false)] = r[place(b, l, i, false)] + moved;
+        z[place(b, l, i, true)] = v[i];
+    }
+}
+
+static void beam_right(struct body *b, const struct layout *l, double gamma, const double *r,
+                       double *to)
+{
+    for (int i = 0; i < b->bending->dofs; i++)
+        b->vec.q[i] = r[place(b, l, i, false)];
+    beam_read(b, l, r, to);
+    bending_right(b->bending, gamma, b->vec.q, to);
+}
+
+static void beam_inertia(struct body *b, double gamma, const double *v, double *to)
+{
+    bending_inertia(b->bending, gamma, v, to);
+}
+
+static void beam_drift(const struct body *b, const double *v, double (*u)[DIM])
+{
+    beam_skin_drift(b->skin, v, u);
+}
+
+/* Who is held feels nothing. */
+static void beam_pull(const struct body *b, const double (*force)[DIM], double c, double *to)
+{
+    double *f = b->vec.force;
+
+    memset(f, 0, (size_t)b->bending->dofs * sizeof *f);
+    beam_skin_load(b->skin, force, f);
+    for (int i = 0; i < b->bending->dofs; i++)
+        to[i] += bending_held(b->bending, i) ? 0 : c * f[i];
+}
+
+static int beam_join(struct body *b, double gamma, const double *c)
+{
+    bending_join(b->bending, gamma);
+    for (int i = 0; i < b->skin->points; i++)
+        bending_join_point(b->bending, b->skin->point[i].first, b->skin->point[i].shape,
+                           gamma * c[i]);
+    return bending_joined(b->bending);
+}
+
+static void beam_joined(const struct body *b, double *v)
+{
+    bending_join_solve(b->bending, v);
+}
+
+/* Of a node, or of what an element reaches by turning. */
+static double beam_fastest(const struct body *b, const double *v)
+{
+    const double reach[2] = { 1, b->bending->l };
+    double most = 0;
+
+    for (int i = 0; i < b->bending->dofs; i++)
+        most = fmax(most, reach[i % 2] * fabs(v[i]));
+    return most;
+}
+
+/* Adds what the support gives: 1 . (M v' - S^T force) across, with v' in w->given. */
+static void add_support(const struct body *b, const double (*force)[DIM], double support[DIM])
+{
+    const struct beam_vectors *w = &b->vec;
+    const int n = b->bending->dofs;
+    double axial, across = 0;
+
+    memset(w->force, 0, (size_t)n * sizeof *w->force);
+    axial = beam_skin_load(b->skin, force, w->force);
+    band_multiply(b->bending->mass, w->given, w->inertia);
+    for (int i = 0; i < n; i += 2)
+        across += w->inertia[i] - w->force[i];
+    for (int d = 0; d < DIM; d++)
+        support[d] += across * b->normal[d] - axial * b->along[d];
+}
+
+static void beam_yield(struct body *b, const struct layout *l, const double (*force)[DIM],
+                       double *ydot, double support[DIM])
+{
+    const struct beam_vectors *w = &b->vec;
+    const int n = b->bending->dofs;
+
+    memset(w->given, 0, (size_t)n * sizeof *w->given);
+    beam_skin_load(b->skin, force, w->given);
+    bending_accelerate(b->bending, w->given);
+    for (int i = 0; i < n; i++)
+        ydot[place(b, l, i, true)] += w->given[i];
+    add_support(b, force, support);
+}
+
+static void beam_settle(struct body *b, const struct layout *l, double gamma, const double *r,
+                        const double *z, const double (*force)[DIM], double support[DIM])
+{
+    const struct beam_vectors *w = &b->vec;
+
+    gather(b, l, z);
+    bending_resist(b->bending, w->q, w->v, w->resist);
+    bending_accelerate(b->bending, w->resist);
+    for (int i = 0; i < b->bending->dofs; i++) {
+        const long k = place(b, l, i, true);
+        w->given[i] = (z[k] - r[k]) / gamma + w->resist[i];
+    }
+    add_support(b, force, support);
+}
+
+/* -------------------------------------------------------------------------- */
+
 static double beam_event(const struct body *b, double t)
 {
     return b->load_until > t ? b->load_until : HUGE_VAL;
@@ -263,16 +388,26 @@ static void beam_show(const struct body *b, const struct layout *l, double t, co
     out->root_moment = bending_held(s, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
 }
 
+static const struct body_kind *beam_choose(const void *params)
+{
+    return beam_def_far(params) ? &bodies_elastica : &bodies_beam;
+}
+
 const struct body_kind bodies_beam = {
-    .name = "beam", .about = "elastic beam or plate strip that bends a little (2D)",
+    .name = "beam", .about = "elastic beam or plate strip (2D); it bends a little, or with "
+                             "theory = \"elastica\" as far as it likes",
     .equation = "M w'' + D w' + K w = F, D = alpha M + beta K + drag I, EI = E b^3/12 (plane "
-                "strain: /(1 - nu^2))  (39)-(45)",
+                "strain: /(1 - nu^2))  (39)-(45); elastica: dE/dq for K w  (BE4)-(BE6)",
     .source = "Toth 2012, section 4; consistent mass and Rayleigh damping unless (44), (45) are "
-              "asked for",
+              "asked for; elastica: Reissner 1972",
     .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    .choose = beam_choose,
     .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
     .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,
-    .stiff = beam_stiff, .solve = beam_solve, .event = beam_event, .limit = beam_limit,
+    .stiff = beam_stiff, .solve = beam_solve, .unknowns = beam_unknowns, .read = beam_read,
+    .write = beam_write, .right = beam_right, .inertia = beam_inertia, .drift = beam_drift,
+    .pull = beam_pull, .join = beam_join, .joined = beam_joined, .fastest = beam_fastest,
+    .yield = beam_yield, .settle = beam_settle, .event = beam_event, .limit = beam_limit,
     .energy = beam_energy,
     .momentum = beam_momentum, .weight = beam_weight, .show = beam_show,
 };

@@ -71,6 +71,7 @@ static int take_memory(struct bending *b)
     TRY(band_factor_create(b->dofs, BANDWIDTH, &b->mass_factor));
     for (int i = 0; i < BENDING_FACTORS; i++)
         TRY(band_factor_create(b->dofs, BANDWIDTH, &b->kept[i].factor));
+    TRY(band_factor_create(b->dofs, BANDWIDTH, &b->joint));
     b->work = status_alloc((unsigned long)b->dofs * 2, sizeof *b->work);
     return b->work ? STATUS_DONE : STATUS_FAILED;
 }
@@ -160,6 +161,7 @@ void bending_free(struct bending **b)
     band_factor_free(&(*b)->mass_factor);
     for (int i = 0; i < BENDING_FACTORS; i++)
         band_factor_free(&(*b)->kept[i].factor);
+    band_factor_free(&(*b)->joint);
     free((*b)->work);
     free(*b);
     *b = NULL;
@@ -198,6 +200,21 @@ void bending_accelerate(const struct bending *b, double *f)
     band_factor_solve(b->mass_factor, f);
 }
 
+/* To the scratch matrix: M + gamma D + gamma^2 K. */
+static void sum_up(struct bending *b, double gamma)
+{
+    band_sum(b->sum, 1 + gamma * b->def.alpha, b->mass_free,
+             gamma * (b->def.beta + gamma), b->stiffness_free);
+    add_drag(b, gamma * b->def.drag);
+}
+
+static void hold(struct bending *b)
+{
+    for (int i = 0; i < b->dofs; i++)
+        if (bending_held(b, i))
+            band_hold(b->sum, i, 1);
+}
+
 /* The factorization of M + gamma D + gamma^2 K: kept, or made anew over the oldest. */
 static int factor_of(struct bending *b, double gamma, const struct band_factor **out)
 {
@@ -209,12 +226,8 @@ static int factor_of(struct bending *b, double gamma, const struct band_factor *
     struct bending_factor *f = &b->kept[b->oldest];
 
     b->oldest = (b->oldest + 1) % BENDING_FACTORS;
-    band_sum(b->sum, 1 + gamma * b->def.alpha, b->mass_free,
-             gamma * (b->def.beta + gamma), b->stiffness_free);
-    add_drag(b, gamma * b->def.drag);
-    for (int i = 0; i < b->dofs; i++)
-        if (bending_held(b, i))
-            band_hold(b->sum, i, 1);
+    sum_up(b, gamma);
+    hold(b);
     f->set = false;
     TRY(band_factor_set(f->factor, b->sum));
     f->set = true;
@@ -223,21 +236,60 @@ static int factor_of(struct bending *b, double gamma, const struct band_factor *
     return STATUS_DONE;
 }
 
-int bending_solve(struct bending *b, double gamma, double *q, double *v)
+void bending_right(struct bending *b, double gamma, const double *q, double *v)
 {
-    const struct band_factor *f;
     double *pull = b->work, *push = b->work + b->dofs;
 
-    TRY(factor_of(b, gamma, &f));
     band_multiply(b->stiffness_free, q, pull);
     band_multiply(b->mass_free, v, push);
     for (int i = 0; i < b->dofs; i++)
         v[i] = push[i] - gamma * pull[i];
+}
+
+int bending_solve(struct bending *b, double gamma, double *q, double *v)
+{
+    const struct band_factor *f;
+
+    TRY(factor_of(b, gamma, &f));
+    bending_right(b, gamma, q, v);
     band_factor_solve(f, v);
     for (int i = 0; i < b->dofs; i++)
         if (!bending_held(b, i))
             q[i] += gamma * v[i];
     return STATUS_DONE;
+}
+
+void bending_inertia(struct bending *b, double gamma, const double *v, double *to)
+{
+    sum_up(b, gamma);
+    hold(b);
+    band_multiply(b->sum, v, to);
+}
+
+void bending_join(struct bending *b, double gamma)
+{
+    sum_up(b, gamma);
+}
+
+void bending_join_point(struct bending *b, int first, const double *shape, double c)
+{
+    double block[4][4];
+
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            block[i][k] = c * shape[i] * shape[k];
+    band_add_block(b->sum, first, 4, &block[0][0]);
+}
+
+int bending_joined(struct bending *b)
+{
+    hold(b);
+    return band_factor_set(b->joint, b->sum);
+}
+
+void bending_join_solve(const struct bending *b, double *x)
+{
+    band_factor_solve(b->joint, x);
 }
 
 double bending_kinetic(const struct bending *b, const double *v)

@@ -49,6 +49,7 @@ struct bending {
     struct band *sum;                         /* scratch                       */
     struct band_factor *mass_factor;
     struct bending_factor kept[BENDING_FACTORS];
+    struct band_factor *joint;                /* see bending_join()            */
     int oldest;                               /* of kept: the next to go       */
     double *work;                             /* [2][dofs] scratch             */
 };
@@ -72,6 +73,21 @@ void bending_accelerate(const struct bending *b, double *f);
 /* Solves z - gamma f_I(z) = r with f_I = (v, -M^-1 (K q + D v)): r comes in
  * through q and v, z goes out.  Held entries keep r. */
 int bending_solve(struct bending *b, double gamma, double *q, double *v);
+
+/* The same with forces that are linear in v and not the beam's own: a solver of the
+ * whole goes by (M + gamma D + gamma^2 K) v = right + gamma (those forces).
+ * bending_inertia(): to = (M + gamma D + gamma^2 K) v, held entries v.
+ * bending_right(): v, that comes in as r, becomes M r_v - gamma K r_q, held entries r_v. */
+void bending_inertia(struct bending *b, double gamma, const double *v, double *to);
+void bending_right(struct bending *b, double gamma, const double *q, double *v);
+
+/* M + gamma D + gamma^2 K and what resists at points: bending_join(), then for each
+ * point c times shape shape^T [4][4] at the degree of freedom `first`, then
+ * bending_joined(), after which bending_join_solve() solves in place. */
+void bending_join(struct bending *b, double gamma);
+void bending_join_point(struct bending *b, int first, const double *shape, double c);
+int bending_joined(struct bending *b);
+void bending_join_solve(const struct bending *b, double *x);
 
 double bending_kinetic(const struct bending *b, const double *v); /* [J, 2D: J/m]        */
 double bending_elastic(const struct bending *b, const double *q); /* [J, 2D: J/m]        */

@@ -31,6 +31,9 @@ struct body_kind {
     size_t size;                /* of its parameter struct                     */
     const struct param *params;
 
+    /* Another kind with the same parameters that these ask for; NULL: never another. */
+    const struct body_kind *(*choose)(const void *params);
+
     /* Refuses (BAD_SCENE) what cannot stand; `path` is "beam.NAME". */
     int (*create)(const void *params, const struct scales *s, const char *name,
                   const char *path, struct body **out);
@@ -55,9 +58,40 @@ struct body_kind {
     void (*stiff)(const struct body *b, const struct layout *l, double t, const double *y,
                   double *ydot);
 
-    /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched. */
+    /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched.  A guess
+     * comes in through z; STATUS_FAILED when none is found from there. */
     int (*solve)(struct body *b, const struct layout *l, double t, double gamma,
                  const double *r, double *z);
+
+    /* The same where the fluid's viscosity is implicit, too, and pulls at the skin by
+     * forces that are linear in velocities.  A solver of the whole (plan/viscous.h) has
+     * the body's part of it by v [unknowns], the velocities of its rows:
+     *   B v - gamma S^T (forces on the skin) = right,  positions = r + gamma v */
+    int (*unknowns)(const struct body *b);
+    void (*read)(struct body *b, const struct layout *l, const double *y, double *v);
+    void (*write)(struct body *b, const struct layout *l, double gamma, const double *r,
+                  const double *v, double *z);
+    void (*right)(struct body *b, const struct layout *l, double gamma, const double *r,
+                  double *to);
+    void (*inertia)(struct body *b, double gamma, const double *v, double *to); /* B v */
+    void (*drift)(const struct body *b, const double *v, double (*u)[DIM]);     /* S v */
+    void (*pull)(const struct body *b, const double (*force)[DIM], double c,
+                 double *to);                                    /* adds c S^T force  */
+
+    /* Ready to solve B + gamma S^T (c of each point) S, in place. */
+    int (*join)(struct body *b, double gamma, const double *c);
+    void (*joined)(const struct body *b, double *v);
+    double (*fastest)(const struct body *b, const double *v); /* of its points [m/s] */
+
+    /* Rates by forces on the skin alone: adds M^-1 S^T force to its rows of ydot, and
+     * what the support gives against them [N, 2D: N/m] to `support`. */
+    void (*yield)(struct body *b, const struct layout *l, const double (*force)[DIM],
+                  double *ydot, double support[DIM]);
+
+    /* The same support after a solve: with the acceleration that (z - r)/gamma has
+     * beyond that of stiff(), so that momentum closes however inexact the solve. */
+    void (*settle)(struct body *b, const struct layout *l, double gamma, const double *r,
+                   const double *z, const double (*force)[DIM], double support[DIM]);
 
     /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s]. */
     double (*event)(const struct body *b, double t);
@@ -76,5 +110,6 @@ struct body_kind {
 
 extern const struct body_kind *const bodies_table[]; /* NULL-ended */
 extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2 only */
+extern const struct body_kind bodies_elastica;       /* elastica-body.c, chosen by theory */
 
 #endif

@@ -11,6 +11,11 @@
 #define effects_table LANE_NAME(effects_table)
 extern const struct part *const effects_table[];
 
+/* What couple() of a part gives: F_ab = -c (v_a - v_b). */
+struct coupling {
+    lanes c[PAIRS_ROWS]; /* [kg/s, 2D: kg/(m s)]                                */
+};
+
 /* Who meets whom: every kind meets the fluid, the fluid meets every kind. */
 #define EFFECTS_ACT_ALL                                                                  \
     {                                                                                    \

@@ -9,17 +9,27 @@
  * dimension.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
 #include "effects/lightest.h"
+#include "effects/viscosity-side.h"
 
 struct laminar_viscosity {
     double mu;   /* dynamic viscosity                 [Pa s] */
     double rate; /* fastest decay with nu = 1         [1/m^2] */
+    const char *side;
 };
 
 static const struct param params[] = {
     { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laminar_viscosity, mu),
       .fallback = 1e-3, .min = 0, .max = 1e4, .about = "dynamic viscosity; 0.001 is water" },
+    VISCOSITY_SIDE(struct laminar_viscosity),
     { 0 },
 };
+
+/* The c of rows k, F_ab = -c v. */
+LANES_INLINE lanes coupling(const struct laminar_viscosity *s, const struct side *a,
+                            const struct block *b, int k)
+{
+    return -2 * s->mu * (a->irho * b->irho[k]) * (b->gw_r2[k] * b->r2[k]);
+}
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
@@ -27,11 +37,29 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     struct sum t = *to; /* registers, not memory */
 
     for (int k = 0; k < b->n; k++) {
-        const lanes c = 2 * s->mu * (a->irho * b->irho[k]) * (b->gw_r2[k] * b->r2[k]);
+        const lanes c = coupling(s, a, b, k);
         for (int d = 0; d < DIM; d++)
-            t.f[d] += c * b->v[d][k];
+            t.f[d] -= c * b->v[d][k];
     }
     *to = t;
+}
+
+static void couple(const void *self, const struct side *a, const struct block *b,
+                   struct coupling *to)
+{
+    for (int k = 0; k < b->n; k++)
+        to->c[k] = coupling(self, a, b, k);
+}
+
+static bool stiff(const void *self)
+{
+    const struct laminar_viscosity *s = self;
+    return viscosity_is_implicit(s->side);
+}
+
+static double mu(const void *self)
+{
+    return ((const struct laminar_viscosity *)self)->mu;
 }
 
 static int prepare(void *self, const struct scales *scales)
@@ -63,5 +91,8 @@ const struct part LANE_NAME(effects_laminar_viscosity) = {
     .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
     .pairs = pairs,
+    .couple = couple,
+    .stiff = stiff,
+    .mu = mu,
     .limit = limit,
 };

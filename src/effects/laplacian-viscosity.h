@@ -16,12 +16,21 @@ struct laplacian_viscosity {
     double mu;     /* dynamic viscosity                             [Pa s]   */
     double factor; /* mu times what a misprint makes of lapW        [Pa s ..] */
     double rate;   /* fastest decay with mu/rho = 1                 [1/m^2]  */
+    const char *side; /* NULL: explicit                                      */
 };
 
 #define LAPLACIAN_VISCOSITY_MU                                                           \
     { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laplacian_viscosity, mu),   \
       .fallback = 1e-3, .min = 0, .max = 1e4,                                            \
       .about = "dynamic viscosity; 0.001 is water, the seed takes 0.5" }
+
+/* The c of rows k, F_ab = -c v. */
+LANES_INLINE lanes laplacian_viscosity_coupling(const struct laplacian_viscosity *s,
+                                                const struct side *a, const struct block *b,
+                                                int k)
+{
+    return s->factor * (a->irho * b->irho[k]) * b->lw[k];
+}
 
 static void laplacian_viscosity_pairs(const void *self, const struct side *a,
                                       const struct block *b, struct sum *to)
@@ -30,7 +39,7 @@ static void laplacian_viscosity_pairs(const void *self, const struct side *a,
     struct sum t = *to; /* registers, not memory */
 
     for (int k = 0; k < b->n; k++) {
-        const lanes c = s->factor * (a->irho * b->irho[k]) * b->lw[k];
+        const lanes c = laplacian_viscosity_coupling(s, a, b, k);
         for (int d = 0; d < DIM; d++)
             t.f[d] -= c * b->v[d][k];
     }

@@ -109,18 +109,49 @@ static int bring_references(const struct places *at, const char *script)
     return STATUS_DONE;
 }
 
+/* NAME.gp draws NAME.png, NAME-*.png or, when there is nothing to show, none. */
+static bool is_drawn_by(const char *png, const char *script)
+{
+    const size_t n = strlen(script) - strlen(".gp");
+    const char *end = strrchr(png, '.');
+
+    return end && !strncmp(png, script, n) && (png[n] == '-' || png[n] == '.')
+           && !strcmp(end, ".png");
+}
+
+static void each_png(const struct places *at, const char *script, void (*what)(const char *path))
+{
+    struct dirent **entry;
+    const int n = scandir(at->figures, &entry, NULL, alphasort);
+    char path[ASIDE_PATH];
+
+    for (int i = 0; i < n; i++) {
+        if (is_drawn_by(entry[i]->d_name, script)
+            && aside_join(path, at->figures, entry[i]->d_name) == STATUS_DONE)
+            what(path);
+        free(entry[i]);
+    }
+    if (n >= 0)
+        free(entry);
+}
+
+static void take_away(const char *path)
+{
+    remove(path);
+}
+
+static void say(const char *path)
+{
+    printf("%s\n", path);
+}
+
 static int draw(const struct places *at, const char *script, const char *name)
 {
-    char png[ASIDE_PATH];
-
     TRY(bring_references(at, script));
     TRY(bring(at, at->scripts, name));
-    TRY(aside_join(png, at->figures, name));
-    memcpy(strrchr(png, '.'), ".png", 5);
-    remove(png);
+    each_png(at, name, take_away);
     TRY(gnuplot_run(at->figures, name));
-    if (access(png, F_OK) == 0) /* a script may find that there is nothing to show */
-        printf("%s\n", png);
+    each_png(at, name, say);
     return STATUS_DONE;
 }
 

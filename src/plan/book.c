@@ -1,5 +1,6 @@
 /* book.c -- mass, momentum and energy by name: quadratures that ride in y, and
  * what is stored at a moment. */
+#include "plan/body-book.h"
 #include "plan/inside.h"
 #include "plan/observe.h"
 
@@ -47,6 +48,25 @@ void plan_book_rates(const struct plan *p, const struct plan_workspace *w, doubl
     for (int o = 0; o < p->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
             book[p->book.impulse + o * DIM + d] = p->force[o][d];
+}
+
+void plan_body_book(struct plan *p, double t, const double *y, double share, double *ydot)
+{
+    double *book = ydot + layout_at(&p->layout, p->book.row);
+
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        struct body_load load;
+
+        b->kind->load(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, p->scratch,
+                      &load);
+        book[p->book.damping + i] += share * load.damping;
+        book[p->book.driven + i] += share * load.driven;
+        for (int d = 0; d < DIM; d++) {
+            book[p->book.support + i * DIM + d] += share * load.support[d];
+            book[p->book.applied + i * DIM + d] += share * load.applied[d];
+        }
+    }
 }
 
 /* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */

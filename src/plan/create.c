@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "plan/kernels.h"
+#include "plan/viscous.h"
 #include "scene/scene.h"
 #include "state/fill.h"
 
@@ -60,6 +61,23 @@ static int take_parts(struct plan *p)
         TRY(take_part(p, p->in.walls, p->in.walls->size ? &p->in.walls_self : NULL, "walls"));
     for (int i = 0; i < p->in.effects; i++)
         TRY(take_part(p, p->in.effect[i].part, &p->in.effect[i].self, p->in.effect[i].path));
+    return STATUS_DONE;
+}
+
+/* The viscosity that the scene wants implicit. */
+static int find_stiff(struct plan *p, const struct scene *scene)
+{
+    for (int i = 0; i < p->parts; i++) {
+        const struct plan_part *one = &p->part[i];
+        if (!one->part->stiff || !one->part->stiff(one->self))
+            continue;
+        if (p->stiff)
+            return status_fail(STATUS_BAD_SCENE, "%s: both %s and %s are to be implicit, but one "
+                               "viscosity is solved for at a time: leave one of them out, or set "
+                               "its side = \"explicit\"", scene_path(scene), p->stiff->path,
+                               one->path);
+        p->stiff = one;
+    }
     return STATUS_DONE;
 }
 
@@ -261,12 +279,14 @@ static int build(struct plan *p, struct scene *scene)
     TRY(take_parts(p));
     TRY(prepare_parts(p, scene));
     TRY(plan_agree(p, scene));
+    TRY(find_stiff(p, scene));
     plan_fields_make(p);
     TRY(name_objects(p));
     TRY(make_layout(p));
     TRY(plan_tables_make(p));
     make_list_def(p);
-    return plan_workspace_make(p, &p->main);
+    TRY(plan_workspace_make(p, &p->main));
+    return viscous_make(p);
 }
 
 int plan_create(struct scene *scene, struct plan **out)
@@ -297,6 +317,7 @@ void plan_free(struct plan **plan)
         p->body[i].kind->free(&p->body[i].body);
         free(p->body[i].force);
     }
+    viscous_free(p);
     plan_workspace_free(p, &p->main);
     plan_observer_free(p);
     particles_free(&p->particles);

@@ -8,7 +8,8 @@ extern const struct part *const effects_table_lanes2[], *const walls_table_lanes
 extern const struct kernel *const kernel_table_lanes2[];
 
 static const struct engine two = {
-    2, &sum_engine_lanes2, effects_table_lanes2, walls_table_lanes2, kernel_table_lanes2
+    2, &sum_engine_lanes2, effects_table_lanes2, walls_table_lanes2, kernel_table_lanes2,
+    &couple_engine_lanes2
 };
 
 #ifdef STIFFWATER_V3
@@ -16,7 +17,8 @@ extern const struct part *const effects_table_lanes4[], *const walls_table_lanes
 extern const struct kernel *const kernel_table_lanes4[];
 
 static const struct engine four = {
-    4, &sum_engine_lanes4, effects_table_lanes4, walls_table_lanes4, kernel_table_lanes4
+    4, &sum_engine_lanes4, effects_table_lanes4, walls_table_lanes4, kernel_table_lanes4,
+    &couple_engine_lanes4
 };
 
 const struct engine *engine_pick(void)

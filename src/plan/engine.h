@@ -2,6 +2,7 @@
 #ifndef PLAN_ENGINE_H
 #define PLAN_ENGINE_H
 
+#include "plan/couple.h"
 #include "plan/sum.h"
 #include "state/part.h"
 
@@ -13,6 +14,7 @@ struct engine {
     const struct part *const *effects;    /* NULL-ended */
     const struct part *const *walls;      /* NULL-ended, the first is the default */
     const struct kernel *const *kernels;  /* NULL-ended */
+    const struct couple_engine *couple;
 };
 
 /* Four lanes where the processor has AVX2 and FMA, else two; the environment

@@ -297,6 +297,7 @@ static int read_bodies_of(struct scene *scene, const struct body_kind *kind, str
         if (!(b->params = status_alloc(1, kind->size)))
             return STATUS_FAILED;
         TRY(scene_fill(scene, node, b->path, kind->params, NULL, DIM, b->params));
+        b->kind = kind->choose ? kind->choose(b->params) : kind;
     }
     return STATUS_DONE;
 }

@@ -9,6 +9,7 @@
 enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
 
 struct pairs_table;
+struct viscous; /* plan/viscous.h */
 struct kernel_use;
 
 struct plan_part {
@@ -87,6 +88,10 @@ struct plan {
     struct plan_book book;
     struct pairs_table *table;         /* [KINDS][KINDS] all laws             */
     struct pairs_table *rates, *forces; /* those of one half of the explicit side */
+    struct pairs_table *explicit, *implicit; /* those of one side; explicit is table
+                                          where all laws are                  */
+    const struct plan_part *stiff;     /* the viscosity that is implicit, NULL: none */
+    struct viscous *viscous;           /* its solver                          */
     bool mixed;                        /* a law belongs to both halves        */
     struct list_def list_def;
     struct plan_workspace main, observer; /* observer made at the first look  */
@@ -126,7 +131,15 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
  * summed.  STATUS_FAILED: refused. */
 int plan_fields(struct plan *p, struct plan_workspace *w, struct view *v);
 
-/* rates.c: the explicit side or one half of it into ydot, with this workspace. */
+/* rates.c: sums over pairs by these laws; force of the fluid on each solid, and the
+ * power of driven walls; forces on the points of one skin. */
+int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
+             const double (*push)[DIM]);
+void plan_solids_sum(struct plan *p, const struct plan_workspace *w);
+void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b);
+
+/* The explicit side, one half of it or (PLAN_ALL) all but the stiff side of bodies
+ * into ydot, with this workspace. */
 int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,
                const double *y, double *ydot);
 

@@ -24,6 +24,8 @@ void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct li
     plan_view(p, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
+        if (&p->part[i] == p->stiff && !stiff)
+            continue;
         if (p->part[i].part->limit) {
             p->part[i].part->limit(p->part[i].self, &v, &one);
             keep_fastest(&one, p->part[i].part->name, limit);

@@ -2,6 +2,7 @@
 #include "plan/memory.h"
 
 #include "plan/inside.h"
+#include "plan/viscous.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -14,6 +15,7 @@ struct count {
     double entries;      /* in the rows of one pair list                        */
     int vectors;         /* of the size of y, of the method                     */
     bool fields;         /* densities are summed                                */
+    bool viscous;        /* a viscosity is implicit                             */
 };
 
 /* Neighbours of a particle of the fluid in the list, on a full lattice. */
@@ -43,6 +45,14 @@ static double outputs(const struct count *c)
     return n * (frame + work + 2 * file + crowd) + c->fluid * (pairing + pressures);
 }
 
+/* Coefficients of pairs, velocities and their sums by slot, y of a stage, vectors. */
+static double viscous(const struct count *c)
+{
+    return c->viscous ? 8 * (1.25 * c->entries + (c->fluid + c->solid) * (COUPLE_STRIDE + 2)
+                             + c->numbers + c->fluid * DIM * VISCOUS_VECTORS)
+                      : 0;
+}
+
 static void estimate(const struct count *c, struct plan_memory *m)
 {
     const double n = c->fluid + c->solid;
@@ -50,7 +60,7 @@ static void estimate(const struct count *c, struct plan_memory *m)
     *m = (struct plan_memory){
         .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
         .lists = 2 * list_bytes(n, c->entries),
-        .sums = 8 * n * (RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0)),
+        .sums = 8 * n * (RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0)) + viscous(c),
         .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
         .outputs = outputs(c),
     };
@@ -64,7 +74,7 @@ void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
         .entries = p->main.list && p->main.list->builds > 0
                        ? list_entries(p->main.list)
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
-        .vectors = vectors, .fields = p->fields > 0,
+        .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
     };
 
     estimate(&c, out);

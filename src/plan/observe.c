@@ -47,7 +47,7 @@ int plan_observe(struct plan *p, double t, const double *y)
 
     plan_view_make(p, t, y, &v);
     TRY(choose(p, &v, &w));
-    if (plan_rates(p, w, PLAN_EXPLICIT, t, y, p->scratch) != STATUS_DONE)
+    if (plan_rates(p, w, PLAN_ALL, t, y, p->scratch) != STATUS_DONE)
         return status_fail(STATUS_FAILED, "%s", p->refusal);
     return STATUS_DONE;
 }

@@ -13,8 +13,9 @@ struct plan;
 struct scene;
 
 enum plan_which {
-    PLAN_EXPLICIT = 1, /* everything but the stiff side of bodies             */
-    PLAN_IMPLICIT = 2, /* the stiff side of bodies; rows of others are 0      */
+    PLAN_EXPLICIT = 1, /* everything but the implicit side                    */
+    PLAN_IMPLICIT = 2, /* the stiff side of bodies, and a viscosity whose key
+                          `side` says so; rows of others are 0                */
     PLAN_ALL = 3,
 
     /* The two halves of the explicit side, a pass over pairs each; rows of others,
@@ -56,8 +57,16 @@ bool plan_stiff(const struct plan *plan);
 int plan_stiff_ranges(const struct plan *plan, int most, long (*range)[2]); /* their number */
 
 /* Finds z with z - gamma f_I(t, z) = r in those ranges (z comes in as a guess);
- * other entries are not touched. */
+ * other entries are not touched.  STATUS_FAILED: without a failure kept, a refusal as
+ * that of plan_rhs() -- try a shorter step -- else the failure. */
 int plan_solve(struct plan *plan, double t, double gamma, const double *r, double *z);
+
+/* NULL, or the path of the effect that is implicit ("effects.laminar-viscosity").
+ * Then the ranges hold the fluid's velocities and the book, too; plan_solve() reads
+ * all of r; and it is exact to a small part of the errors of size tol, in units of
+ * scales, that plan_solve_tolerance() says a step may have (until then: the scene's). */
+const char *plan_viscous(const struct plan *plan);
+void plan_solve_tolerance(struct plan *plan, double tol);
 
 /* Largest explicit step the physics allows: rates of waves and of decay [1/s],
  * with part and particle.  `stiff` says whether the implicit side is taken
@@ -75,9 +84,10 @@ void plan_weights(const struct plan *plan, double tol, double *weight);
 const char *plan_entry(const struct plan *plan, long i);
 
 /* How many right-hand sides have been asked for, by side (two halves are one),
- * passes over all pairs for them, and list rebuilds. */
+ * passes over all pairs for them and for solves, products of the implicit viscosity's
+ * matrix, and list rebuilds. */
 struct plan_counts {
-    long rhs_explicit, rhs_implicit, passes, solves, rebuilds, refused;
+    long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
 };
 const struct plan_counts *plan_counts(const struct plan *plan);
 

@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-static int sum_pairs(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
-                     const double (*push)[DIM])
+int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
+             const double (*push)[DIM])
 {
     const struct sum_job job = {
         .list = w->list, .record = w->record, .table = table, .slots = p->slots,
@@ -60,8 +60,7 @@ static void spread_solids(const struct plan *p, const struct plan_workspace *w, 
     }
 }
 
-/* Force of the fluid on each solid, and the power of driven walls. */
-static void sum_solids(struct plan *p, const struct plan_workspace *w)
+void plan_solids_sum(struct plan *p, const struct plan_workspace *w)
 {
     const struct particles *all = p->particles;
 
@@ -81,19 +80,22 @@ static void sum_solids(struct plan *p, const struct plan_workspace *w)
                            * all->u[all->object[p->wall[i].object].from][d];
 }
 
+void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b)
+{
+    for (int j = 0; j < b->skin; j++) {
+        const int s = w->list->slot[p->particles->object[b->object].from + j];
+        for (int d = 0; d < DIM; d++)
+            b->force[j][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d];
+    }
+}
+
 /* Skin forces bend the bodies. */
 static void load_bodies(struct plan *p, const struct plan_workspace *w, double t,
                         const double *y, double *ydot)
 {
-    const struct particles *all = p->particles;
-
     for (int i = 0; i < p->bodies; i++) {
         struct plan_body *b = &p->body[i];
-        for (int j = 0; j < b->skin; j++) {
-            const int s = w->list->slot[all->object[b->object].from + j];
-            for (int d = 0; d < DIM; d++)
-                b->force[j][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d];
-        }
+        plan_skin_force(p, w, b);
         b->kind->load(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, ydot, &b->load);
     }
 }
@@ -123,7 +125,7 @@ static void push(struct plan *p, struct plan_workspace *w, const struct view *v,
 {
     if (p->row_x >= 0)
         add_fields(p, v, ydot);
-    sum_solids(p, w);
+    plan_solids_sum(p, w);
     load_bodies(p, w, v->t, y, ydot);
     plan_book_rates(p, w, ydot);
 }
@@ -167,13 +169,14 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
 {
     const struct pairs_table *table = which == PLAN_DENSITY    ? p->rates
                                       : which == PLAN_VELOCITY ? p->forces
+                                      : which == PLAN_EXPLICIT ? p->explicit
                                                                : p->table;
     struct view v;
 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
     if (p->particles->n > 0)
-        TRY(sum_pairs(p, w, table, pushes(p, &v, ydot)));
+        TRY(plan_sum(p, w, table, pushes(p, &v, ydot)));
     spread(p, w, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);

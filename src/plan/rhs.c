@@ -1,5 +1,6 @@
 /* rhs.c -- the one right-hand side, and its implicit side. */
 #include "plan/inside.h"
+#include "plan/viscous.h"
 
 #include "base/status.h"
 
@@ -25,13 +26,27 @@ static int explicit_side(struct plan *p, enum plan_which which, double t, const 
     return status;
 }
 
+static int implicit_side(struct plan *p, double t, const double *y, double *ydot)
+{
+    int status = STATUS_DONE;
+
+    p->counts.rhs_implicit++;
+    memset(ydot, 0, (size_t)plan_size(p) * sizeof *ydot);
+    if (p->viscous) {
+        status = viscous_rates(p, t, y, ydot);
+        p->counts.passes++;
+        p->counts.refused += status != STATUS_DONE;
+        p->counts.rebuilds = p->main.list->builds;
+    }
+    return status;
+}
+
 int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *ydot)
 {
-    p->counts.rhs_implicit += which == PLAN_IMPLICIT;
     if (which != PLAN_IMPLICIT)
         TRY(explicit_side(p, which, t, y, ydot));
     else
-        memset(ydot, 0, (size_t)plan_size(p) * sizeof *ydot);
+        TRY(implicit_side(p, t, y, ydot));
     if (which & PLAN_IMPLICIT)
         add_stiff(p, t, y, ydot);
     return STATUS_DONE;
@@ -50,6 +65,8 @@ int plan_half(struct plan *p, enum plan_which which, double t, const double *y, 
 
 const char *plan_halves(const struct plan *p)
 {
+    if (p->viscous)
+        return "its viscosity is implicit (side = \"implicit\")";
     return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
 }
 
@@ -80,7 +97,18 @@ const struct plan_counts *plan_counts(const struct plan *p)
 
 bool plan_stiff(const struct plan *p)
 {
-    return p->bodies > 0;
+    return p->bodies > 0 || p->viscous;
+}
+
+const char *plan_viscous(const struct plan *p)
+{
+    return p->viscous ? p->stiff->path : NULL;
+}
+
+void plan_solve_tolerance(struct plan *p, double tol)
+{
+    if (p->viscous)
+        p->viscous->tol = tol;
 }
 
 /* Rows of bodies are all rows whose name starts with the body's path. */
@@ -94,13 +122,19 @@ static bool of_body(const struct plan *p, const struct layout_row *r)
     return false;
 }
 
+static bool is_stiff(const struct plan *p, int row)
+{
+    return of_body(p, &p->layout.row[row])
+           || (p->viscous && (row == p->row_u || row == p->book.row));
+}
+
 int plan_stiff_ranges(const struct plan *p, int most, long (*range)[2])
 {
     int n = 0;
 
     for (int i = 0; i < p->layout.rows && n < most; i++) {
         const struct layout_row *r = &p->layout.row[i];
-        if (of_body(p, r)) {
+        if (is_stiff(p, i)) {
             range[n][0] = r->offset;
             range[n++][1] = r->offset + (long)r->n * r->components;
         }
@@ -111,6 +145,12 @@ int plan_stiff_ranges(const struct plan *p, int most, long (*range)[2])
 int plan_solve(struct plan *p, double t, double gamma, const double *r, double *z)
 {
     p->counts.solves++;
+    if (p->viscous) {
+        const int status = viscous_solve(p, t, gamma, r, z);
+        p->counts.refused += status != STATUS_DONE;
+        p->counts.rebuilds = p->main.list->builds;
+        return status;
+    }
     for (int i = 0; i < p->bodies; i++)
         TRY(p->body[i].kind->solve(p->body[i].body, &p->layout, t, gamma, r, z));
     return STATUS_DONE;

@@ -37,8 +37,8 @@ const struct param settings_params[] = {
     { .key = "norm", .unit = "", .type = PARAM_WORD, AT(settings, norm), .words = norm_words,
       .about = "how the errors of all entries become one: largest, mean 8th power, rms" },
     { .key = "substep", .unit = "s", AT(settings, substep), .fallback = NAN, .min = 1e-9,
-      .max = 1e6, .about = "largest step of bodies in the method staggered; computed: no limit, "
-                           "one step as the fluid's" },
+      .max = 1e6, .about = "largest step of bodies in the methods staggered and mri; computed: no "
+                           "limit, one step as the fluid's or as long as tol allows" },
     { .key = "walls", .unit = "", .type = PARAM_WORD, AT(settings, walls), .words = wall_words,
       .about = "how solids meet the fluid (see `list walls`)" },
     { 0 },

@@ -17,7 +17,7 @@ struct settings {
     const char *method; /* "" : by whether there is a stiff side              */
     double tol;
     const char *norm;   /* "max", "p8", "wrms"                                */
-    double substep;     /* largest one of bodies in the method staggered [s]  */
+    double substep;     /* largest one of bodies in staggered and mri [s]     */
     const char *walls;  /* wall model                                         */
 };
 

@@ -45,12 +45,16 @@ static void share_kernels(struct pairs_table *t)
         }
 }
 
-/* The laws that add to these columns and to no others; 0: all laws. */
-static int make_table(struct plan *p, struct pairs_table *table, unsigned columns)
+enum sides { EXPLICIT = 1, IMPLICIT = 2, BOTH = 3 };
+
+/* The laws of these sides that add to these columns and to no others; 0: all laws. */
+static int make_table(struct plan *p, struct pairs_table *table, enum sides sides,
+                      unsigned columns)
 {
     for (int i = 0; i < p->parts; i++) {
         const struct plan_part *part = &p->part[i];
-        if (part->slot < 0 || (columns && part->part->columns != columns))
+        if (part->slot < 0 || (columns && part->part->columns != columns)
+            || !(sides & (part == p->stiff ? IMPLICIT : EXPLICIT)))
             continue;
         for (int a = 0; a < KINDS; a++)
             for (int b = 0; b < KINDS; b++)
@@ -63,16 +67,24 @@ static int make_table(struct plan *p, struct pairs_table *table, unsigned column
 
 int plan_tables_make(struct plan *p)
 {
-    p->table = status_alloc(3 * KINDS * KINDS, sizeof *p->table);
+    enum { ONE = KINDS * KINDS };
+
+    p->table = status_alloc(5 * ONE, sizeof *p->table);
     if (!p->table)
         return STATUS_FAILED;
-    p->rates = p->table + KINDS * KINDS;
-    p->forces = p->rates + KINDS * KINDS;
+    p->rates = p->table + ONE;
+    p->forces = p->table + 2 * ONE;
+    p->explicit = p->stiff ? p->table + 3 * ONE : p->table;
+    p->implicit = p->table + 4 * ONE;
     for (int i = 0; i < p->parts; i++)
         p->mixed |= p->part[i].part->columns == (COLUMN_DRHO | COLUMN_FORCE);
-    TRY(make_table(p, p->table, 0));
-    TRY(make_table(p, p->rates, COLUMN_DRHO));
-    return make_table(p, p->forces, COLUMN_FORCE);
+    TRY(make_table(p, p->table, BOTH, 0));
+    TRY(make_table(p, p->rates, BOTH, COLUMN_DRHO));
+    TRY(make_table(p, p->forces, BOTH, COLUMN_FORCE));
+    if (!p->stiff)
+        return STATUS_DONE;
+    TRY(make_table(p, p->explicit, EXPLICIT, 0));
+    return make_table(p, p->implicit, IMPLICIT, 0);
 }
 
 static void add_field(struct plan *p, const struct plan_part *part)

@@ -67,6 +67,7 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "rhs_implicit", c->rhs_implicit);
     json_integer(j, "solves", c->solves);
     json_integer(j, "pair_passes", c->passes);
+    json_integer(j, "operator_products", c->products);
     json_integer(j, "rebuilds", c->rebuilds);
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu());

@@ -183,9 +183,14 @@ static int write_constants(const struct run *r)
 
 static int start(struct run *r)
 {
+    char constant[40] = "";
+
     plan_start(r->plan, r->y);
     TRY(r->method->create(r->method, &r->def, r->plan, 0, r->y, &r->self));
-    snprintf(r->table, sizeof r->table, "%s", r->method->table ? r->method->table(r->self) : "");
+    if (r->def.seconds > 0)
+        snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
+    snprintf(r->table, sizeof r->table, "%s%s",
+             r->method->table ? r->method->table(r->self) : "", constant);
     TRY(outputs_open(&r->outputs, r->plan, r->directory));
     keep_density(r, 0, r->y);
     return write_used(r);
@@ -215,14 +220,32 @@ static void write_end(struct run *r)
         outputs_rows(r->outputs, r->plan, r->tally.t, y);
 }
 
+/* A constant step that nobody but the user has chosen. */
+static void doubt_step(struct run *r, char message[MESSAGE])
+{
+    const size_t n = strlen(message);
+    struct limit limit[2];
+    double rate;
+
+    if (!(r->def.seconds > 0) || strstr(message, "constant step"))
+        return;
+    plan_limit(r->plan, r->tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
+    rate = fmax(limit[0].rate, limit[1].rate);
+    snprintf(message + n, MESSAGE - n, ". The constant step of %g s is %.3g times 1/(fastest rate) "
+             "there; bounds of stability lie between 1 and 5: try a shorter one", r->def.seconds,
+             r->def.seconds * rate);
+}
+
 /* The message of a run that ended early; for one that failed, with whom to blame. */
 static void explain(struct run *r, int status, char message[MESSAGE])
 {
     char why[MESSAGE / 2] = "";
 
     snprintf(message, MESSAGE / 2, "%s", status_message());
-    if (status == STATUS_FAILED)
+    if (status == STATUS_FAILED) {
+        doubt_step(r, message);
         plan_blame(r->plan, r->tally.t, r->method->state(r->self), why, sizeof why);
+    }
     if (why[0])
         snprintf(message + strlen(message), MESSAGE - strlen(message), ". Who did it: %s", why);
 }

@@ -17,6 +17,7 @@ struct side;  /* space/pairs.h, lanes wide: only hot rooms look inside */
 struct block;
 struct sum;
 struct field_sum;
+struct coupling; /* effects/effects.h */
 
 enum { /* fields */
     FIELD_DENSITY = 1 << 0,
@@ -40,6 +41,8 @@ typedef void part_pairs(const void *self, const struct side *a, const struct blo
                         struct sum *to);
 typedef void part_gather(const void *self, const struct side *a, const struct block *b,
                          struct field_sum *to);
+typedef void part_couple(const void *self, const struct side *a, const struct block *b,
+                         struct coupling *to);
 
 enum { PART_SUMS = 2 + DIM }; /* numbers that a field's gather() may add up     */
 
@@ -87,6 +90,12 @@ struct part {
 
     /* Picks another law than pairs by what the parameters say, once. */
     part_pairs *(*choose)(const void *self);
+
+    /* Of a law that is linear in velocities, F_ab = -c (v_a - v_b): the c >= 0 of rows,
+     * without v; stiff(): its parameters ask for the implicit side; its mu [Pa s]. */
+    part_couple *couple;
+    bool (*stiff)(const void *self);
+    double (*mu)(const void *self);
 
     /* A density that does not evolve: gather() visits pairs before the forces are
      * known, weighed with the kernel of densities, and settle() makes the density

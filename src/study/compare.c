@@ -133,6 +133,7 @@ static bool begin(void *self, int i)
     remove(path);
     trial_path(w->study, w->trial[i], "order", path);
     remove(path);
+    w->tell.now = w->trial[i]->name;
     return true;
 }
 
@@ -243,9 +244,12 @@ static int all_runs(struct study *s)
 
 static int draw(const struct study *s)
 {
-    const struct figures_constants c = { .title = s->point[0].title, .dim = s->point[0].dimension,
-                                         .until = s->point[0].until, .dx = s->point[0].dx };
+    struct figures_constants c = { .title = s->point[0].title, .dim = s->point[0].dimension,
+                                   .until = s->point[0].until, .dx = s->point[0].dx };
+    char path[INSIDE_PATH];
 
+    trial_path(s, &s->reference[0], "run.json", path);
+    c.E0 = result_number(path, "energy_initial");
     TRY(figures_constants(s->directory, &c));
     if (figures_draw(s->directory, s->order->scripts, s->order->scripts) != STATUS_DONE) {
         status_warn("%s", status_message());

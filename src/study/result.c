@@ -43,7 +43,8 @@ void result_read(struct result *r, const char *dir)
         { "cpu_s", &r->cpu }, { "wall_s", &r->wall }, { "steps", &r->steps },
         { "rejected", &r->rejected }, { "rhs_explicit", &r->rhs_explicit },
         { "rhs_implicit", &r->rhs_implicit }, { "pair_passes", &r->passes },
-        { "mean_step", &r->mean_step }, { "energy_defect", &r->energy_defect },
+        { "mean_step", &r->mean_step }, { "t_end", &r->t_end },
+        { "energy_defect", &r->energy_defect },
     };
     char path[ASIDE_PATH];
 

@@ -8,6 +8,7 @@ struct result { /* NAN: not known */
     double cpu, wall; /* [s] */
     double steps, rejected, rhs_explicit, rhs_implicit, passes;
     double mean_step;     /* [s] */
+    double t_end;         /* time reached [s] */
     double energy_defect; /* [J], 2D: [J/m] */
     double error[RESULT_ERRORS];
 };

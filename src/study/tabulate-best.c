@@ -1,4 +1,5 @@
-/* tabulate-best.c -- the cheapest runs for each decade of error, as Markdown. */
+/* tabulate-best.c -- the cheapest runs for each decade of error, and those that failed, as
+ * Markdown. */
 #include "study/tabulate.h"
 
 #include "base/status.h"
@@ -6,73 +7,113 @@
 
 #include <math.h>
 
-enum { COARSE = 0, FINE = -9 }; /* decades of the table, 10^COARSE and below */
+enum { COARSE = 1, FINE = -9 };                      /* decades, 10^COARSE and below      */
+enum { ENERGY = RESULT_ERRORS, COLUMNS };            /* energy stands beside the errors   */
+enum price { CPU, PASSES, PRICES };
 
-/* The done case at this point with the least CPU time among those with error <= most; -1:
+static double price(const struct study *s, int c, enum price what)
+{
+    return what == CPU ? tabulate_cpu(s, c) : s->trial[c].result.passes;
+}
+
+static double error(const struct trial *t, int column)
+{
+    return column == ENERGY ? fabs(t->result.energy_defect) : t->result.error[column];
+}
+
+/* The done case at this point with the least price among those with error <= most; -1:
  * there is none. */
-static int cheapest(const struct study *s, const struct point *p, int quantity, double most)
+static int cheapest(const struct study *s, const struct point *p, int column, double most,
+                    enum price what)
 {
     int best = -1;
 
     for (int i = 0; i < s->points * s->cases; i++) {
         const struct trial *t = &s->trial[i];
-        if (t->ended && t->point == p && t->code == STATUS_DONE
-            && t->result.error[quantity] <= most
-            && (best < 0 || tabulate_cpu(s, i) < tabulate_cpu(s, best)))
+        if (t->ended && t->point == p && t->code == STATUS_DONE && error(t, column) <= most
+            && (best < 0 || price(s, i, what) < price(s, best, what)))
             best = i;
     }
     return best;
 }
 
-static bool has(const struct study *s, const struct point *p, int quantity)
+static bool has(const struct study *s, const struct point *p, int column)
 {
-    return cheapest(s, p, quantity, HUGE_VAL) >= 0;
+    return cheapest(s, p, column, HUGE_VAL, CPU) >= 0;
 }
 
 /* Neither what nobody reaches nor what everybody does. */
-static bool tells(const struct study *s, const struct point *p, int decade)
+static bool tells(const struct study *s, const struct point *p, int decade, enum price what)
 {
-    bool here = false, finer = false;
-
-    for (int q = 0; q < RESULT_ERRORS; q++) {
-        const int found = cheapest(s, p, q, pow(10, decade));
-        here |= found >= 0;
-        finer |= found >= 0 && found != cheapest(s, p, q, pow(10, decade - 1));
+    for (int q = 0; q < COLUMNS; q++) {
+        const int found = cheapest(s, p, q, pow(10, decade), what);
+        if (found >= 0 && found != cheapest(s, p, q, pow(10, decade - 1), what))
+            return true;
     }
-    return here && finer;
+    return false;
 }
 
-static void cell(FILE *to, const struct study *s, int c)
+static void cell(FILE *to, const struct study *s, int c, enum price what)
 {
     const struct trial *t = &s->trial[c];
 
-    if (c >= 0)
-        fprintf(to, " %s%s%s, %.3g s |", t->method, *t->tol ? " " : "", t->tol,
-                tabulate_cpu(s, c));
-    else
+    if (c < 0)
         fputs(" - |", to);
+    else if (what == CPU)
+        fprintf(to, " %s%s%s, %.3g s |", t->method, *t->tol ? " " : "", t->tol, price(s, c, CPU));
+    else
+        fprintf(to, " %s%s%s, %.0f |", t->method, *t->tol ? " " : "", t->tol, price(s, c, PASSES));
 }
 
-static void point_best(FILE *to, const struct study *s, const struct point *p)
+static void head(FILE *to, const struct study *s, const struct point *p, enum price what)
 {
-    if (*p->label)
-        fprintf(to, "\n%s\n", p->label);
-    fputs("\n| error at most |", to);
+    fprintf(to, "\n| %s; error at most |", what == CPU ? "CPU time" : "pair passes");
     for (int q = 0; q < RESULT_ERRORS; q++)
         if (has(s, p, q))
             fprintf(to, " %s |", result_errors[q]);
+    if (has(s, p, ENERGY))
+        fprintf(to, " energy [%s] |", p->dimension == 2 ? "J/m" : "J");
     fputs("\n| --- |", to);
-    for (int q = 0; q < RESULT_ERRORS; q++)
+    for (int q = 0; q < COLUMNS; q++)
         fputs(has(s, p, q) ? " --- |" : "", to);
     fputc('\n', to);
+}
+
+static void point_best(FILE *to, const struct study *s, const struct point *p, enum price what)
+{
+    head(to, s, p, what);
     for (int decade = COARSE; decade >= FINE; decade--) {
-        if (!tells(s, p, decade))
+        if (!tells(s, p, decade, what))
             continue;
         fprintf(to, "| 1e%+d |", decade);
-        for (int q = 0; q < RESULT_ERRORS; q++)
+        for (int q = 0; q < COLUMNS; q++)
             if (has(s, p, q))
-                cell(to, s, cheapest(s, p, q, pow(10, decade)));
+                cell(to, s, cheapest(s, p, q, pow(10, decade), what), what);
         fputc('\n', to);
+    }
+}
+
+/* A word of a table: what would end its cell stands aside. */
+static void word(FILE *to, const char *what)
+{
+    for (; *what; what++)
+        fputc(*what == '|' ? '/' : *what == '\n' ? ' ' : *what, to);
+}
+
+static void missed(FILE *to, const struct study *s)
+{
+    int n = 0;
+
+    for (int i = 0; i < s->points * s->cases; i++) {
+        const struct trial *t = &s->trial[i];
+        if (!t->ended || t->code == STATUS_DONE)
+            continue;
+        if (n++ == 0)
+            fputs("\n| not done | how | why |\n| --- | --- | --- |\n", to);
+        fprintf(to, "| %s%s%s%s%s | %s | ", t->method, *t->tol ? " " : "", t->tol,
+                *t->point->label ? ", " : "", t->point->label, trial_status(t));
+        word(to, t->message);
+        fputs(" |\n", to);
     }
 }
 
@@ -84,16 +125,21 @@ static void count(FILE *to, const struct study *s)
         n += s->trial[i].ended;
         done += s->trial[i].ended && s->trial[i].code == STATUS_DONE;
     }
-    fprintf(to, "\n%d of %d runs came to their end; positions in spacings, the others in parts of "
-            "the largest change.\n", done, n);
+    fprintf(to, "\n%d of %d runs came to their end; positions in spacings, energy at the end, the "
+            "others in parts of the largest change.\n", done, n);
 }
 
 static void best(FILE *to, const struct study *s)
 {
-    fprintf(to, "# %s: the cheapest run for each accuracy (CPU time)\n", s->point[0].title);
-    for (int i = 0; i < s->points; i++)
-        point_best(to, s, &s->point[i]);
+    fprintf(to, "# %s: the cheapest run for each accuracy\n", s->point[0].title);
+    for (int i = 0; i < s->points; i++) {
+        if (*s->point[i].label)
+            fprintf(to, "\n%s\n", s->point[i].label);
+        for (enum price what = CPU; what < PRICES; what++)
+            point_best(to, s, &s->point[i], what);
+    }
     count(to, s);
+    missed(to, s);
 }
 
 int tabulate_best(const struct study *s)

@@ -90,6 +90,16 @@ static void row_costs(FILE *to, const struct study *s, int c)
     number(to, r->mean_step);
 }
 
+/* A word of the command line, which may hold commas. */
+static void field(FILE *to, const char *what)
+{
+    fputc(',', to);
+    if (strpbrk(what, ",\""))
+        text(to, what);
+    else
+        fputs(what, to);
+}
+
 static void row(FILE *to, const struct study *s, int c)
 {
     const struct trial *t = &s->trial[c];
@@ -99,14 +109,10 @@ static void row(FILE *to, const struct study *s, int c)
     for (int i = 0; i < RESULT_ERRORS; i++)
         number(to, t->result.error[i]);
     number(to, t->result.energy_defect);
-    for (int k = 0; k < s->sweeps; k++) {
-        const char *value = t->point->value[k];
-        fputc(',', to);
-        if (strpbrk(value, ",\""))
-            text(to, value);
-        else
-            fputs(value, to);
-    }
+    for (int k = 0; k < s->sweeps; k++)
+        field(to, t->point->value[k]);
+    number(to, t->result.t_end);
+    field(to, t->name);
     fputc(',', to);
     text(to, t->message);
     fputc('\n', to);
@@ -119,12 +125,12 @@ static void head(FILE *to, const struct study *s)
     fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,%s", energy);
     for (int k = 0; k <= s->sweeps; k++)
         fputc(',', to);
-    fputs("\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
+    fputs("s,,\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
           "pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,energy_defect",
           to);
     for (int k = 0; k < s->sweeps; k++)
         fprintf(to, ",%s", s->key[k]);
-    fputs(",message\n", to);
+    fputs(",t_end,run,message\n", to);
 }
 
 int tabulate_csv(const struct study *s)

@@ -10,8 +10,9 @@ int tabulate_csv(const struct study *s);
 /* DIR/compare.json: reference, early time, growth of a disturbance. */
 int tabulate_json(const struct study *s);
 
-/* The cheapest runs for each decade of error as Markdown, to DIR/compare.md and, unless
- * quiet, to standard output. */
+/* The cheapest runs for each decade of error, by CPU time and by pair passes, and the runs
+ * that did not come to their end, as Markdown: to DIR/compare.md and, unless quiet, to
+ * standard output. */
 int tabulate_best(const struct study *s);
 
 /* Median CPU time of a case over its repeats [s]. */

@@ -31,7 +31,10 @@ static void line(const struct tell *t, int running)
         fprintf(stderr, ", %d of them from before", t->reused);
     if (t->bad > 0)
         fprintf(stderr, ", %d not done", t->bad);
-    fprintf(stderr, ", %d running, %.0f s", running, spent);
+    fprintf(stderr, ", %d running", running);
+    if (running > 0 && t->now)
+        fprintf(stderr, " (%s%s)", running > 1 ? "last begun: " : "", t->now);
+    fprintf(stderr, ", %.0f s", spent);
     if (own > 0 && t->ended < t->all)
         fprintf(stderr, ", about %.0f s left", spent / own * (t->all - t->ended));
     fputs(t->terminal ? "\033[K" : "\n", stderr);

@@ -7,6 +7,7 @@
 struct tell {
     bool quiet, terminal;
     const char *what;      /* "references", "runs"     */
+    const char *now;       /* the run begun last; NULL */
     int all, ended, bad, reused;
     double began, told;    /* [s] clock                */
 };

@@ -37,14 +37,15 @@ static void set(struct trial *t, struct point *p, const char *method, const char
         snprintf(t->name + strlen(t->name), 16, "-%d", repeat + 1);
 }
 
-/* Methods without error control have one case, whatever the tolerances. */
+/* Methods without error control, and steps of one length (NAME@1e-4s), have one case,
+ * whatever the tolerances. */
 static int has_tol(const char *method, bool *adaptive)
 {
     struct method_def def = method_def_default();
     const struct method *m;
 
     TRY(method_find(method, &def, &m));
-    *adaptive = m->adaptive;
+    *adaptive = m->adaptive && def.seconds == 0;
     return STATUS_DONE;
 }
 
@@ -234,7 +235,10 @@ static void read_message(const struct study *s, struct trial *t)
     }
     if (from)
         fclose(from);
-    if (!t->message[0] && t->code < 0)
+    if (t->late)
+        snprintf(t->message, sizeof t->message, "stopped by the budget of %g s at t = %g s of %g s",
+                 s->order->budget, t->result.t_end, t->point->until);
+    else if (!t->message[0] && t->code < 0)
         snprintf(t->message, sizeof t->message, "ended by signal %d", -t->code);
 }
 

@@ -3,76 +3,13 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
-#include "time/stability.h"
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static int refuse_setup(const struct arkode *a, const char *what)
 {
     return status_fail(STATUS_FAILED, "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
                        a->row->method.name, SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR,
                        SUNDIALS_VERSION_PATCH, what, sundials_complaint());
-}
-
-/* --- tables -------------------------------------------------------------- */
-
-static int set_own_table(struct arkode *a, const struct tableau *t)
-{
-    double flat[TABLEAU_STAGES * TABLEAU_STAGES], b[TABLEAU_STAGES], c[TABLEAU_STAGES],
-        d[TABLEAU_STAGES];
-    ARKodeButcherTable table;
-    int bad;
-
-    for (int i = 0; i < t->stages; i++) {
-        memcpy(flat + i * t->stages, t->a[i], (size_t)t->stages * sizeof *flat);
-        c[i] = tableau_node(t, i);
-    }
-    memcpy(b, t->b, sizeof b);
-    memcpy(d, t->d, sizeof d);
-    table = ARKodeButcherTable_Create(t->stages, t->order, t->embedded, c, flat, b, d);
-    bad = !table || ARKStepSetTables(a->ark, t->order, t->embedded, NULL, table) != 0;
-    ARKodeButcherTable_Free(table);
-    return bad ? refuse_setup(a, "the table") : STATUS_DONE;
-}
-
-static int keep_table(struct arkode *a, ARKodeButcherTable from)
-{
-    struct tableau *t = &a->table;
-
-    if (from->stages > TABLEAU_STAGES || !from->d || from->q != a->row->order)
-        return refuse_setup(a, "a table with this order and an error estimate");
-    *t = (struct tableau){ .stages = from->stages, .order = from->q, .embedded = from->p };
-    for (int i = 0; i < t->stages; i++) {
-        memcpy(t->a[i], from->A[i], (size_t)t->stages * sizeof(double));
-        t->b[i] = from->b[i];
-        t->d[i] = from->d[i];
-    }
-    return STATUS_DONE;
-}
-
-/* What was set is asked for again: asking for an order that is not there gives
- * another one without a word. */
-static int set_tables(struct arkode *a)
-{
-    const struct arkode_row *row = a->row;
-    const char *dirk = a->imex ? row->dirk : "ARKODE_DIRK_NONE";
-    ARKodeButcherTable implicit, explicit_;
-
-    if (row->own)
-        TRY(set_own_table(a, row->own));
-    else if (ARKStepSetTableName(a->ark, dirk, row->erk) != 0)
-        return refuse_setup(a, row->erk);
-    if (ARKStepGetCurrentButcherTables(a->ark, &implicit, &explicit_) != 0 || !explicit_
-        || (a->imex && (!implicit || implicit->q != row->order)))
-        return refuse_setup(a, row->own ? row->own->name : row->erk);
-    TRY(keep_table(a, explicit_));
-    snprintf(a->tables, sizeof a->tables, "%s%s%s", row->own ? row->own->name : row->erk,
-             a->imex ? " + " : "", a->imex ? row->dirk : "");
-    /* beams taken explicitly have no damping to speak of */
-    a->wave = stability_wave(&a->table, plan_stiff(a->plan) && !a->imex ? 0 : STABILITY_DAMPING);
-    a->decay = stability_decay(&a->table);
-    return STATUS_DONE;
 }
 
 /* --- settings ------------------------------------------------------------ */
@@ -112,6 +49,8 @@ static int set_control(struct arkode *a)
     bad |= ARKodeSetMaxErrTestFails(a->ark, 30); /* 7 are too few at impacts */
     bad |= ARKodeSetMaxNumSteps(a->ark, 1000000);
     bad |= ARKodeSetMaxHnilWarns(a->ark, -1);
+    if (a->def.seconds > 0) /* none of the above is asked */
+        bad |= ARKodeSetFixedStep(a->ark, a->def.seconds);
     return bad ? refuse_setup(a, "the settings of its step control") : STATUS_DONE;
 }
 
@@ -139,7 +78,8 @@ static int set_up(struct arkode *a)
         || ARKodeSetInterpolantDegree(a->ark, 0) != 0
         || ARKodeWFtolerances(a->ark, weights) != 0)
         return refuse_setup(a, "to begin");
-    TRY(set_tables(a));
+    if (!arkode_tables_set(a))
+        return refuse_setup(a, "its tables, which are to have an error estimate");
     TRY(set_control(a));
     if (a->imex)
         TRY(set_implicit(a));
@@ -193,6 +133,7 @@ static int take_memory(struct arkode *a)
     if (!a->weight)
         return STATUS_FAILED;
     plan_weights(a->plan, a->def.tol * a->row->control->accept, a->weight);
+    plan_solve_tolerance(a->plan, a->def.tol * a->row->control->accept);
     TRY(take_nodes(a, a->def.norm));
     return take_stiff(a);
 }
@@ -221,7 +162,7 @@ int arkode_create(const struct method *m, const struct method_def *def, struct p
     a->def = *def;
     a->plan = plan;
     a->n = plan_size(plan);
-    a->imex = a->row->dirk && plan_stiff(plan);
+    a->imex = arkode_tables_implicit(a->row) && plan_stiff(plan);
     code = build(a, t, y);
     if (code != STATUS_DONE)
         arkode_free(out);

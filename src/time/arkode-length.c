@@ -3,6 +3,7 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
+#include "time/constant.h"
 #include "time/stability.h"
 #include <math.h>
 #include <stdio.h>
@@ -84,6 +85,33 @@ static int cautious(struct arkode *a, double t_stop, double *h)
     return STATUS_DONE;
 }
 
+/* ARKStep asks nobody then, and every step is like the first. */
+static void choose_constant(struct arkode *a)
+{
+    a->choice[0] = (struct arkode_choice){ .h = a->def.seconds, .limiter = METHOD_STABILITY,
+                                           .entry = -1,
+                                           .limit = { .where = -1, .part = CONSTANT_PART } };
+    a->choice[1] = a->choice[0];
+}
+
+/* The last step takes along what rounding has left before t_stop. */
+int arkode_stretch(struct arkode *a, double t_stop)
+{
+    const double left = t_stop - a->node[0].t, h = a->def.seconds;
+
+    return h > 0 && left > h && left <= h * (1 + CONSTANT_SLACK)
+               ? ARKodeSetFixedStep(a->ark, left) : 0;
+}
+
+int arkode_constant_failed(struct arkode *a)
+{
+    const struct arkode_node *now = &a->node[0];
+    const double bound = arkode_bound(a, now->t, vector_data(now->y));
+
+    return constant_fail(a->row->method.name, a->def.seconds, now->t, a->refusal, bound,
+                         &a->bound_limit);
+}
+
 /* The first step, 0.3 of the bound: a controller of low gain comes from there to
  * the error it aims at within a few steps. */
 int arkode_first(struct arkode *a, double t_stop, double *h)
@@ -91,6 +119,11 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
     const struct arkode_node *now = &a->node[0];
     const double bound = arkode_bound(a, now->t, vector_data(now->y));
 
+    if (a->def.seconds > 0) {
+        *h = a->def.seconds;
+        choose_constant(a);
+        return STATUS_DONE;
+    }
     a->choice[0] = (struct arkode_choice){ .limiter = METHOD_ERROR, .entry = -1,
                                            .limit = a->bound_limit };
     if (a->def.h_first > 0)

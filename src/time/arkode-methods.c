@@ -1,6 +1,7 @@
 /* arkode-methods.c -- the methods that ARKStep runs, one row each. */
 #include "time/arkode.h"
 
+#include "time/alone.h"
 
 /* Low gain: at the stability limit few steps are rejected, and single errors up
  * to four times tol pass. */
@@ -24,6 +25,17 @@ static const char *serves(const struct plan *plan)
     return NULL;
 }
 
+static const char *serves_alone(const struct plan *plan)
+{
+    if (plan_size(plan) > 0 && !plan_stiff(plan))
+        return "it solves everything implicitly, and this scene has no beam to solve for: use "
+               "cks43 or another explicit method";
+    if (plan_size(plan) > 0 && !alone_bodies(plan))
+        return "it solves everything implicitly, and this scene's water has no implicit solve: "
+               "use imex3, which takes the water explicitly, or bdf";
+    return serves(plan);
+}
+
 static const double *state(const void *self)
 {
     const struct arkode *a = self;
@@ -38,28 +50,41 @@ static const char *table(const void *self)
     return a->tables;
 }
 
-#define METHOD(NAME, ABOUT, SOURCE)                                                      \
+#define METHOD(NAME, ORDER, ABOUT, SOURCE, SERVES)                                       \
     .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
-                .serves = serves, .create = arkode_create, .step = arkode_step,          \
+                .order = ORDER, .serves = SERVES, .create = arkode_create,               \
+                .step = arkode_step,                                                     \
                 .at = arkode_at, .state = state, .restart = arkode_restart,              \
                 .table = table, .free = arkode_free, .vectors = arkode_vectors }
 
 #define OWN(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \
-    { METHOD(NAME, ABOUT, SOURCE), .own = &TABLE, .order = ORDER, .control = &CONTROL }
+    { METHOD(NAME, ORDER, ABOUT, SOURCE, serves), .own = &TABLE, .order = ORDER,         \
+      .control = &CONTROL }
 
 #define ERK(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \
-    { METHOD(NAME, ABOUT, SOURCE), .erk = TABLE, .order = ORDER, .control = &CONTROL }
+    { METHOD(NAME, ORDER, ABOUT, SOURCE, serves), .erk = TABLE, .order = ORDER,          \
+      .control = &CONTROL }
 
 #define PAIR(NAME, ABOUT, TABLE, STAGES, ORDER)                                          \
-    { METHOD(NAME, ABOUT, "Kennedy, Carpenter, Appl. Numer. Math. 44 (2003) 139-181"),   \
+    { METHOD(NAME, ORDER, ABOUT,                                                         \
+             "Kennedy, Carpenter, Appl. Numer. Math. 44 (2003) 139-181", serves),        \
       .erk = "ARKODE_" TABLE "_ERK_" STAGES, .dirk = "ARKODE_" TABLE "_DIRK_" STAGES,    \
       .order = ORDER, .control = &pid }
+
+#define DIRK(NAME, ABOUT, TABLE, ORDER)                                                  \
+    { METHOD(NAME, ORDER, ABOUT, "Kennedy, Carpenter, NASA/TM-2016-219173",              \
+             serves_alone),                                                              \
+      .dirk = "ARKODE_" TABLE, .order = ORDER, .control = &pid }
 
 #define NAMED(TABLE, ORDER)                                                              \
     ERK("ARKODE_" TABLE, "explicit table of SUNDIALS by its own name",                   \
         "SUNDIALS, ARKODE manual", "ARKODE_" TABLE, ORDER, pid)
 
 /* clang-format off */
+const struct arkode_row arkode_imex2 =
+    { METHOD("imex2", 2, "explicit fluid, implicit beams, order 2(1)",
+             "Giraldo, Kelly, Constantinescu, SIAM J. Sci. Comput. 35 (2013) B1162-B1194", serves),
+      .own = &tableau_ark2_erk, .own_dirk = &tableau_ark2_dirk, .order = 2, .control = &pid };
 const struct arkode_row arkode_imex3 =
     PAIR("imex3", "explicit fluid, implicit beams, order 3(2)", "ARK324L2SA", "4_2_3", 3);
 const struct arkode_row arkode_imex4 =
@@ -93,6 +118,19 @@ const struct arkode_row arkode_erk4 =
 const struct arkode_row arkode_erk5 =
     ERK("erk5", "explicit, order 5(4)", "Cash, Karp, ACM Trans. Math. Softw. 16 (1990) 201-222",
         "ARKODE_CASH_KARP_6_4_5", 5, pid);
+const struct arkode_row arkode_erk6 =
+    ERK("erk6", "explicit, order 6(5)", "Verner, SIAM J. Numer. Anal. 15 (1978) 772-790",
+        "ARKODE_VERNER_8_5_6", 6, pid);
+const struct arkode_row arkode_dirk2 =
+    { METHOD("dirk2", 2, "beams alone, all implicit, order 2(1)",
+             "TR-BDF2: Bank and others, IEEE Trans. Electron Devices 32 (1985) 1992-2007",
+             serves_alone), .own_dirk = &tableau_ark2_dirk, .order = 2, .control = &pid };
+const struct arkode_row arkode_dirk3 =
+    DIRK("dirk3", "beams alone, all implicit, order 3(2)", "ESDIRK325L2SA_5_2_3", 3);
+const struct arkode_row arkode_dirk4 =
+    DIRK("dirk4", "beams alone, all implicit, order 4(3)", "ESDIRK436L2SA_6_3_4", 4);
+const struct arkode_row arkode_dirk5 =
+    DIRK("dirk5", "beams alone, all implicit, order 5(4)", "ESDIRK547L2SA2_7_4_5", 5);
 const struct arkode_row arkode_heun_euler_2_1_2 = NAMED("HEUN_EULER_2_1_2", 2);
 const struct arkode_row arkode_bogacki_shampine_4_2_3 = NAMED("BOGACKI_SHAMPINE_4_2_3", 3);
 const struct arkode_row arkode_ark324l2sa_erk_4_2_3 = NAMED("ARK324L2SA_ERK_4_2_3", 3);

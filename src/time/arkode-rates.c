@@ -122,6 +122,10 @@ static int solve(SUNNonlinearSolver solver, N_Vector zpred, N_Vector zcor, N_Vec
     if (ARKodeGetNonlinearSystemData(ark, &t, &same_zpred, &z, &fi, &gamma, &sdata, &user) != 0)
         return -1;
     vector_copy(a->n, vector_data(sdata), vector_data(zcor));
+    if (plan_viscous(a->plan)) /* wants all of r */
+        vector_combine(2, (double[]){ 1, 1 },
+                       (const double *[]){ vector_data(zpred), vector_data(sdata) }, a->n,
+                       a->right);
     for (int k = 0; k < a->ranges; k++)
         for (long i = a->range[k][0]; i < a->range[k][1]; i++) {
             a->z[i] = vector_data(zpred)[i];

@@ -5,20 +5,12 @@
  * tests, the interpolant's, the stage's data, what is summed. */
 enum { OF_ARKSTEP = 11 };
 
-static int stages(const struct arkode_row *row)
-{
-    const ARKodeButcherTable table = row->own ? NULL : ARKodeButcherTable_LoadERKByName(row->erk);
-    const int n = row->own ? row->own->stages : table ? table->stages : TABLEAU_STAGES;
-
-    ARKodeButcherTable_Free(table);
-    return n;
-}
-
 int arkode_vectors(const struct method *m, const struct plan *plan)
 {
     const struct arkode_row *row = (const struct arkode_row *)m; /* its first member */
-    const int sides = row->dirk && plan_stiff(plan) ? 2 : 1;
+    const int sides = arkode_tables_implicit(row) && plan_stiff(plan) ? 2 : 1;
     const int nodes = row->order > 4 ? ARKODE_NODES : 2;
 
-    return OF_ARKSTEP + sides * stages(row) + 2 * nodes + 1; /* nodes: y and f; our weights */
+    /* nodes: y and f; our weights */
+    return OF_ARKSTEP + sides * arkode_tables_stages(row) + 2 * nodes + 1;
 }

@@ -127,12 +127,14 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
         TRY(launch(a, t_stop));
     sundials_forget();
     prepare_first_stage(a);
-    if (ARKodeSetStopTime(a->ark, t_stop) != 0)
+    if (ARKodeSetStopTime(a->ark, t_stop) != 0 || arkode_stretch(a, t_stop) != 0)
         return refuse_launch(a);
     flag = ARKodeEvolve(a->ark, t_stop, slot->y, &t, ARK_ONE_STEP);
+    bad = flag < 0 ? 0 : vector_first_bad(a->n, vector_data(slot->y));
+    if (a->def.seconds > 0 && bad >= 0)
+        return arkode_constant_failed(a);
     if (flag < 0)
         return collapse(a, flag);
-    bad = vector_first_bad(a->n, vector_data(slot->y));
     if (bad >= 0)
         return refuse_not_finite(a, t, bad);
     rotate(a, t);

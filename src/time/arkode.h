@@ -16,8 +16,8 @@
 /* One method: `method` comes first, so that its create() finds the row. */
 struct arkode_row {
     struct method method;
-    const char *erk, *dirk;            /* SUNDIALS' names; dirk only for IMEX pairs */
-    const struct tableau *own;         /* instead of erk                       */
+    const char *erk, *dirk;            /* SUNDIALS' names; dirk alone: see tables */
+    const struct tableau *own, *own_dirk; /* instead of erk and dirk           */
     int order;                         /* that the tables must have            */
     const struct control_row *control;
 };
@@ -25,8 +25,9 @@ struct arkode_row {
 /* Each is listed in method.c. */
 extern const struct arkode_row arkode_imex3, arkode_imex4, arkode_imex5,
     arkode_ark436, arkode_cks43, arkode_opt53,
-    arkode_opt64, arkode_bs54, arkode_erk2,
-    arkode_erk3, arkode_erk4, arkode_erk5,
+    arkode_opt64, arkode_bs54, arkode_imex2, arkode_erk2,
+    arkode_erk3, arkode_erk4, arkode_erk5, arkode_erk6,
+    arkode_dirk2, arkode_dirk3, arkode_dirk4, arkode_dirk5,
     arkode_heun_euler_2_1_2, arkode_bogacki_shampine_4_2_3, arkode_ark324l2sa_erk_4_2_3,
     arkode_zonneveld_5_3_4, arkode_ark436l2sa_erk_6_3_4, arkode_ark437l2sa_erk_7_3_4,
     arkode_sayfy_aburub_6_3_4, arkode_cash_karp_6_4_5, arkode_fehlberg_6_4_5,
@@ -101,6 +102,13 @@ int arkode_create(const struct method *m, const struct method_def *def, struct p
                   double t, const double *y, void **out);
 void arkode_free(void **out);
 
+/* arkode-tables.c: sets both tables and what follows from them; false when there
+ * is none with the order that the row claims and an error estimate. */
+bool arkode_tables_set(struct arkode *a);
+bool arkode_tables_implicit(const struct arkode_row *row); /* has it an implicit one? */
+int arkode_tables_stages(const struct arkode_row *row);
+void arkode_tables_read(const ARKodeButcherTable from, struct tableau *t);
+
 /* arkode-vectors.c */
 int arkode_vectors(const struct method *m, const struct plan *plan);
 
@@ -118,6 +126,8 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
 int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self);
 double arkode_bound(struct arkode *a, double t, const double *y);
 int arkode_first(struct arkode *a, double t_stop, double *h);
+int arkode_stretch(struct arkode *a, double t_stop); /* a constant step; 0 if it may be */
+int arkode_constant_failed(struct arkode *a); /* STATUS_FAILED, with the bound it broke */
 void arkode_where(const struct arkode *a, const struct arkode_choice *c, char where[96]);
 
 /* arkode-dense.c */

@@ -5,13 +5,15 @@
 
 static const char *bdf_serves(const struct plan *plan)
 {
-    return plan_size(plan) == 0 ? "nothing in this scene moves" : NULL;
+    return plan_size(plan) == 0 ? "nothing in this scene moves" : method_bodies_alone(plan);
 }
 
 static const char *adams_serves(const struct plan *plan)
 {
     if (plan_size(plan) == 0)
         return "nothing in this scene moves";
+    if (plan_viscous(plan))
+        return method_bodies_alone(plan);
     return plan_stiff(plan) ? "it takes beams explicitly with no bound of stability, and their "
                               "vibrations would feed energy in; imex3, dv and bdf serve beams"
                             : NULL;
@@ -29,8 +31,13 @@ static const char *table(const void *self)
     return c->row->table[plan_stiff(c->rates.plan)];
 }
 
+#define VARIES                                                                           \
+    "CVODE chooses length and order of its steps together and has no constant ones; set " \
+    "`tol` instead, or take gsl-rkf45, imex3 or dv with a step in seconds"
+
 #define METHOD(NAME, ABOUT, SERVES)                                                      \
     .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
+                .varies = VARIES,                                                        \
                 .serves = SERVES, .create = cvode_create, .step = cvode_step,            \
                 .at = cvode_at, .state = state, .restart = cvode_restart,                \
                 .table = table, .free = cvode_free, .vectors = cvode_vectors }

@@ -49,9 +49,9 @@ int dv_advance(struct dv *x, double h)
     TRY(dv_bodies_half(x, h / 2));
     TRY(plan_half(x->plan, PLAN_VELOCITY, x->a.t[0], x->half, h / 2, x->a.f[0]));
     add(x, LAYOUT_VELOCITY, x->y_old, h, x->a.f[0], x->y);
-    add(x, LAYOUT_OTHER, x->half, h, x->a.f[0], x->y); /* A's share of quadratures */
     drift(x, x->half, h / 2, x->y, x->y);
     TRY(dv_bodies_step(x, h));
+    add(x, LAYOUT_OTHER, x->half, h, x->a.f[0], x->y); /* A's share of quadratures */
     TRY(flow(x, x->d.t[0], x->y, h / 2, x->d.f[0]));
     add(x, LAYOUT_OTHER, x->y, h / 2, x->d.f[0], x->y);
     return STATUS_DONE;

@@ -14,6 +14,7 @@
 #include "time/dv.h"
 
 #include "base/status.h"
+#include "time/constant.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -39,6 +40,9 @@ static void bent(struct dv *x, enum layout_class what, const struct dv_past *p, 
 
 double dv_error(struct dv *x, double h)
 {
+    if (x->def.seconds > 0)
+        return 0; /* whatever it is, the step stays */
+
     const long v = x->from[LAYOUT_VELOCITY];
     const double cube = h * h * h, slope = cube / 24 / (x->a.t[0] - x->a.t[1]);
     const double c[2] = { slope, -slope };
@@ -66,8 +70,29 @@ static double bound(const struct dv *x, struct limit *of)
     return w > 0 || d > 0 ? safety * 4 / (d + sqrt(d * d + 4 * w * w)) : HUGE_VAL;
 }
 
+int dv_constant_failed(const struct dv *x)
+{
+    struct limit limit;
+    const double most = bound(x, &limit);
+
+    return constant_fail("dv", x->def.seconds, x->t, x->choice.refusal, most, &limit);
+}
+
+static void choose_constant(struct dv *x)
+{
+    x->choice = (struct dv_choice){ .h = x->def.seconds, .limiter = METHOD_STABILITY,
+                                    .entry = -1,
+                                    .limit = { .where = -1, .part = CONSTANT_PART } };
+    x->h_min = HUGE_VAL; /* never shortened */
+}
+
 void dv_choose(struct dv *x, double h)
 {
+    if (x->def.seconds > 0) {
+        choose_constant(x);
+        return;
+    }
+
     struct limit limit;
     const double most = bound(x, &limit);
 
@@ -94,6 +119,11 @@ static double cautious(const struct dv *x, double t_stop)
 /* The first step, 0.3 of the bound, as a controller of low gain wants it. */
 void dv_first(struct dv *x, double t_stop)
 {
+    if (x->def.seconds > 0) {
+        choose_constant(x);
+        return;
+    }
+
     struct limit limit;
     const double most = bound(x, &limit);
     double h = x->def.h_first;

@@ -2,6 +2,7 @@
 #include "time/dv.h"
 
 #include "base/status.h"
+#include "time/constant.h"
 #include "time/fixed.h"
 #include <math.h>
 #include <stdio.h>
@@ -28,6 +29,8 @@ static int collapse(const struct dv *x, double h)
     const struct dv_choice *c = &x->choice;
     char where[96];
 
+    if (x->def.seconds > 0)
+        return dv_constant_failed(x);
     dv_where(x, c, where);
     return status_fail(STATUS_FAILED,
                        "dv collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
@@ -122,7 +125,8 @@ static int take(struct dv *x, double t_stop, struct method_step *out)
 {
     const struct control before = x->control;
     const double asked = x->choice.h, left = t_stop - x->t;
-    double h = asked >= left * (1 - 1e-12) ? left : asked, next;
+    const double slack = x->def.seconds > 0 ? CONSTANT_SLACK : 1e-12;
+    double h = asked >= left * (1 - slack) ? left : asked, next;
 
     x->t_old = x->t;
     swap(&x->y, &x->y_old);
@@ -181,6 +185,7 @@ const struct method dv_method = {
              "terms), with error control, bodies implicit",
     .source = "Verlet, Phys. Rev. 159 (1967) 98-103",
     .adaptive = true,
+    .order = 2,
     .serves = serves,
     .create = dv_create,
     .step = dv_step,

@@ -92,6 +92,7 @@ int dv_bodies_step(struct dv *x, double h);  /* y_old -> y under the load in A *
 double dv_error(struct dv *x, double h);     /* of the step tried, in units of tol */
 void dv_choose(struct dv *x, double h);      /* the next step: h where it is stable */
 void dv_first(struct dv *x, double t_stop);
+int dv_constant_failed(const struct dv *x);  /* STATUS_FAILED, with the bound it broke */
 void dv_where(const struct dv *x, const struct dv_choice *c, char where[96]);
 
 /* dv-dense.c */

@@ -37,7 +37,7 @@ static int advance(struct fixed *x, double h)
 }
 
 const struct fixed_kind fixed_leapfrog = {
-    .method = FIXED_METHOD("leapfrog", "velocity Verlet, 1 right-hand side a step, order 2",
+    .method = FIXED_METHOD("leapfrog", 2, "velocity Verlet, 1 right-hand side a step, order 2",
                            "Verlet, Phys. Rev. 159 (1967) 98-103"),
     .number = 0.25,
     .side = PLAN_ALL,

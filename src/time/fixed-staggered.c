@@ -64,8 +64,15 @@ static int advance(struct fixed *x, double h)
     return x->ranges > 0 ? bend(x, h) : STATUS_DONE;
 }
 
+static const char *serves(const struct plan *plan)
+{
+    const char *why = method_bodies_alone(plan);
+
+    return why ? why : fixed_serves(plan);
+}
+
 const struct fixed_kind fixed_staggered = {
-    .method = FIXED_METHOD("staggered",
+    .method = FIXED_METHOD_SERVING(serves, "staggered", 1,
                            "the seed's coupling: water by euler-cfl, bodies by backward Euler "
                            "(strong damping), in turn; order 1",
                            "Toth 2012, equations (46)-(49), chapter 5"),

@@ -4,6 +4,7 @@
 #include "algebra/vector.h"
 #include "base/status.h"
 #include "state/scales.h"
+#include "time/constant.h"
 #include "time/dense.h"
 #include <math.h>
 #include <stdio.h>
@@ -74,10 +75,23 @@ static int ensure_rates(struct fixed *x)
     return STATUS_DONE;
 }
 
-static int collapse(const struct fixed *x, double h)
+/* Length of the next step [s]: as asked for, or by the rule. */
+static double length(struct fixed *x)
+{
+    if (!(x->seconds > 0))
+        return x->kind->length(x);
+    x->limit = (struct limit){ .where = -1, .part = CONSTANT_PART };
+    return x->seconds;
+}
+
+static int collapse(struct fixed *x, double h)
 {
     const char *refusal = plan_refusal(x->plan);
 
+    if (x->seconds > 0 && h > 0) {
+        const double bound = x->kind->length(x);
+        return constant_fail(x->kind->method.name, x->seconds, x->t, refusal, bound, &x->limit);
+    }
     return status_fail(STATUS_FAILED,
                        "%s has no answer at t = %.9g s, not even after a step of %.3g s: %s. It "
                        "does not control its error: try %s@%g, or a method that does (imex3, "
@@ -157,8 +171,8 @@ int fixed_step(void *self, double t_stop, struct method_step *out)
                            t_stop, x->t);
     if (ensure_rates(x) != STATUS_DONE)
         return collapse(x, 0);
-    h = x->kind->length(x);
-    const bool last = h >= left * (1 - 1e-12);
+    h = length(x);
+    const bool last = h >= left * (1 - (x->seconds > 0 ? CONSTANT_SLACK : 1e-12));
     asked = h = last ? left : h;
     begin(x);
     if (advance(x, &h) != STATUS_DONE)
@@ -251,11 +265,15 @@ int fixed_create(const struct method *m, const struct method_def *def, struct pl
     for (int c = 0; c <= LAYOUT_CLASSES; c++)
         x->from[c] = plan_layout(plan)->from[c];
     x->number = def->step > 0 ? def->step : x->kind->number;
+    x->seconds = def->seconds;
     x->substep = def->substep > 0 ? def->substep : HUGE_VAL;
     x->h_min = def->h_min;
     if (!(x->kind->side & PLAN_IMPLICIT))
         x->ranges = plan_stiff_ranges(plan, LAYOUT_ROWS, x->range);
-    snprintf(x->table, sizeof x->table, "%s@%g", m->name, x->number);
+    if (x->seconds > 0)
+        snprintf(x->table, sizeof x->table, "%s", m->name);
+    else
+        snprintf(x->table, sizeof x->table, "%s@%g", m->name, x->number);
     if (take_memory(x) != STATUS_DONE) {
         fixed_free(out);
         return STATUS_FAILED;

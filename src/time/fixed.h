@@ -14,6 +14,7 @@ struct fixed {
     struct plan *plan;
     long n, from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c */
     double number;        /* CFL number, the X of NAME@X                       */
+    double seconds;       /* the X of NAME@Xs; 0: the rule gives the step [s]  */
     double substep;       /* largest one of bodies, when they have steps of
                              their own; HUGE_VAL: no limit [s]                 */
     int ranges;           /* entries of such bodies: y[range[k][0]] up to      */
@@ -72,9 +73,12 @@ void fixed_hold(const struct fixed *x, double *to);
 double fixed_euler_length(struct fixed *x);
 int fixed_euler_advance(struct fixed *x, double h);
 
-#define FIXED_METHOD(NAME, ABOUT, SOURCE)                                                \
-    { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false,                 \
-      .serves = fixed_serves, .create = fixed_create, .step = fixed_step,                \
+#define FIXED_METHOD(NAME, ORDER, ABOUT, SOURCE)                                         \
+    FIXED_METHOD_SERVING(fixed_serves, NAME, ORDER, ABOUT, SOURCE)
+
+#define FIXED_METHOD_SERVING(SERVES, NAME, ORDER, ABOUT, SOURCE)                         \
+    { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false, .order = ORDER, \
+      .serves = SERVES, .create = fixed_create, .step = fixed_step,                \
       .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
       .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors }
 

@@ -125,6 +125,8 @@ static const char *serves(const struct plan *plan)
 {
     if (plan_size(plan) == 0)
         return "nothing in this scene moves";
+    if (plan_viscous(plan))
+        return method_bodies_alone(plan);
     return plan_stiff(plan) ? "it takes beams explicitly with no bound of stability, and their "
                               "vibrations would feed energy in; imex3, dv and bdf serve beams"
                             : NULL;
@@ -146,29 +148,29 @@ static int vectors(const struct method *m, const struct plan *plan)
     return ((const struct gslode_row *)m)->vectors + 2 * GSLODE_NODES + 2; /* weights, errors */
 }
 
-#define METHOD(NAME, ABOUT, SOURCE)                                                      \
+#define METHOD(NAME, ORDER, ABOUT, SOURCE)                                               \
     .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
-                .serves = serves, .create = gslode_create, .step = gslode_step,          \
+                .order = ORDER, .serves = serves, .create = gslode_create, .step = gslode_step,          \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
                 .table = table, .free = gslode_free, .vectors = vectors }
 
 const struct gslode_row gslode_rkf45 = {
-    METHOD("gsl-rkf45", "explicit, 6 stages, order 5(4), GSL's Runge-Kutta-Fehlberg",
+    METHOD("gsl-rkf45", 5, "explicit, 6 stages, order 5(4), GSL's Runge-Kutta-Fehlberg",
            "Fehlberg, NASA TR R-315 (1969)"),
-    .type = &gsl_odeiv2_step_rkf45, .order = 5, .embedded = 4, .first = 0.5,
+    .type = &gsl_odeiv2_step_rkf45, .order = 5, .embedded = 4, .first = 0.5, .stable = 3.4,
     .control = &runge_kutta, .table = "GSL rkf45, order 5(4)", .vectors = 8,
 };
 
 const struct gslode_row gslode_rk8pd = {
-    METHOD("gsl-rk8pd", "explicit, 13 stages, order 8(7), GSL's Prince-Dormand",
+    METHOD("gsl-rk8pd", 8, "explicit, 13 stages, order 8(7), GSL's Prince-Dormand",
            "Prince, Dormand, J. Comput. Appl. Math. 7 (1981) 67-75"),
-    .type = &gsl_odeiv2_step_rk8pd, .order = 8, .embedded = 7, .first = 0.5,
+    .type = &gsl_odeiv2_step_rk8pd, .order = 8, .embedded = 7, .first = 0.5, .stable = 5.1,
     .control = &runge_kutta, .table = "GSL rk8pd, order 8(7)", .vectors = 15,
 };
 
 const struct gslode_row gslode_msadams = {
-    METHOD("gsl-msadams", "multistep, GSL's Adams of order up to 12, fixed-point iteration",
+    METHOD("gsl-msadams", 0, "multistep, GSL's Adams of order up to 12, fixed-point iteration",
            "Byrne, Hindmarsh, ACM Trans. Math. Softw. 1 (1975) 71-96"),
-    .type = &gsl_odeiv2_step_msadams, .first = 0.1,
+    .type = &gsl_odeiv2_step_msadams, .first = 0.1, .stable = 1,
     .control = &multistep, .table = "GSL msadams, order <= 12", .vectors = 33,
 };

@@ -7,6 +7,7 @@
 #include "time/gslode.h"
 
 #include "base/status.h"
+#include "time/constant.h"
 #include "time/dense.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -19,6 +20,8 @@ static const char *name(const struct gslode *x)
 
 static const char *culprit(const struct gslode *x)
 {
+    if (x->def.seconds > 0)
+        return CONSTANT_PART;
     return x->entry >= 0 ? plan_entry(x->rates.plan, x->entry) : "the first step";
 }
 
@@ -30,11 +33,30 @@ static int refuse_start(const struct gslode *x)
                        name(x), x->node[0].t, x->rates.refusal);
 }
 
+/* Fastest rate where the next step starts [1/s]. */
+static struct limit fastest(const struct gslode *x)
+{
+    struct limit limit[2];
+
+    plan_limit(x->rates.plan, x->node[0].t, x->node[0].y, plan_stiff(x->rates.plan), limit);
+    return limit[limit[1].rate > limit[0].rate];
+}
+
+static int constant_failed(const struct gslode *x)
+{
+    const struct limit limit = fastest(x);
+    const double bound = limit.rate > 0 ? x->row->stable / limit.rate : HUGE_VAL;
+
+    return constant_fail(name(x), x->def.seconds, x->node[0].t, x->rates.refusal, bound, &limit);
+}
+
 /* The message of a run that cannot go on. */
 static int collapse(const struct gslode *x, double h)
 {
     const bool refused = x->rates.refusal[0];
 
+    if (x->def.seconds > 0)
+        return constant_failed(x);
     return status_fail(STATUS_FAILED,
                        "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
                        "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
@@ -53,13 +75,13 @@ static double first_step(const struct gslode *x, double left)
 {
     const struct gslode_node *now = &x->node[0];
     const double *w = vector_data(x->weight);
-    struct limit limit[2];
     double rate, most = 0;
 
+    if (x->def.seconds > 0)
+        return x->def.seconds;
     if (x->def.h_first > 0)
         return x->def.h_first;
-    plan_limit(x->rates.plan, now->t, now->y, plan_stiff(x->rates.plan), limit);
-    rate = fmax(limit[0].rate, limit[1].rate);
+    rate = fastest(x).rate;
     if (rate > 0)
         return fmin(x->row->first / rate, left);
     for (long i = 0; i < x->n; i++)
@@ -100,12 +122,23 @@ static double attempt(struct gslode *x, double h, struct gslode_node *to)
         x->entry = bad;
         return NAN;
     }
-    return N_VWrmsNorm(x->error, x->weight);
+    return x->def.seconds > 0 ? 0 : N_VWrmsNorm(x->error, x->weight);
+}
+
+/* A constant step is taken as it is, or not at all. */
+static int accept_constant(struct gslode *x, double h, double *next)
+{
+    *next = x->def.seconds;
+    return attempt(x, h, &x->node[GSLODE_NODES - 1]) == 0 ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Shortens the step until it is accepted; `next` is what its error asks for then. */
 static int accept(struct gslode *x, double *h, double *next, bool *shortened)
 {
+    if (x->def.seconds > 0) {
+        *shortened = false;
+        return accept_constant(x, *h, next);
+    }
     for (*shortened = false;; *shortened = true) {
         const double e = attempt(x, *h, &x->node[GSLODE_NODES - 1]);
         if (x->row->order == 0)
@@ -148,15 +181,16 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
         TRY(begin(x, t_stop));
     if (x->known == GSLODE_NODES)
         x->known--; /* the oldest gives its place to the step */
-    const double asked = x->h;
-    h = asked >= left * (1 - 1e-12) ? left : asked;
+    const double asked = x->h, slack = x->def.seconds > 0 ? CONSTANT_SLACK : 1e-12;
+    h = asked >= left * (1 - slack) ? left : asked;
     if (accept(x, &h, &next, &shortened) != STATUS_DONE)
         return collapse(x, h);
     const bool cut = !shortened && h < asked * (1 - 1e-9);
     rotate(x, h == left ? t_stop : t + h);
     x->h = cut ? asked : next;
     *out = (struct method_step){ .t = x->node[0].t, .h = x->node[0].t - t,
-                                 .limiter = cut ? METHOD_OUTPUT : METHOD_ERROR,
+                                 .limiter = cut ? METHOD_OUTPUT : x->def.seconds > 0 ? METHOD_STABILITY
+                                                                          : METHOD_ERROR,
                                  .rejected = x->rejected };
     snprintf(out->where, sizeof out->where, "%.95s", cut ? "end of the segment" : culprit(x));
     return STATUS_DONE;

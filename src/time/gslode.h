@@ -6,6 +6,7 @@
 #define TIME_GSLODE_H
 
 #include "algebra/vector.h"
+#include "state/limit.h"
 #include "time/control.h"
 #include "time/method.h"
 #include "time/rates.h"
@@ -17,6 +18,7 @@ struct gslode_row {
     const gsl_odeiv2_step_type **type;
     int order, embedded;     /* 0: the order changes from step to step         */
     double first;            /* first step, in units of 1/(fastest rate)       */
+    double stable;           /* longest stable one in these units              */
     const struct control_row *control;
     const char *table;
     int vectors;             /* that GSL's stepper holds                       */

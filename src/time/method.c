@@ -3,17 +3,21 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
+#include "time/ab3.h"
 #include "time/arkode.h"
 #include "time/cvode.h"
 #include "time/dv.h"
 #include "time/fixed.h"
 #include "time/gslode.h"
+#include "time/mri.h"
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* The order of `stiffwater list methods`. */
 const struct method *const method_table[] = {
+    &arkode_imex2.method,
     &arkode_imex3.method,
     &arkode_imex4.method,
     &arkode_imex5.method,
@@ -27,14 +31,21 @@ const struct method *const method_table[] = {
     &gslode_rkf45.method,
     &gslode_rk8pd.method,
     &gslode_msadams.method,
+    &ab3_method,
     &dv_method,
     &fixed_leapfrog.method,
     &fixed_euler.method,
     &fixed_staggered.method,
+    &mri_kind.method,
     &arkode_erk2.method,
     &arkode_erk3.method,
     &arkode_erk4.method,
     &arkode_erk5.method,
+    &arkode_erk6.method,
+    &arkode_dirk2.method,
+    &arkode_dirk3.method,
+    &arkode_dirk4.method,
+    &arkode_dirk5.method,
     &arkode_heun_euler_2_1_2.method,
     &arkode_bogacki_shampine_4_2_3.method,
     &arkode_ark324l2sa_erk_4_2_3.method,
@@ -55,6 +66,13 @@ const struct method *const method_table[] = {
 struct method_def method_def_default(void)
 {
     return (struct method_def){ .tol = 1e-2, .norm = METHOD_NORM_MAX };
+}
+
+const char *method_bodies_alone(const struct plan *plan)
+{
+    return plan_viscous(plan) ? "it does not solve for the velocities of a fluid whose viscosity is "
+                                "implicit; imex3, imex4 and imex5 do, or set side = \"explicit\""
+                              : NULL;
 }
 
 const char *method_default(bool stiff)
@@ -82,23 +100,44 @@ static int refuse_name(const char *name)
                        near ? " (did you mean \"" : "", near ? near : "", near ? "\"?)" : "");
 }
 
+/* NAME@1e-4s, whose s ends the text. */
+static int read_seconds(const struct method *m, const char *text, struct method_def *def)
+{
+    char *end;
+
+    if (m->varies)
+        return status_fail(STATUS_BAD_SCENE, "method %s@%s: %s", m->name, text, m->varies);
+    errno = 0;
+    def->seconds = strtod(text, &end);
+    if (errno == 0 && end != text && strcmp(end, "s") == 0 && def->seconds > 0
+        && isfinite(def->seconds))
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "method %s@%s: a constant step is a number of seconds "
+                       "above 0 with an s behind it, like %s@1e-4s", m->name, text, m->name);
+}
+
 /* The number after the @. */
 static int read_step(const struct method *m, const char *text, struct method_def *def)
 {
     char *end;
 
+    if (text[0] && text[strlen(text) - 1] == 's')
+        return read_seconds(m, text, def);
     if (m->adaptive)
         return status_fail(STATUS_BAD_SCENE,
-                           "method %s@%s: %s chooses its step by its error, so there is no number "
-                           "to give; set `tol` instead (default %g)", m->name, text, m->name,
-                           method_def_default().tol);
+                           "method %s@%s: %s chooses its step by its error, so it has no CFL "
+                           "number; set `tol` instead (default %g)%s%s%s", m->name, text, m->name,
+                           method_def_default().tol,
+                           m->varies ? "" : ", or give all steps one length in seconds, like ",
+                           m->varies ? "" : m->name, m->varies ? "" : "@1e-4s");
     errno = 0;
     def->step = strtod(text, &end);
     if (errno == 0 && end != text && *end == '\0' && def->step > 0 && def->step <= 10)
         return STATUS_DONE;
     return status_fail(STATUS_BAD_SCENE,
-                       "method %s@%s: after the @ stands the CFL number, h = number * hs/(c0 + v); "
-                       "it lies above 0 and up to 10, like %s@0.25", m->name, text, m->name);
+                       "method %s@%s: after the @ stands the CFL number, h = number * hs/(c0 + v), "
+                       "above 0 and up to 10, like %s@0.25, or a step in seconds, like %s@1e-4s",
+                       m->name, text, m->name, m->name);
 }
 
 int method_find(const char *name, struct method_def *def, const struct method **out)

@@ -15,6 +15,8 @@ struct method_def {
     enum method_norm norm;
     double step;          /* CFL number of methods without error control
                              (name@0.25); 0: the method's default             */
+    double seconds;       /* every step is that long (name@1e-4s) but for the one
+                             that t_stop cuts short; 0: the method chooses [s] */
     double substep;       /* largest step of bodies in a method that steps them
                              apart from the fluid [s]; 0: no limit            */
     double h_first;       /* first step [s]; 0: the method chooses            */
@@ -23,6 +25,7 @@ struct method_def {
 };
 struct method_def method_def_default(void);
 
+/* METHOD_STABILITY: also a rule, and a constant step. */
 enum method_limiter { METHOD_ERROR, METHOD_STABILITY, METHOD_OUTPUT };
 
 /* What one accepted step was. */
@@ -38,6 +41,8 @@ struct method {
     const char *name;   /* "imex3", "leapfrog", or an ARKODE table's name     */
     const char *about, *source;
     bool adaptive;      /* has an error estimate (else `@` gives the step)    */
+    int order;          /* nominal, of the error; 0: changes from step to step */
+    const char *varies; /* NULL, or why its steps cannot be all of one length */
 
     /* NULL, or why this method cannot serve the plan. */
     const char *(*serves)(const struct plan *plan);
@@ -65,9 +70,14 @@ struct method {
 };
 
 /* A method by name: "erk4", "imex3", "ARKODE_ZONNEVELD_5_3_4", "leapfrog@0.25"
- * (the number goes to def->step).  STATUS_BAD_SCENE with the nearest name. */
+ * (the number goes to def->step), "erk4@1e-4s" (to def->seconds).  STATUS_BAD_SCENE
+ * with the nearest name, or with what may stand behind the @. */
 int method_find(const char *name, struct method_def *def, const struct method **out);
 extern const struct method *const method_table[]; /* NULL-ended, for `list`   */
+
+/* NULL, or why methods that solve for bodies alone cannot serve the plan: a viscosity
+ * is implicit, too. */
+const char *method_bodies_alone(const struct plan *plan);
 
 /* The name a scene gets that names none: by whether there is a stiff side. */
 const char *method_default(bool stiff);

@@ -74,8 +74,29 @@ const struct tableau tableau_bs54 = {
            79937. / 1113912, 3293. / 556956 },
 };
 
+/* ARK2 of Giraldo, Kelly, Constantinescu, SIAM J. Sci. Comput. 35 (2013)
+ * B1162-B1194: both halves have the nodes 0, 2 - sqrt 2, 1 and the weights
+ * 1/sqrt 8, 1/sqrt 8, 1 - 1/sqrt 2; the implicit one is TR-BDF2, L-stable. */
+#define ROOT 1.41421356237309504880
+#define ARK2_G (1 - ROOT / 2)
+#define ARK2_W (ROOT / 4)
+#define ARK2_D (4 - ROOT) / 8, (4 - ROOT) / 8, ROOT / 4
+const struct tableau tableau_ark2_erk = {
+    .name = "ARK2_ERK_3_1_2", .stages = 3, .order = 2, .embedded = 1,
+    .a = { { 0 }, { 2 - ROOT }, { (3 - 2 * ROOT) / 6, (3 + 2 * ROOT) / 6 } },
+    .b = { ARK2_W, ARK2_W, ARK2_G },
+    .d = { ARK2_D },
+};
+const struct tableau tableau_ark2_dirk = {
+    .name = "ARK2_DIRK_3_1_2", .stages = 3, .order = 2, .embedded = 1,
+    .a = { { 0 }, { ARK2_G, ARK2_G }, { ARK2_W, ARK2_W, ARK2_G } },
+    .b = { ARK2_W, ARK2_W, ARK2_G },
+    .d = { ARK2_D },
+};
+
 const struct tableau *const tableau_own[] = {
-    &tableau_cks43, &tableau_opt53, &tableau_opt64, &tableau_bs54, 0
+    &tableau_cks43, &tableau_opt53, &tableau_opt64, &tableau_bs54, &tableau_ark2_erk,
+    &tableau_ark2_dirk, 0
 };
 
 double tableau_node(const struct tableau *t, int i)

@@ -12,14 +12,16 @@ enum { TABLEAU_STAGES = 16 };
 struct tableau {
     const char *name;
     int stages, order, embedded; /* orders of b and of d                      */
-    double a[TABLEAU_STAGES][TABLEAU_STAGES]; /* explicit: below the diagonal */
+    double a[TABLEAU_STAGES][TABLEAU_STAGES]; /* explicit: below the diagonal;
+                                                 implicit: on it as well */
     double b[TABLEAU_STAGES];
     double d[TABLEAU_STAGES];    /* the embedded method's b                   */
 };
 
 /* Tables that SUNDIALS 6.4.1 does not have; NULL-ended. */
 extern const struct tableau *const tableau_own[];
-extern const struct tableau tableau_cks43, tableau_opt53, tableau_opt64, tableau_bs54;
+extern const struct tableau tableau_cks43, tableau_opt53, tableau_opt64, tableau_bs54,
+    tableau_ark2_erk, tableau_ark2_dirk;
 
 /* c_i = sum_j a_ij. */
 double tableau_node(const struct tableau *t, int i);

@@ -4,6 +4,7 @@
 
 #include "bending.h"
 #include "bodies/beam-make.h"
+#include "defaults.h"
 
 #include <string.h>
 
@@ -20,28 +21,6 @@ struct bench {
     double force[BENCH_SKIN][DIM];
     struct body_load load;
 };
-
-static inline double noise(unsigned *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (*seed >> 8) / 8388608.0 - 1;
-}
-
-/* Defaults of the rows, as a scene would fill them. */
-static inline void fill_defaults(const struct param *rows, void *into)
-{
-    for (const struct param *r = rows; r->key; r++) {
-        char *to = (char *)into + r->offset;
-        if (r->type == PARAM_NUMBER)
-            *(double *)(void *)to = r->fallback;
-        else if (r->type == PARAM_INTEGER)
-            *(int *)(void *)to = (int)r->fallback;
-        else if (r->type == PARAM_FLAG)
-            *(bool *)(void *)to = r->fallback != 0;
-        else if (r->type == PARAM_WORD)
-            *(const char **)(void *)to = r->words[0];
-    }
-}
 
 /* A plain cantilever in a world with water and no gravity. */
 static inline void bench_defaults(struct bench *b)

@@ -221,6 +221,68 @@ static void test_median(void **state)
     assert_true(isnan(median));
 }
 
+/* A run that ended, of a method without tolerances. */
+static struct trial ended_trial(struct point *p, const char *method, double cpu, double passes,
+                                double front, double energy)
+{
+    struct trial t = { .point = p, .ended = true };
+
+    snprintf(t.method, sizeof t.method, "%s", method);
+    t.result = (struct result){ .cpu = cpu, .passes = passes, .energy_defect = energy };
+    for (int i = 0; i < RESULT_ERRORS; i++)
+        t.result.error[i] = NAN;
+    t.result.error[RESULT_FRONT] = front;
+    return t;
+}
+
+static void read_file(const char *name, char *to, size_t size)
+{
+    char path[128];
+    FILE *from;
+
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    from = fopen(path, "r");
+    assert_non_null(from);
+    to[fread(to, 1, size - 1, from)] = '\0';
+    fclose(from);
+}
+
+static void expect_line(const char *text, const char *line)
+{
+    if (!strstr(text, line))
+        fail_msg("\"%s\" is missing in:\n%s", line, text);
+}
+
+/* `slow' takes fewer passes, `quick' fewer seconds; `rough' is cheapest, and has the sign of its
+ * energy only; `lost' did not come to its end and is no cheapest run. */
+static void test_cheapest(void **state)
+{
+    const struct compare_order order = { .quiet = true };
+    struct point p = { .title = "Four", .dimension = 2 };
+    struct trial trial[] = {
+        ended_trial(&p, "slow", 2, 100, 1e-3, 1e-2), ended_trial(&p, "quick", 1, 200, 1e-3, 1e-2),
+        ended_trial(&p, "rough", 0.5, 50, 0.2, -5), ended_trial(&p, "lost", 0.1, 10, NAN, 1e-9),
+    };
+    struct study s = { .order = &order, .points = 1, .cases = 4, .trials = 4, .point = &p,
+                       .trial = trial };
+    char text[4096];
+
+    (void)state;
+    trial[3].code = STATUS_FAILED;
+    strcpy(trial[3].message, "it | ran away");
+    snprintf(s.directory, sizeof s.directory, "%s", dir);
+    assert_int_equal(tabulate_best(&s), STATUS_DONE);
+    read_file("compare.md", text, sizeof text);
+    expect_line(text, "\n| CPU time; error at most | front | energy [J/m] |\n");
+    expect_line(text, "\n| 1e+1 | rough, 0.5 s | rough, 0.5 s |\n");
+    expect_line(text, "\n| 1e+0 | rough, 0.5 s | quick, 1 s |\n");
+    expect_line(text, "\n| 1e-2 | quick, 1 s | quick, 1 s |\n");
+    expect_line(text, "\n| pair passes; error at most | front | energy [J/m] |\n");
+    expect_line(text, "\n| 1e-2 | slow, 100 | slow, 100 |\n");
+    expect_line(text, "\n3 of 4 runs came to their end");
+    expect_line(text, "\n| lost | failed | it / ran away |\n");
+}
+
 /* Free fall by ten spacings of 2 mm: 0.0639 s. */
 static void test_early_time(void **state)
 {
@@ -367,6 +429,7 @@ int main(void)
         cmocka_unit_test(test_impulse_and_tip),
         cmocka_unit_test(test_growth),
         cmocka_unit_test(test_median),
+        cmocka_unit_test(test_cheapest),
         cmocka_unit_test(test_early_time),
         cmocka_unit_test(test_children),
         cmocka_unit_test(test_budget),

@@ -1,5 +1,7 @@
-/* time-beam.c -- the seed's coupling and the implicit bodies of "dv" on the program's
- * own beam, without water: the first vibration of a cantilever under a step load. */
+/* time-beam.c -- the seed's coupling, the implicit bodies of "dv" and the methods for
+ * beams alone on the program's own beam, without water: the first vibration of a
+ * cantilever under a step load. */
+#include "plan/observe.h"
 #include "plan/plan.h"
 
 #include "base/status.h"
@@ -41,15 +43,20 @@ static long tip_of(const struct layout *l)
     return -1;
 }
 
-static void make(struct beam *b, const char *name, double tol, double substep)
+/* keys: assignments over the scene's own, NULL-ended. */
+static void make_with(struct beam *b, const char *name, double tol, double substep,
+                      const char *const *keys)
 {
     struct method_def def = method_def_default();
     char path[1024];
 
     snprintf(path, sizeof path, "%s/data/scenes/beam-alone.scene",
              getenv("top_srcdir") ? getenv("top_srcdir") : ".");
-    if (scene_read(path, &b->scene) != STATUS_DONE
-        || plan_create(b->scene, &b->plan) != STATUS_DONE)
+    if (scene_read(path, &b->scene) != STATUS_DONE)
+        fail_msg("%s", status_message());
+    for (int i = 0; keys[i]; i++)
+        assert_int_equal(scene_override(b->scene, keys[i]), STATUS_DONE);
+    if (plan_create(b->scene, &b->plan) != STATUS_DONE)
         fail_msg("%s", status_message());
     assert_int_equal(method_find(name, &def, &b->method), STATUS_DONE);
     def.tol = tol;
@@ -59,6 +66,11 @@ static void make(struct beam *b, const char *name, double tol, double substep)
     plan_start(b->plan, b->y);
     if (b->method->create(b->method, &def, b->plan, 0, b->y, &b->self) != STATUS_DONE)
         fail_msg("%s", status_message());
+}
+
+static void make(struct beam *b, const char *name, double tol, double substep)
+{
+    make_with(b, name, tol, substep, (const char *const[]){ NULL });
 }
 
 static void end(struct beam *b)
@@ -190,6 +202,108 @@ static void the_tip_of_dv_converges(void **state)
         fail_msg("errors %g and %g of the deflection", error[0] / bent, error[1] / bent);
 }
 
+/* However long the steps: supports and loads give the momentum that the beam gets, and
+ * loads the energy that goes with it. */
+static void the_book_of_dv_is_that_of_its_steps(void **state)
+{
+    struct method_step step = { .t = 0 };
+    struct plan_sheet s;
+    struct beam b;
+    double most = 0, driven;
+
+    (void)state;
+    make(&b, "dv", 0.1, 0);
+    for (int k = 0; k < 40; k++) {
+        assert_int_equal(b.method->step(b.self, 10, &step), STATUS_DONE);
+        plan_sheet_make(b.plan, step.t, b.method->state(b.self), &s);
+        most = fmax(most, fabs(s.momentum[0]));
+        for (int d = 0; d < 2; d++)
+            if (!(fabs(s.momentum[d] - s.momentum_given[d]) < 1e-11))
+                fail_msg("t = %g s: %g N s of %g N s", step.t, s.momentum_given[d],
+                         s.momentum[d]);
+    }
+    assert_true(most > 1e-3);
+    driven = s.work[s.works - 1];
+    if (!(fabs(driven - 10 * b.method->state(b.self)[b.tip]) < 1e-12 && driven > 1e-4))
+        fail_msg("the load gave %.15g J, not %.15g J", driven,
+                 10 * b.method->state(b.self)[b.tip]);
+    end(&b);
+}
+
+static void the_tips_of_dirk_converge(void **state)
+{
+    static const char *const names[] = { "dirk2", "dirk3", "dirk4", "dirk5" };
+    double exact[POINTS], tip[POINTS];
+
+    (void)state;
+    tips("imex4", 1e-6, 0, exact);
+    for (int m = 0; m < 4; m++) {
+        double error[2] = { 0 };
+        for (int i = 0; i < 2; i++) {
+            tips(names[m], i ? 1e-5 : 1e-3, 0, tip);
+            for (int k = 0; k < POINTS; k++)
+                error[i] = fmax(error[i], fabs(tip[k] - exact[k]));
+        }
+        if (!(error[0] < 0.1 * bent && error[1] < 1e-3 * bent && error[1] < error[0] / 20))
+            fail_msg("%s: errors %g and %g of the deflection", names[m], error[0] / bent,
+                     error[1] / bent);
+    }
+}
+
+static int steps_to(double t_end, const char *name, const char *const *keys)
+{
+    struct method_step step = { .t = 0 };
+    struct beam b;
+    int n = 0;
+
+    make_with(&b, name, 1e-3, 0, keys);
+    for (; step.t < t_end; n++)
+        assert_int_equal(b.method->step(b.self, t_end, &step), STATUS_DONE);
+    end(&b);
+    return n;
+}
+
+/* The same vibration, two of its periods, on the beam as it is, on one of steel as much
+ * stiffer as its load is larger, and with five times the elements. */
+static void dirk_does_not_feel_stiffness_or_elements(void **state)
+{
+    static const char *const names[] = { "dirk2", "dirk3", "dirk4", "dirk5" };
+
+    (void)state;
+    for (int m = 0; m < 4; m++) {
+        const int soft = steps_to(0.02, names[m], (const char *const[]){ NULL });
+        const int steel = steps_to(0.02 / sqrt(420), names[m],
+                                   (const char *const[]){ "beam.plate.E=210e9",
+                                                          "beam.plate.tip_force=4200", NULL });
+        const int fine = steps_to(0.02, names[m],
+                                  (const char *const[]){ "beam.plate.elements=100", NULL });
+        if (!(abs(steel - soft) <= 0.05 * soft && fine < 1.5 * soft && soft < 800))
+            fail_msg("%s: %d steps, %d of steel, %d with 100 elements", names[m], soft, steel,
+                     fine);
+    }
+}
+
+/* Steps of 10 ms on steel: 128 radians of the slowest vibration, and of the fastest as
+ * many thousands. */
+static void dirk_goes_to_rest_in_long_steps(void **state)
+{
+    static const char *const names[] = { "dirk2@1e-2s", "dirk3@1e-2s", "dirk4@1e-2s",
+                                         "dirk5@1e-2s" };
+
+    (void)state;
+    for (int m = 0; m < 4; m++) {
+        struct method_step step;
+        struct beam b;
+        make_with(&b, names[m], 1, 0, (const char *const[]){ "beam.plate.E=210e9", NULL });
+        for (int k = 0; k < 12; k++)
+            assert_int_equal(b.method->step(b.self, 1, &step), STATUS_DONE);
+        const double off = b.method->state(b.self)[b.tip] / (bent / 420) - 1;
+        end(&b);
+        if (!(fabs(off) < 1e-3))
+            fail_msg("%s: %g off its rest", names[m], off);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -197,6 +311,10 @@ int main(void)
         cmocka_unit_test(the_tip_converges_to_that_of_imex4),
         cmocka_unit_test(dv_keeps_the_frequency),
         cmocka_unit_test(the_tip_of_dv_converges),
+        cmocka_unit_test(the_tips_of_dirk_converge),
+        cmocka_unit_test(dirk_does_not_feel_stiffness_or_elements),
+        cmocka_unit_test(dirk_goes_to_rest_in_long_steps),
+        cmocka_unit_test(the_book_of_dv_is_that_of_its_steps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

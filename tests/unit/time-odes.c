@@ -1,7 +1,9 @@
-/* time-odes.c -- methods whose steps libraries take: CVODE's and those of GSL's odeiv2. */
+/* time-odes.c -- methods whose steps libraries take, CVODE's and those of GSL's odeiv2, and
+ * our own multistep method ab3. */
 #include "time-toy.h"
 
 #include "base/status.h"
+#include "time/ab3.h"
 #include "time/cvode.h"
 #include "time/gslode.h"
 #include "time/method.h"
@@ -16,11 +18,11 @@
 
 #include <cmocka.h>
 
-enum { METHODS = 5, STATE = 64 };
+enum { METHODS = 6, STATE = 64 };
 
 static const struct method *const methods[METHODS] = {
     &cvode_adams.method, &cvode_bdf.method, &gslode_rkf45.method, &gslode_rk8pd.method,
-    &gslode_msadams.method
+    &gslode_msadams.method, &ab3_method
 };
 
 /* With a beam where the method serves one. */
@@ -112,7 +114,7 @@ static void runge_kutta_has_its_order(void **state)
 /* Errors fall with tol, and the cost rises as a high order lets it. */
 static void errors_follow_the_tolerance(void **state)
 {
-    static const double dearer[METHODS] = { 4, 30, 6, 4, 4 }; /* steps, 1e-8 to 1e-4 */
+    static const double dearer[METHODS] = { 4, 30, 6, 4, 4, 12 }; /* steps, 1e-8 to 1e-4 */
 
     (void)state;
     for (int i = 0; i < METHODS; i++) {
@@ -187,7 +189,8 @@ static void bdf_does_not_mind_stiff_beams(void **state)
         fail_msg("steps: %d %d %d", steps[0], steps[1], steps[2]);
 }
 
-static void only_bdf_serves_beams(void **state)
+/* ab3 has a bound of stability that knows them. */
+static void only_bdf_and_ab3_serve_beams(void **state)
 {
     struct plan p;
 
@@ -195,11 +198,56 @@ static void only_bdf_serves_beams(void **state)
     toy_make(&p, 1e6, 0);
     for (int i = 0; i < METHODS; i++) {
         const char *why = methods[i]->serves(&p);
-        if (methods[i] == &cvode_bdf.method)
+        if (methods[i] == &cvode_bdf.method || methods[i] == &ab3_method)
             assert_null(why);
         else
             assert_non_null(strstr(why, "imex3"));
     }
+}
+
+/* --- ab3 ----------------------------------------------------------------------- */
+
+/* Three for each of the first two steps, then one a step, accepted or not. */
+static void ab3_asks_once_a_step(void **state)
+{
+    struct plan p;
+    struct method_step step = { .t = 0 };
+    int steps;
+
+    (void)state;
+    toy_make(&p, 0, 0);
+    void *self = begin(&ab3_method, &p, 1e-4, 0.01);
+    for (steps = 0; steps < 30; steps++)
+        assert_int_equal(ab3_method.step(self, 10, &step), STATUS_DONE);
+    assert_true(step.rejected == 0 && p.counts.rhs_explicit == 1 + 2 * 3 + (30 - 2));
+    p.refuse_after = step.t;
+    assert_int_equal(ab3_method.step(self, 10, &step), STATUS_FAILED);
+    assert_true(p.counts.refused > 10);
+    assert_true(p.counts.rhs_explicit == 1 + 2 * 3 + (30 - 2) + p.counts.refused);
+    end(&ab3_method, &self);
+}
+
+/* A step of next to nothing on the way: differences over it would be noise. */
+static void ab3_is_not_disturbed_by_a_short_step(void **state)
+{
+    double error[2];
+    int steps[2][3] = { { 0 } };
+
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct plan p;
+        const double stop[3] = { 1, 1 + 3e-15, 3 };
+        toy_make(&p, 0, 0);
+        void *self = begin(&ab3_method, &p, 1e-5, 0);
+        for (int i = 0; i < 3; i++)
+            if (k == 1 || i == 2)
+                assert_int_equal(run(&ab3_method, self, 0, stop[i], &steps[k][i]), STATUS_DONE);
+        error[k] = toy_error(&p, 3, ab3_method.state(self));
+        end(&ab3_method, &self);
+    }
+    const int more = steps[1][0] + steps[1][1] + steps[1][2] - steps[0][2];
+    if (!(error[1] < 1.5 * error[0] && steps[1][1] == 1 && more >= 1 && more <= 4))
+        fail_msg("errors %g and %g, %d steps more", error[0], error[1], more);
 }
 
 /* --- bits ---------------------------------------------------------------------- */
@@ -359,7 +407,9 @@ int main(void)
         cmocka_unit_test(errors_follow_the_tolerance),
         cmocka_unit_test(between_the_ends_it_is_as_accurate),
         cmocka_unit_test(bdf_does_not_mind_stiff_beams),
-        cmocka_unit_test(only_bdf_serves_beams),
+        cmocka_unit_test(only_bdf_and_ab3_serve_beams),
+        cmocka_unit_test(ab3_asks_once_a_step),
+        cmocka_unit_test(ab3_is_not_disturbed_by_a_short_step),
         cmocka_unit_test(looking_does_not_change_the_run),
         cmocka_unit_test(a_restart_forgets_the_past),
         cmocka_unit_test(a_refusal_shortens_the_step),

@@ -2,7 +2,10 @@
  * that were published. */
 #include "time-tests.h"
 
+#include "time/mri.h"
 #include "time/stability.h"
+
+#include <complex.h>
 
 /* The largest violation of sum_i w_i phi_i = 1/gamma over all rooted trees with
  * up to `order` nodes: Butcher, Numerical Methods for ODEs, table 301(II). */
@@ -18,14 +21,14 @@ static double violation(const struct tableau *t, const double *w, int order)
         c[i] = tableau_node(t, i);
     for (int i = 0; i < s; i++) {
         ac[i] = ac2[i] = 0;
-        for (int j = 0; j < i; j++) {
+        for (int j = 0; j <= i; j++) {
             ac[i] += t->a[i][j] * c[j];
             ac2[i] += t->a[i][j] * c[j] * c[j];
         }
     }
     for (int i = 0; i < s; i++) {
         aac[i] = 0;
-        for (int j = 0; j < i; j++)
+        for (int j = 0; j <= i; j++)
             aac[i] += t->a[i][j] * ac[j];
     }
     for (int i = 0; i < s; i++) {
@@ -97,5 +100,73 @@ void stability_factors_of_sundials_tables(void **state)
         near(stability_wave(t, 0), row[i].imaginary, 0.006);
         near(stability_decay(t), row[i].decay, 0.05);
         toy_method_free(&self);
+    }
+}
+
+/* Between the halves of a pair order 2 asks for nothing but equal nodes and weights. */
+void halves_of_a_pair_go_together(void **state)
+{
+    const struct tableau *e = &tableau_ark2_erk, *i = &tableau_ark2_dirk;
+
+    (void)state;
+    assert_true(e->stages == i->stages && e->order == i->order && e->embedded == i->embedded);
+    for (int k = 0; k < e->stages; k++) {
+        near(tableau_node(e, k), tableau_node(i, k), 1e-15);
+        assert_true(e->b[k] == i->b[k] && e->d[k] == i->d[k]);
+    }
+    assert_true(tableau_first_same_as_last(i)); /* stiffly accurate */
+}
+
+/* |R(z)| of the weights w; stages solve for nobody but themselves. */
+static double growth(const struct tableau *t, const double *w, double complex z)
+{
+    double complex s[TABLEAU_STAGES], sum = 1;
+
+    for (int i = 0; i < t->stages; i++) {
+        s[i] = 1;
+        for (int j = 0; j < i; j++)
+            s[i] += z * t->a[i][j] * s[j];
+        s[i] /= 1 - z * t->a[i][i];
+        sum += z * w[i] * s[i];
+    }
+    return cabs(sum);
+}
+
+/* On the imaginary axis nothing grows (nor anywhere left of it, as poles lie to the
+ * right), and what is infinitely stiff is gone after a step.  Its error estimate stays
+ * within a few times its size. */
+static void check_stiff(const char *name, const struct tableau *t)
+{
+    for (int i = 0; i < t->stages; i++)
+        assert_true(t->a[i][i] > 0 || i == 0);
+    for (double y = 1e-3; y < 1e8; y *= 1.05)
+        if (!(growth(t, t->b, I * y) <= 1 + 1e-9))
+            fail_msg("%s: |R(%g i)| = %.12g", name, y, growth(t, t->b, I * y));
+    if (!(growth(t, t->b, -1e7) < 1e-5 && growth(t, t->b, 1e7 * I) < 1e-5))
+        fail_msg("%s: |R| = %g far out", name, growth(t, t->b, -1e7));
+    if (!(growth(t, t->d, -1e7) < 4))
+        fail_msg("%s: estimate %g", name, growth(t, t->d, -1e7));
+}
+
+void implicit_tables_are_l_stable(void **state)
+{
+    static const char *const methods[] = { "imex3", "imex4", "imex5", "dirk3", "dirk4", "dirk5" };
+    struct tableau t;
+
+    (void)state;
+    check_stiff("imex2, dirk2", &tableau_ark2_dirk);
+    for (int i = 0; i <= 6; i++) {
+        struct method_def def = method_def_default();
+        const struct method *m;
+        const char *name = mri_fast_table;
+        if (i < 6) {
+            assert_int_equal(method_find(methods[i], &def, &m), STATUS_DONE);
+            name = ((const struct arkode_row *)m)->dirk;
+        }
+        ARKodeButcherTable table = ARKodeButcherTable_LoadDIRKByName(name);
+        assert_non_null(table);
+        arkode_tables_read(table, &t);
+        ARKodeButcherTable_Free(table);
+        check_stiff(name, &t);
     }
 }

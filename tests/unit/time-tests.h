@@ -38,6 +38,8 @@ int toy_run(void *self, double t_end, int *steps);
 void tables_keep_their_order_conditions(void **state);
 void stability_factors_are_those_published(void **state);
 void stability_factors_of_sundials_tables(void **state);
+void halves_of_a_pair_go_together(void **state);
+void implicit_tables_are_l_stable(void **state);
 
 void staggered_steps_water_and_bodies_in_turn(void **state);
 void staggered_counts_its_substeps(void **state);
@@ -62,5 +64,12 @@ void dv_resolves_vibrations_of_bodies(void **state);
 void dv_shows_bodies_under_the_last_load(void **state);
 void dv_estimates_the_error_of_bodies(void **state);
 void dv_needs_halves(void **state);
+
+void mri_is_of_order_three(void **state);
+void mri_keeps_to_substep(void **state);
+void mri_resolves_vibrations_of_bodies(void **state);
+void mri_passes_over_stiff_bodies(void **state);
+void mri_shortens_steps_without_an_answer(void **state);
+void mri_says_what_it_cannot_serve(void **state);
 
 #endif

@@ -2,6 +2,7 @@
 #include "time-toy.h"
 
 #include "base/status.h"
+#include "plan/body-book.h"
 #include "state/limit.h"
 
 #include <math.h>
@@ -169,6 +170,12 @@ int plan_solve(struct plan *p, double t, double g, const double *r, double *z)
     return STATUS_DONE;
 }
 
+/* The beam has no place in the book. */
+void plan_body_book(struct plan *p, double t, const double *y, double share, double *f)
+{
+    (void)p, (void)t, (void)y, (void)share, (void)f;
+}
+
 const char *plan_refusal(const struct plan *p)
 {
     return p->counts.refused > 0 ? "the density of particle 0 is off" : "";
@@ -188,6 +195,17 @@ double plan_length(const struct plan *p)
 {
     (void)p;
     return 1;
+}
+
+const char *plan_viscous(const struct plan *p)
+{
+    (void)p;
+    return NULL;
+}
+
+void plan_solve_tolerance(struct plan *p, double tol)
+{
+    (void)p, (void)tol;
 }
 
 bool plan_stiff(const struct plan *p)

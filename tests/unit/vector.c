@@ -87,25 +87,76 @@ static void norms_are_what_they_say(void **state)
     }
 }
 
-/* Also where the weight is that of a quadrature. */
+/* One such entry, whatever its weight: no error test lets it pass.  All weights are 1. */
+static void sees(N_Vector v, N_Vector w, long at, double bad)
+{
+    static const double weight[] = { 1, 1e-12, 0 };
+    const double before = vector_data(v)[at];
+
+    vector_data(v)[at] = bad;
+    for (int k = 0; k < 3; k++) {
+        vector_data(w)[at] = weight[k];
+        assert_true(N_VWrmsNorm(v, w) == VECTOR_NOT_FINITE);
+        assert_int_equal(vector_largest(v), at);
+    }
+    assert_int_equal(vector_first_bad(N_VGetLength(v), vector_data(v)), at);
+    vector_data(w)[at] = 1e-12; /* that of a quadrature */
+    vector_data(v)[at] = 1e6;   /* but finite: it does not matter */
+    assert_true(N_VWrmsNorm(v, w) <= 0.5);
+    assert_int_equal(vector_first_bad(N_VGetLength(v), vector_data(v)), -1);
+    vector_data(v)[at] = before;
+    vector_data(w)[at] = 1;
+}
+
+/* In vectors of length n, at places of a list that ends with -1, on that many threads. */
+static void all_norms_see(long n, const long *at, int threads)
+{
+    use_threads(threads);
+    for (int norm = 0; norm < 3; norm++) {
+        N_Vector v = noisy(n, (enum vector_norm)norm, 1), w = N_VClone(v);
+
+        N_VConst(1, w);
+        for (int k = 0; at[k] >= 0; k++) {
+            sees(v, w, at[k], NAN);
+            sees(v, w, at[k], INFINITY);
+            sees(v, w, at[k], -INFINITY);
+        }
+        N_VDestroy(v);
+        N_VDestroy(w);
+    }
+    use_threads(1);
+}
+
+/* The first, the middle and the last entry, of all and of blocks. */
 static void norms_see_what_is_not_finite(void **state)
 {
-    const double bad[3] = { NAN, INFINITY, -INFINITY };
-    const long at[4] = { 0, 1023, 40000, LONG - 1 };
+    const long at[] = { 0, 1023, 1024, LONG / 2, LONG - 1, -1 };
 
     (void)state;
-    for (int k = 0; k < 12 * 3; k++) {
-        N_Vector v = noisy(LONG, (enum vector_norm)(k / 12), 1), w = N_VClone(v);
-        const long i = at[k % 4];
+    for (int threads = 1; threads <= 3; threads++)
+        all_norms_see(LONG, at, threads);
+}
+
+/* Lengths that fill no register, and every place in them. */
+static void norms_of_short_vectors_see_it_too(void **state)
+{
+    (void)state;
+    for (long n = 1; n <= 11; n++)
+        for (long i = 0; i < n; i++)
+            all_norms_see(n, (const long[]){ i, -1 }, 1);
+}
+
+/* An error that is finite by itself, but not its square or eighth power. */
+static void norms_let_no_overflow_pass(void **state)
+{
+    (void)state;
+    for (int norm = 0; norm < 3; norm++) {
+        N_Vector v = noisy(LONG, (enum vector_norm)norm, 1), w = N_VClone(v);
+
         N_VConst(1, w);
-        vector_data(w)[i] = 1e-12;
-        vector_data(v)[i] = bad[k / 4 % 3];
+        vector_data(v)[40000] = 1e200;
         assert_true(N_VWrmsNorm(v, w) == VECTOR_NOT_FINITE);
-        assert_int_equal(vector_largest(v), i);
-        assert_int_equal(vector_first_bad(LONG, vector_data(v)), i);
-        vector_data(v)[i] = 1e6; /* but finite: it does not matter */
-        assert_true(N_VWrmsNorm(v, w) <= 0.5);
-        assert_int_equal(vector_first_bad(LONG, vector_data(v)), -1);
+        assert_int_equal(vector_largest(v), 40000);
         N_VDestroy(v);
         N_VDestroy(w);
     }
@@ -207,6 +258,8 @@ int main(void)
         cmocka_unit_test(new_vectors_are_zero_and_clones_keep_the_norm),
         cmocka_unit_test(norms_are_what_they_say),
         cmocka_unit_test(norms_see_what_is_not_finite),
+        cmocka_unit_test(norms_of_short_vectors_see_it_too),
+        cmocka_unit_test(norms_let_no_overflow_pass),
         cmocka_unit_test(combinations_equal_the_serial_ones),
         cmocka_unit_test(the_first_term_is_added_last),
         cmocka_unit_test(bits_do_not_depend_on_threads),

@@ -1,0 +1,301 @@
+/* elastica-body.c -- an elastic beam in the water that bends far: a cubic centre line,
+ * exact strains.
+ *
+ *   M q'' + D q' + dE/dq = F,   E as in (BE4)                          (BE4)-(BE6)
+ *
+ * The linear beam of beam.c without its limit on deflections, and with an axial stiffness:
+ * M, EI, mass options, ends and damping by mass and drag are the same, and small
+ * deflections agree.  F is the transpose of the skin's motion applied to the forces on its
+ * points, plus weight and prescribed loads.  M^-1 F is explicit; q' = v and
+ * v' = -M^-1 (dE/dq + D v) are stiff and implicit.
+ * Checked in tests/unit/elastica*.c. */
+#include "base/status.h"
+#include "bodies/elastica-make.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static enum kind elastica_skin_kind(const struct body *b)
+{
+    return b->skin_kind;
+}
+
+static int elastica_skin(const struct body *b, double (*x)[DIM])
+{
+    if (x)
+        follower_skin_move(b->skin, b->vec.start, b->vec.start_rate, x, NULL);
+    return b->skin->points;
+}
+
+/* Eight rows; scales are those of beam.c, where the reasons are, for both components. */
+static int elastica_rows(struct body *b, struct layout *l)
+{
+    static const char *const name[ELASTICA_NODE] = { "u", "w", "u_slope", "w_slope" };
+    const struct elastica *e = b->beam;
+
+    for (int i = 0; i < 2 * ELASTICA_NODE; i++) {
+        const bool rate = i >= ELASTICA_NODE, slope = i % ELASTICA_NODE >= 2;
+        const double scale = rate ? e->def.speed : e->def.thickness;
+        char text[48];
+        snprintf(text, sizeof text, "%.30s.%s%s", b->path, name[i % ELASTICA_NODE],
+                 rate ? "_rate" : "");
+        b->row[i] = layout_add(l, rate ? LAYOUT_VELOCITY : LAYOUT_POSITION, text,
+                               slope ? (rate ? "1/s" : "1") : (rate ? "m/s" : "m"),
+                               e->def.bending.elements + 1, 1, slope ? scale / e->l : scale);
+        if (b->row[i] < 0)
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+/* Entry of y that holds degree of freedom i of q (rate: of v). */
+static long place(const struct body *b, const struct layout *l, int i, bool rate)
+{
+    return layout_at(l, b->row[(rate ? ELASTICA_NODE : 0) + i % ELASTICA_NODE])
+         + i / ELASTICA_NODE;
+}
+
+/* y to q and v; held degrees of freedom are 0 whatever y says. */
+static void gather(const struct body *b, const struct layout *l, const double *y)
+{
+    for (int i = 0; i < b->beam->dofs; i++) {
+        const bool held = elastica_held(b->beam, i);
+        b->vec.q[i] = held ? 0 : y[place(b, l, i, false)];
+        b->vec.v[i] = held ? 0 : y[place(b, l, i, true)];
+    }
+}
+
+static void elastica_start(const struct body *b, const struct layout *l, double *y)
+{
+    for (int i = 0; i < b->beam->dofs; i++) {
+        y[place(b, l, i, false)] = b->vec.start[i];
+        y[place(b, l, i, true)] = b->vec.start_rate[i];
+    }
+}
+
+static void elastica_move(const struct body *b, const struct layout *l, double t, const double *y,
+                          double (*x)[DIM], double (*u)[DIM])
+{
+    (void)t;
+    gather(b, l, y);
+    follower_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
+}
+
+static double dot(int n, const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (int i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* Prescribed loads at (t, q). */
+static void give(const struct body *b, double t)
+{
+    const struct elastica_vectors *w = &b->vec;
+    const size_t size = (size_t)b->beam->dofs * sizeof *w->given;
+
+    if (!(t < b->load_until)) {
+        memset(w->given, 0, size);
+        return;
+    }
+    memcpy(w->given, w->pushed, size);
+    elastica_follow(b->beam, b->turning_load, b->turning_force, w->q, w->given);
+}
+
+/* All vectors at (t, y). */
+static void balance(const struct body *b, const struct layout *l, double t, const double *y,
+                    const double (*force)[DIM])
+{
+    const struct elastica_vectors *w = &b->vec;
+    const int n = b->beam->dofs;
+
+    gather(b, l, y);
+    give(b, t);
+    for (int i = 0; i < n; i++)
+        w->force[i] = w->weight[i] + w->given[i];
+    follower_skin_load(b->skin, w->q, force, w->force);
+    memcpy(w->load, w->force, (size_t)n * sizeof *w->load);
+    elastica_accelerate(b->beam, w->load);
+    elastica_resist(b->beam, w->q, w->v, w->resist);
+    memcpy(w->rate, w->resist, (size_t)n * sizeof *w->rate);
+    elastica_accelerate(b->beam, w->rate);
+    for (int i = 0; i < n; i++)
+        w->rate[i] = w->load[i] - w->rate[i];
+    band_multiply(b->beam->mass, w->rate, w->inertia);
+}
+
+/* Sum over nodes of what moves all of them along and across, in the frame of the tank. */
+static void total(const struct body *b, const double *f, double *to)
+{
+    double sum[2] = { 0, 0 };
+
+    for (int i = 0; i < b->beam->dofs; i += ELASTICA_NODE)
+        for (int c = 0; c < 2; c++)
+            sum[c] += f[i + c];
+    for (int d = 0; d < DIM; d++)
+        to[d] = sum[0] * b->along[d] + sum[1] * b->normal[d];
+}
+
+/* The supports give what momentum needs beyond the loads, 1 . (M v' - F), where what alpha
+ * and drag take counts as theirs (both hold on to the ground). */
+static void elastica_load(struct body *b, const struct layout *l, double t, const double *y,
+                          const double (*force)[DIM], double *ydot, struct body_load *out)
+{
+    const struct elastica_vectors *w = &b->vec;
+    const int n = b->beam->dofs;
+    double moved[DIM], loads[DIM];
+
+    balance(b, l, t, y, force);
+    for (int i = 0; i < n; i++) {
+        ydot[place(b, l, i, false)] = 0;
+        ydot[place(b, l, i, true)] = w->load[i];
+    }
+    out->damping = elastica_damping(b->beam, w->v);
+    out->driven = dot(n, w->given, w->v);
+    total(b, w->inertia, moved);
+    total(b, w->force, loads);
+    total(b, w->given, out->applied);
+    for (int d = 0; d < DIM; d++)
+        out->support[d] = moved[d] - loads[d];
+}
+
+static void elastica_stiff(const struct body *b, const struct layout *l, double t,
+                           const double *y, double *ydot)
+{
+    const struct elastica_vectors *w = &b->vec;
+
+    (void)t;
+    gather(b, l, y);
+    elastica_resist(b->beam, w->q, w->v, w->resist);
+    elastica_accelerate(b->beam, w->resist);
+    for (int i = 0; i < b->beam->dofs; i++) {
+        ydot[place(b, l, i, false)] += w->v[i];
+        ydot[place(b, l, i, true)] -= w->resist[i];
+    }
+}
+
+static int elastica_body_solve(struct body *b, const struct layout *l, double t, double gamma,
+                               const double *r, double *z)
+{
+    const struct elastica_vectors *w = &b->vec;
+    const int n = b->beam->dofs;
+
+    (void)t;
+    for (int i = 0; i < n; i++) {
+        w->force[i] = r[place(b, l, i, false)];
+        w->resist[i] = r[place(b, l, i, true)];
+        w->q[i] = z[place(b, l, i, false)];
+    }
+    TRY(elastica_solve(b->beam, gamma, w->force, w->resist, w->q, w->v));
+    for (int i = 0; i < n; i++) {
+        z[place(b, l, i, false)] = w->q[i];
+        z[place(b, l, i, true)] = w->v[i];
+    }
+    return STATUS_DONE;
+}
+
+static double elastica_event(const struct body *b, double t)
+{
+    return b->load_until > t ? b->load_until : HUGE_VAL;
+}
+
+/* At rest: see beam.c for the two kinds of decay. */
+static void elastica_limit(const struct body *b, struct limit *out)
+{
+    const struct elastica *e = b->beam;
+    const double d = 0.5 * e->decay, most_damped = e->def.bending.drag > 0 ? 0 : e->fastest;
+    const double creep = d > most_damped ? d + sqrt(d * d - most_damped * most_damped) : 0;
+
+    out->decay = creep > e->fastest;
+    out->rate = fmax(creep, e->fastest);
+    out->where = e->def.bending.elements / 2;
+    snprintf(out->part, sizeof out->part, "%s", b->path);
+}
+
+static void elastica_energies(const struct body *b, const struct layout *l, const double *y,
+                              struct energies *to)
+{
+    gather(b, l, y);
+    to->kinetic += elastica_kinetic(b->beam, b->vec.v);
+    to->elastic += elastica_elastic(b->beam, b->vec.q);
+    to->potential += b->rest_potential - dot(b->beam->dofs, b->vec.weight, b->vec.q);
+}
+
+/* Adds to p [DIM]. */
+static void elastica_momentum(const struct body *b, const struct layout *l, const double *y,
+                              double *p)
+{
+    double sum[DIM];
+
+    gather(b, l, y);
+    band_multiply(b->beam->mass, b->vec.v, b->vec.inertia);
+    total(b, b->vec.inertia, sum);
+    for (int d = 0; d < DIM; d++)
+        p[d] += sum[d];
+}
+
+static double elastica_weight(const struct body *b)
+{
+    return b->mass;
+}
+
+/* Angle of the tip, turn by turn from node to node: it counts on beyond half a turn. */
+static double tip_angle(const struct body *b)
+{
+    const double *q = b->vec.q;
+    double sum = 0, from[2] = { 1, 0 };
+
+    for (int i = 2; i < b->beam->dofs; i += ELASTICA_NODE) {
+        const double to[2] = { 1 + q[i], q[i + 1] };
+        sum += atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+        from[0] = to[0];
+        from[1] = to[1];
+    }
+    return sum;
+}
+
+/* Displacement of the centre line at s, in the frame of the tank. */
+static void displace(const struct body *b, double s, double *to)
+{
+    double r[2];
+
+    follower_skin_centre(b->skin, s, b->vec.q, r);
+    for (int d = 0; d < DIM; d++)
+        to[d] = (r[0] - s) * b->along[d] + r[1] * b->normal[d];
+}
+
+/* What the support at the root feels: force across the straight beam (positive along n, as
+ * loads are) and moment (positive counter-clockwise): a turn by theta changes the slope
+ * across by |r'| theta. */
+static void elastica_show(const struct body *b, const struct layout *l, double t,
+                          const double *y, const double (*force)[DIM], struct body_view *out)
+{
+    const struct elastica_vectors *w = &b->vec;
+    const struct elastica *e = b->beam;
+    const double L = e->def.bending.length;
+
+    balance(b, l, t, y, force);
+    displace(b, L, out->tip);
+    displace(b, L / 2, out->mid);
+    out->tip_angle = tip_angle(b);
+    out->root_force = elastica_held(e, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
+    out->root_moment = elastica_held(e, 3)
+                     ? (1 + w->q[2]) * (w->force[3] - w->inertia[3] - w->resist[3]) : 0;
+}
+
+const struct body_kind bodies_elastica = {
+    .name = "elastica", .about = "the same beam, bending as far as it likes (2D)",
+    .equation = "M q'' + D q' + dE/dq = F, E = int EA/4 (|r'|^2 - 1 - ln |r'|^2) + "
+                "EI/2 kappa^2 ds, kappa = (r' x r'')/|r'|^2  (BE4)-(BE6)",
+    .source = "Reissner 1972 without shear; cubic centre line as Gerstmayr, Shabana 2006",
+    .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    .create = elastica_make, .free = elastica_make_free, .skin_kind = elastica_skin_kind,
+    .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
+    .move = elastica_move, .load = elastica_load, .stiff = elastica_stiff,
+    .solve = elastica_body_solve, .event = elastica_event, .limit = elastica_limit,
+    .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
+    .show = elastica_show,
+};

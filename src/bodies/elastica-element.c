@@ -1,0 +1,202 @@
+/* elastica-element.c -- an element of a beam that bends far: energy, force, tangent.
+ *
+ *   E = int EA/4 (|r'|^2 - 1 - ln |r'|^2) + EI/2 kappa^2 ds,
+ *   kappa = (r' x r'')/|r'|^2                                                   (BE4)
+ *
+ * kappa is dtheta/ds, how the tangent turns per rest length: Reissner's beam, J. Appl.
+ * Math. Phys. 23 (1972) 795-804, without shear; where that has EA/2 (|r'| - 1)^2 stands
+ * what is the same for small strains, but never lets a soft beam be pressed to nothing.
+ * r is a cubic (Hermite), as in Gerstmayr and Shabana, Nonlinear Dynamics 45 (2006)
+ * 109-130, so that mass does not depend on the position, a turn strains nothing, and
+ * small deflections are those of element.c.  kappa is looked at in two points of Gauss,
+ * which is exact for small deflections; stretch at both ends and in the middle: an element
+ * that keeps its length there bends as freely as a linear one.  More points would stiffen
+ * it, and with two of Gauss all nodes could grow together at no cost.
+ * Checked in tests/unit/elastica.c. */
+#include "bodies/elastica-element.h"
+
+#include "bodies/element.h"
+#include <math.h>
+#include <string.h>
+
+static void look_at(double xi, double weight, double l, struct elastica_point *p)
+{
+    element_shape(xi, l, p->shape, p->slope);
+    p->weight = weight * l;
+    p->curve[0] = (12 * xi - 6) / (l * l);
+    p->curve[1] = (6 * xi - 4) / l;
+    p->curve[2] = -p->curve[0];
+    p->curve[3] = (6 * xi - 2) / l;
+}
+
+void elastica_element_make(double EA, double EI, double l, struct elastica_element *out)
+{
+    const double gauss = 0.5 / sqrt(3);
+
+    *out = (struct elastica_element){ .EA = EA, .EI = EI, .l = l };
+    look_at(0, 1.0 / 6, l, &out->stretch[0]);
+    look_at(0.5, 4.0 / 6, l, &out->stretch[1]);
+    look_at(1, 1.0 / 6, l, &out->stretch[2]);
+    look_at(0.5 - gauss, 0.5, l, &out->bend[0]);
+    look_at(0.5 + gauss, 0.5, l, &out->bend[1]);
+}
+
+/* r' - e and r'' at a point. */
+static void derive(const struct elastica_point *p, const double *q, double *slope, double *curve)
+{
+    for (int c = 0; c < 2; c++) {
+        slope[c] = curve[c] = 0;
+        for (int k = 0; k < 4; k++) {
+            slope[c] += p->slope[k] * q[elastica_entry(k, c)];
+            curve[c] += p->curve[k] * q[elastica_entry(k, c)];
+        }
+    }
+}
+
+/* --- stretch -------------------------------------------------------------- */
+
+/* r' goes to a; returns |r'|^2 - 1 without taking nearly equal numbers apart. */
+static double stretch_of(const struct elastica_point *p, const double *q, double *a)
+{
+    double d[2], unused[2];
+
+    derive(p, q, d, unused);
+    a[0] = 1 + d[0];
+    a[1] = d[1];
+    return 2 * d[0] + d[0] * d[0] + d[1] * d[1];
+}
+
+static void add_stretch_force(const struct elastica_element *e, const struct elastica_point *p,
+                              const double *q, double *f)
+{
+    double a[2];
+    const double d = stretch_of(p, q, a), pull = p->weight * e->EA / 2 * d / (1 + d);
+
+    for (int k = 0; k < 4; k++)
+        for (int c = 0; c < 2; c++)
+            f[elastica_entry(k, c)] += pull * a[c] * p->slope[k];
+}
+
+static void add_stretch_tangent(const struct elastica_element *e, const struct elastica_point *p,
+                                const double *q, double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+{
+    double a[2], h[2][2];
+    const double d = stretch_of(p, q, a), s = 1 + d;
+
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            h[i][j] = p->weight * e->EA * (a[i] * a[j] / (s * s) + (i == j) * d / s / 2);
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            for (int c = 0; c < 2; c++)
+                for (int b = 0; b < 2; b++)
+                    k[elastica_entry(i, c)][elastica_entry(j, b)] +=
+                        h[c][b] * p->slope[i] * p->slope[j];
+}
+
+/* --- bending -------------------------------------------------------------- */
+
+struct turn { /* kappa at a point and its derivatives by z = (r', r'') */
+    double kappa, by[4], twice[4][4];
+};
+
+static struct turn turn_of(const struct elastica_point *p, const double *q)
+{
+    struct turn t = {0};
+    double a[2], b[2];
+
+    derive(p, q, a, b);
+    a[0] += 1;
+    const double s = a[0] * a[0] + a[1] * a[1], cross = a[0] * b[1] - a[1] * b[0];
+    const double cross_a[2] = { b[1], -b[0] }, cross_b[2] = { -a[1], a[0] };
+
+    t.kappa = cross / s;
+    for (int i = 0; i < 2; i++) {
+        t.by[i] = (cross_a[i] - 2 * t.kappa * a[i]) / s;
+        t.by[2 + i] = cross_b[i] / s;
+    }
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            t.twice[i][j] = -2 * (t.by[i] * a[j] + t.by[j] * a[i] + (i == j) * t.kappa) / s;
+            t.twice[i][2 + j] = t.twice[2 + j][i] = (j - i - 2 * a[i] * t.by[2 + j]) / s;
+        }
+    return t;
+}
+
+static void add_bending_force(const struct elastica_element *e, const struct elastica_point *p,
+                              const double *q, double *f)
+{
+    const struct turn t = turn_of(p, q);
+    const double moment = p->weight * e->EI * t.kappa;
+
+    for (int k = 0; k < 4; k++)
+        for (int c = 0; c < 2; c++)
+            f[elastica_entry(k, c)] += moment * (t.by[c] * p->slope[k] + t.by[2 + c] * p->curve[k]);
+}
+
+static void add_bending_tangent(const struct elastica_element *e, const struct elastica_point *p,
+                                const double *q, double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+{
+    const struct turn t = turn_of(p, q);
+    double h[4][4];
+
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            h[i][j] = p->weight * e->EI * (t.by[i] * t.by[j] + t.kappa * t.twice[i][j]);
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            for (int c = 0; c < 2; c++)
+                for (int d = 0; d < 2; d++)
+                    k[elastica_entry(i, c)][elastica_entry(j, d)] +=
+                        p->slope[i] * (h[c][d] * p->slope[j] + h[c][2 + d] * p->curve[j])
+                        + p->curve[i] * (h[2 + c][d] * p->slope[j] + h[2 + c][2 + d] * p->curve[j]);
+}
+
+/* --- the element ---------------------------------------------------------- */
+
+double elastica_element_energy(const struct elastica_element *e, const double *q)
+{
+    double sum = 0, a[2];
+
+    for (int i = 0; i < ELASTICA_STRETCHES; i++) {
+        const double d = stretch_of(&e->stretch[i], q, a);
+        sum += 0.25 * e->stretch[i].weight * e->EA * (d - log1p(d));
+    }
+    for (int i = 0; i < ELASTICA_BENDS; i++)
+        sum += 0.5 * e->bend[i].weight * e->EI * pow(turn_of(&e->bend[i], q).kappa, 2);
+    return sum;
+}
+
+void elastica_element_force(const struct elastica_element *e, const double *q, double *f)
+{
+    for (int i = 0; i < ELASTICA_STRETCHES; i++)
+        add_stretch_force(e, &e->stretch[i], q, f);
+    for (int i = 0; i < ELASTICA_BENDS; i++)
+        add_bending_force(e, &e->bend[i], q, f);
+}
+
+void elastica_element_tangent(const struct elastica_element *e, const double *q,
+                              double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+{
+    memset(k, 0, ELASTICA_ELEMENT * sizeof k[0]);
+    for (int i = 0; i < ELASTICA_STRETCHES; i++)
+        add_stretch_tangent(e, &e->stretch[i], q, k);
+    for (int i = 0; i < ELASTICA_BENDS; i++)
+        add_bending_tangent(e, &e->bend[i], q, k);
+}
+
+/* Across is r' turned by +90 degrees; what is given counts per rest length. */
+void elastica_element_press(const struct elastica_element *e, double load, const double *q,
+                            double *f)
+{
+    for (int i = 0; i < ELASTICA_BENDS; i++) {
+        const struct elastica_point *p = &e->bend[i];
+        double a[2];
+
+        stretch_of(p, q, a);
+        const double size = hypot(a[0], a[1]), across[2] = { -a[1] / size, a[0] / size };
+        for (int k = 0; k < 4; k++)
+            for (int c = 0; c < 2; c++)
+                f[elastica_entry(k, c)] += p->weight * load * across[c] * p->shape[k];
+    }
+}

@@ -1,0 +1,73 @@
+/* elastica.h -- M q'' + D q' + dE/dq = F of a beam of equal elements that bends far.
+ *
+ * Four degrees of freedom a node (elastica-element.h), nodes from the root (0) to the tip,
+ * component 0 along the straight beam and 1 across; F holds what does work on them.  M and
+ * D are those of the linear beam (bending.h), once for each component.  Ends take degrees
+ * of freedom away: those stay in the vectors as entries that nothing moves ("held").
+ * Per metre of width in 2D. */
+#ifndef BODIES_ELASTICA_H
+#define BODIES_ELASTICA_H
+
+#include "algebra/band.h"
+#include "bodies/bending.h"
+#include "bodies/elastica-element.h"
+
+struct elastica_def {
+    struct bending_def bending; /* length, EI, mass, ends; its beta is left out      */
+    double EA;                  /* axial stiffness [N, 2D: N/m]                       */
+    double thickness, speed;    /* scales of deflection and its rate [m], [m/s]       */
+    const char *path;           /* for messages, stays where it is                    */
+};
+
+struct elastica {
+    struct elastica_def def;
+    int dofs;                   /* 4 (elements + 1)                                   */
+    double l;                   /* length of an element [m]                           */
+    double fastest;             /* frequency that none exceeds at rest [rad/s]        */
+    double decay;               /* largest v . D v / v . M v [1/s]                    */
+    struct elastica_element element;
+    struct bending *plane;      /* the linear beam: mass, frequencies                 */
+    struct band *mass;          /* all degrees of freedom                             */
+    struct band *tangent, *sum; /* scratch                                            */
+    struct band_factor *mass_factor, *factor;
+    double *work;               /* [3][dofs] scratch                                  */
+};
+
+/* Takes all memory it will ever need.  Free with elastica_free(&e). */
+int elastica_create(const struct elastica_def *def, struct elastica **out);
+void elastica_free(struct elastica **e); /* NULL is welcome */
+
+bool elastica_held(const struct elastica *e, int dof);
+
+/* Entry of the vectors that shape k of an element carries for component c. */
+static inline int elastica_at(int element, int k, int c)
+{
+    return ELASTICA_NODE * element + elastica_entry(k, c);
+}
+
+/* to [dofs] = dE/dq + D v, rows of held degrees of freedom included. */
+void elastica_resist(const struct elastica *e, const double *q, const double *v, double *to);
+
+/* d2E/dq2 at q into e->tangent, held ones included. */
+void elastica_tangent(struct elastica *e, const double *q);
+
+/* f [dofs]: forces come in, accelerations M^-1 f go out; held ones are 0. */
+void elastica_accelerate(const struct elastica *e, double *f);
+
+/* Solves z - gamma f_I(z) = r with f_I = (v, -M^-1 (dE/dq + D v)) by Newton's method: a
+ * guess of z_q comes in through q, z goes out; held entries get those of r.
+ * STATUS_FAILED: no solution was found within ELASTICA_ITERATIONS. */
+enum { ELASTICA_ITERATIONS = 25 };
+int elastica_solve(struct elastica *e, double gamma, const double *rq, const double *rv,
+                   double *q, double *v);
+
+/* Adds to f [dofs] a uniform load across the beam [N/m, 2D: N/m^2] and a force across its
+ * tip [N, 2D: N/m], which turn with it. */
+void elastica_follow(const struct elastica *e, double load, double tip, const double *q,
+                     double *f);
+
+double elastica_kinetic(const struct elastica *e, const double *v); /* [J, 2D: J/m]        */
+double elastica_elastic(const struct elastica *e, const double *q); /* [J, 2D: J/m]        */
+double elastica_damping(const struct elastica *e, const double *v); /* power, <= 0 [W, ..] */
+
+#endif

@@ -1,0 +1,107 @@
+/* viscous-guess.c -- what the velocities of a stage will be, from those before it.
+ *
+ * The polynomial through the starts of the last steps and the stages since: a solve
+ * then begins with an error of some h^3 instead of h. */
+#include "plan/viscous.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NODES = 4 };
+
+void viscous_read(struct plan *p, const double *y, double *v)
+{
+    const int n = particles_count(p->particles, KIND_FLUID) * DIM;
+
+    memcpy(v, y + layout_at(&p->layout, p->row_u), (size_t)n * sizeof *v);
+    v += n;
+    for (int i = 0; i < p->bodies; i++) {
+        p->body[i].kind->read(p->body[i].body, &p->layout, y, v);
+        v += p->body[i].kind->unknowns(p->body[i].body);
+    }
+}
+
+/* Makes room at the front and returns what is to be filled. */
+static struct viscous_past *push(struct viscous_past *past, int *n, int most)
+{
+    const struct viscous_past last = past[most - 1];
+
+    memmove(past + 1, past, (size_t)(most - 1) * sizeof *past);
+    past[0] = last;
+    *n += *n < most;
+    return past;
+}
+
+/* The same moment twice is a step that is tried again. */
+void viscous_begin(struct plan *p, double t, const double *y)
+{
+    struct viscous *u = p->viscous;
+    struct viscous_past *to = u->start;
+
+    while (u->starts > 0 && u->start[0].t >= t) { /* time was set back */
+        const struct viscous_past gone = u->start[0];
+        memmove(u->start, u->start + 1, (VISCOUS_STARTS - 1) * sizeof gone);
+        u->start[VISCOUS_STARTS - 1] = gone;
+        u->starts--;
+    }
+    to = push(u->start, &u->starts, VISCOUS_STARTS);
+    to->t = t;
+    viscous_read(p, y, to->v);
+    u->stages = 0;
+}
+
+void viscous_keep(struct viscous *u, double t, const double *v)
+{
+    struct viscous_past *to = push(u->past, &u->stages, VISCOUS_STAGES);
+
+    to->t = t;
+    memcpy(to->v, v, (size_t)u->unknowns * sizeof *v);
+}
+
+/* Takes a node unless it stands too close to another: such weights grow large. */
+static int take(const struct viscous_past *one, double apart, const struct viscous_past **node,
+                int n)
+{
+    for (int i = 0; i < n; i++)
+        if (fabs(node[i]->t - one->t) < apart)
+            return n;
+    if (n < NODES)
+        node[n++] = one;
+    return n;
+}
+
+static int choose(const struct viscous *u, double t, const struct viscous_past **node)
+{
+    const double h = u->starts > 0 ? t - u->start[0].t : 0;
+    int n = 0;
+
+    if (!(h > 0))
+        return 0;
+    for (int i = 0; i < u->stages; i++)
+        n = take(&u->past[i], 0.1 * h, node, n);
+    for (int i = 0; i < u->starts; i++)
+        if (t - u->start[i].t < 5 * h)
+            n = take(&u->start[i], 0.3 * h, node, n);
+    return n;
+}
+
+void viscous_guess(struct plan *p, double t, const double *z, double *v)
+{
+    const struct viscous *u = p->viscous;
+    const struct viscous_past *node[NODES];
+    const int n = choose(u, t, node);
+
+    if (n == 0) {
+        viscous_read(p, z, v);
+        return;
+    }
+    memset(v, 0, (size_t)u->unknowns * sizeof *v);
+    for (int i = 0; i < n; i++) {
+        double weight = 1;
+        for (int k = 0; k < n; k++)
+            if (k != i)
+                weight *= (t - node[k]->t) / (node[i]->t - node[k]->t);
+        for (int k = 0; k < u->unknowns; k++)
+            v[k] += weight * node[i]->v[k];
+    }
+}

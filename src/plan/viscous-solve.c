@@ -1,0 +1,197 @@
+/* viscous-solve.c -- z - gamma f_I(t, z) = r for the velocities of fluid and bodies.
+ *
+ * Positions and densities of z are those of r, so that the forces of a viscosity are
+ * linear in velocities, F_a = sum c_ab (v_b - v_a) + those of walls that move. Times
+ * the masses, with the bodies' part (BE1),
+ *
+ *   m z - gamma F(z, S w) = m r                                               (BV1)
+ *   (M + gamma D + gamma^2 K) w - gamma S^T F_skin(z, S w) = M r_w - gamma K r_q
+ *
+ * is symmetric and positive definite.  Of positions only skins' depend on z: they come
+ * from a guess, which is mended when the solution moves them. */
+#include "plan/viscous.h"
+
+#include "base/status.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MENDINGS = 10 }; /* of the places of skins */
+
+static const double stay = 0.01; /* of tol and hs: skins that moved less stand right */
+
+/* y of the stage as far as v says it. */
+static void set_stage(struct plan *p, double gamma, const double *r)
+{
+    struct viscous *u = p->viscous;
+    const double *v = u->v;
+
+    memcpy(u->stage, r, (size_t)plan_size(p) * sizeof *r);
+    memcpy(u->stage + layout_at(&p->layout, p->row_u), v, (size_t)u->fluid * sizeof *v);
+    v += u->fluid;
+    for (int i = 0; i < p->bodies; i++) {
+        p->body[i].kind->write(p->body[i].body, &p->layout, gamma, r, v, u->stage);
+        v += viscous_body(p, i);
+    }
+}
+
+static int make_room(struct viscous *u)
+{
+    const struct list *l = u->job.list;
+    const size_t want = (size_t)l->rows_before[l->groups] * (size_t)l->lanes;
+    double *c;
+
+    if (want <= u->room)
+        return STATUS_DONE;
+    c = realloc(u->job.c, (want + want / 4) * sizeof *c);
+    if (!c)
+        return status_fail(STATUS_FAILED, "no memory for the coefficients of %s", u->part->path);
+    u->job.c = c;
+    u->room = want + want / 4;
+    return STATUS_DONE;
+}
+
+/* The matrix and the first residual, at the places of the stage. */
+static int set_system(struct plan *p, double t, double gamma, const double *r)
+{
+    struct viscous *u = p->viscous;
+    const struct list *l = p->main.list;
+    const double *r_u = r + layout_at(&p->layout, p->row_u);
+    int at = u->fluid;
+    struct view v;
+
+    plan_view_make(p, t, u->stage, &v);
+    TRY(plan_fields(p, &p->main, &v));
+    TRY(make_room(u));
+    p->engine->couple->assemble(&u->job, p->main.record);
+    p->counts.passes++;
+    TRY(viscous_join(p, gamma));
+    memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
+    memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);
+    memset(u->residual, 0, (size_t)u->fluid * sizeof *u->residual);
+    for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
+        for (int d = 0; d < DIM; d++) {
+            const size_t k = (size_t)s * DIM + (size_t)d, c = (size_t)l->order[s] * DIM + (size_t)d;
+            u->x[k] = u->v[c];
+            u->right[k] = p->particles->m[l->order[s]] * r_u[c];
+        }
+    for (int i = 0; i < p->bodies; i++) {
+        p->body[i].kind->right(p->body[i].body, &p->layout, gamma, r, u->right + at);
+        memcpy(u->x + at, u->v + at, (size_t)viscous_body(p, i) * sizeof *u->x);
+        at += viscous_body(p, i);
+    }
+    viscous_apply(p, gamma, u->x, true, u->image);
+    for (int i = 0; i < u->unknowns; i++)
+        u->residual[i] = u->right[i] - u->image[i];
+    if (p->moving_walls) /* image = A x without their pull */
+        viscous_apply(p, gamma, u->x, false, u->image);
+    return STATUS_DONE;
+}
+
+/* Solution to the order of creation; who is in no list keeps r. */
+static void take_solution(struct plan *p, const double *r)
+{
+    struct viscous *u = p->viscous;
+    const struct list *l = p->main.list;
+
+    memcpy(u->v, r + layout_at(&p->layout, p->row_u), (size_t)u->fluid * sizeof *u->v);
+    for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
+        memcpy(u->v + (size_t)l->order[s] * DIM, u->x + (size_t)s * DIM, DIM * sizeof *u->v);
+    memcpy(u->v + u->fluid, u->x + u->fluid, (size_t)(u->unknowns - u->fluid) * sizeof *u->v);
+}
+
+/* How far skins stand from where the solution has them [m]. */
+static double moved(struct plan *p, double t)
+{
+    const struct particles *all = p->particles;
+    double most = 0;
+
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        if (b->skin == 0)
+            continue;
+        const int from = all->object[b->object].from;
+        double (*x)[DIM] = b->force;
+        b->kind->move(b->body, &p->layout, t, p->viscous->stage, x, all->u + from);
+        for (int j = 0; j < b->skin; j++)
+            for (int d = 0; d < DIM; d++)
+                most = fmax(most, fabs(x[j][d] - all->x[from + j][d]));
+    }
+    return most;
+}
+
+/* Of the forces at the solution [W]: those on the fluid are known from the residual,
+ * F = (m z - m r + residual)/gamma; those on solids are asked for. */
+static double power(struct plan *p, double gamma)
+{
+    const struct viscous *u = p->viscous;
+    const struct list *l = p->main.list;
+    const int n = l->start[KIND_FLUID + 1];
+    double sum = 0;
+
+    viscous_multiply(p, KIND_SOLIDS, u->x, true);
+    for (int s = 0; s < n; s++)
+        for (int k = s * DIM; k < (s + 1) * DIM; k++)
+            sum += u->x[k] * (p->particles->m[l->order[s]] * u->x[k] - u->right[k]
+                              + u->residual[k]) / gamma;
+    for (int s = n; s < l->listed; s++)
+        for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
+            sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
+                   * p->main.f[(size_t)s * DIM + (size_t)d];
+    return sum;
+}
+
+/* Forces and power at the solution, and what they do to z. */
+static void finish(struct plan *p, double gamma, const double *r, double *z)
+{
+    struct viscous *u = p->viscous;
+    struct plan_workspace *w = &p->main;
+    const long book = layout_at(&p->layout, p->book.row);
+    double *rates = u->stage + book;
+    int at = u->fluid;
+
+    w->power[u->part->slot] = power(p, gamma);
+    viscous_book(p, w, rates);
+    memcpy(z + layout_at(&p->layout, p->row_u), u->v, (size_t)u->fluid * sizeof *z);
+    for (int i = 0; i < p->bodies; i++) {
+        struct plan_body *b = &p->body[i];
+        b->kind->write(b->body, &p->layout, gamma, r, u->v + at, z);
+        b->kind->settle(b->body, &p->layout, gamma, r, z, (const double (*)[DIM])b->force,
+                        rates + p->book.support + i * DIM);
+        at += viscous_body(p, i);
+    }
+    for (int k = 0; k < p->book.n; k++)
+        z[book + k] = r[book + k] + gamma * rates[k];
+}
+
+static int refuse_skins(struct plan *p, double t, double off)
+{
+    snprintf(p->refusal, sizeof p->refusal, "%s, taken implicitly, found no place for the skin of "
+             "a body at t = %g s: after %d solves it still moves by %.3g m",
+             p->viscous->part->path, t, MENDINGS, off);
+    return STATUS_FAILED;
+}
+
+int viscous_solve(struct plan *p, double t, double gamma, const double *r, double *z)
+{
+    struct viscous *u = p->viscous;
+    const double near = fmax(stay * u->tol, 1e-10) * p->scales.hs;
+    double off = HUGE_VAL;
+
+    viscous_guess(p, t, z, u->v);
+    for (int k = 0; off > near; k++) {
+        if (k == MENDINGS)
+            return refuse_skins(p, t, off);
+        set_stage(p, gamma, r);
+        TRY(set_system(p, t, gamma, r));
+        TRY(viscous_iterate(p, t, gamma));
+        take_solution(p, r);
+        set_stage(p, gamma, r);
+        off = moved(p, t);
+    }
+    finish(p, gamma, r, z);
+    viscous_keep(u, t, u->v);
+    return STATUS_DONE;
+}

@@ -1,0 +1,270 @@
+/* mri.c -- the method "mri": water in long explicit steps, bodies in short implicit
+ * ones, by SUNDIALS' MRIStep.
+ *
+ * The water's table is that of Knoth, Wolke, order 3 with 3 right-hand sides a step:
+ * between two of its stages bodies move under its rates of the stages so far.
+ * Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341; Schlegel, Knoth, Arnold, Wolke,
+ * J. Comput. Appl. Math. 226 (2009) 345-357. */
+#include "time/mri.h"
+
+#include "base/status.h"
+#include "state/scales.h"
+#include "time/alone.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { OF_MRISTEP = 12, OURS = 2 }; /* vectors; the former counted in 6.4.1 */
+
+static const char slow_table[] = "ARKODE_MIS_KW3";
+
+static struct mri *of_frame(const struct fixed *x)
+{
+    return (struct mri *)x->kind; /* its first member, made by create() */
+}
+
+/* --- what MRIStep asks for ------------------------------------------------- */
+
+/* At both ends of a step the frame has the rates, or is to have them. */
+static int rates(struct mri *m, double t, const double *y, double *ydot)
+{
+    struct fixed *x = m->frame;
+    const bool ends = t > x->t_old + m->h * (1 - 1e-9);
+    double *f = ends ? x->f : ydot;
+
+    if (t == x->t_old)
+        vector_copy(x->n, x->f_old, ydot);
+    else
+        TRY(plan_rhs(x->plan, PLAN_EXPLICIT, t, y, f));
+    if (ends)
+        vector_copy(x->n, f, ydot);
+    x->has_f = ends;
+    return STATUS_DONE;
+}
+
+/* Less what bodies book themselves. */
+static int slow(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
+{
+    struct mri *m = self;
+
+    if (rates(m, t, vector_data(y), vector_data(ydot)) != STATUS_DONE)
+        return -1;
+    mri_bodies_book(m, t, vector_data(y), -1, vector_data(ydot));
+    return 0;
+}
+
+/* Only MRIStep's interpolant wants it, and nobody asks that. */
+static int no_rates(MRIStepInnerStepper inner, sunrealtype t, N_Vector y, N_Vector f, int mode)
+{
+    (void)inner, (void)t, (void)y, (void)mode;
+    N_VConst(0, f);
+    return 0;
+}
+
+/* There is no error test. */
+static int weights(N_Vector y, N_Vector weight, void *self)
+{
+    (void)y, (void)self;
+    N_VConst(1, weight);
+    return 0;
+}
+
+/* --- the kind -------------------------------------------------------------- */
+
+/* Order 3 is stable on the real axis down to -2.51. */
+static double length(struct fixed *x)
+{
+    struct limit limit[2];
+    double wave, decay;
+
+    plan_limit(x->plan, x->t, x->y, false, limit);
+    wave = limit[0].rate > 0 ? x->number * SCALES_WAVE / limit[0].rate : HUGE_VAL;
+    decay = limit[1].rate > 0 ? 2 / limit[1].rate : HUGE_VAL;
+    x->limit = limit[decay < wave];
+    return fmin(wave, decay);
+}
+
+static int refuse(const char *what)
+{
+    return status_fail(STATUS_FAILED, "method mri: SUNDIALS %d.%d.%d refuses %s (%s)",
+                       SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR, SUNDIALS_VERSION_PATCH,
+                       what, sundials_complaint());
+}
+
+/* MRIStep is started anew for each step: it takes no other length otherwise. */
+static int advance(struct fixed *x, double h)
+{
+    struct mri *m = of_frame(x);
+    sunrealtype t;
+
+    sundials_forget();
+    m->h = h;
+    vector_copy(x->n, x->y_old, vector_data(m->start));
+    if (MRIStepReInit(m->steps, slow, NULL, x->t_old, m->start) != 0
+        || SUNDIALS_MRI(SetFixedStep)(m->steps, h) != 0)
+        return refuse("to start");
+    if (SUNDIALS_MRI(Evolve)(m->steps, x->t_old + h, m->end, &t, ARK_ONE_STEP) < 0)
+        return STATUS_FAILED;
+    vector_copy(x->n, vector_data(m->end), x->y);
+    return STATUS_DONE;
+}
+
+/* --- the method ------------------------------------------------------------ */
+
+static const char *serves(const struct plan *plan)
+{
+    if (plan_size(plan) > 0 && !plan_stiff(plan))
+        return "it steps beams apart from the water, and this scene has no beam: use cks43";
+    if (plan_size(plan) > 0 && alone_bodies(plan))
+        return "its steps follow the sound in the water, and this scene has no water: use dirk4";
+    const char *why = method_bodies_alone(plan);
+    return why ? why : fixed_serves(plan);
+}
+
+static int set_up_steps(struct mri *m)
+{
+    const struct fixed *x = m->frame;
+    MRIStepCoupling coupling;
+    int bad = 0;
+
+    m->steps = MRIStepCreate(slow, NULL, x->t, m->start, m->inner, m->context);
+    if (!m->steps || sundials_listen_mri(m->steps) != 0)
+        return refuse("to begin");
+    coupling = MRIStepCoupling_LoadTableByName(slow_table);
+    bad |= !coupling || MRIStepSetCoupling(m->steps, coupling) != 0;
+    MRIStepCoupling_Free(coupling);
+    bad |= SUNDIALS_MRI(SetUserData)(m->steps, m);
+    bad |= SUNDIALS_MRI(SetInterpolantType)(m->steps, SUNDIALS_INTERPOLANT);
+    bad |= SUNDIALS_MRI(SetInterpolantDegree)(m->steps, 0);
+    bad |= SUNDIALS_MRI(WFtolerances)(m->steps, weights);
+    return bad ? refuse("its settings") : STATUS_DONE;
+}
+
+static int set_up(struct mri *m, const struct method_def *def)
+{
+    TRY(sundials_open(&m->context));
+    m->start = vector_create(m->frame->n, VECTOR_NORM_MAX, m->context);
+    m->end = m->start ? N_VClone(m->start) : NULL;
+    if (!m->end)
+        return STATUS_FAILED;
+    if (MRIStepInnerStepper_Create(m->context, &m->inner) != 0
+        || MRIStepInnerStepper_SetContent(m->inner, m) != 0
+        || MRIStepInnerStepper_SetEvolveFn(m->inner, mri_bodies_evolve) != 0
+        || MRIStepInnerStepper_SetFullRhsFn(m->inner, no_rates) != 0)
+        return refuse("the bodies' own steps");
+    TRY(mri_bodies_create(m, def));
+    mri_bodies_restart(m);
+    return set_up_steps(m);
+}
+
+static void release(void **self)
+{
+    struct mri *m = *self;
+
+    if (!m)
+        return;
+    if (m->steps)
+        SUNDIALS_MRI(Free)(&m->steps);
+    if (m->inner)
+        MRIStepInnerStepper_Free(&m->inner);
+    if (m->start)
+        N_VDestroy(m->start);
+    if (m->end)
+        N_VDestroy(m->end);
+    sundials_close(&m->context);
+    mri_bodies_free(m);
+    fixed_free((void **)&m->frame);
+    free(m);
+    *self = NULL;
+}
+
+static int create(const struct method *method, const struct method_def *def, struct plan *plan,
+                  double t, const double *y, void **out)
+{
+    struct mri *m = status_alloc(1, sizeof *m);
+    void *frame = NULL;
+    int code;
+
+    *out = m;
+    if (!m)
+        return STATUS_FAILED;
+    m->kind = *(const struct fixed_kind *)method; /* its first member */
+    code = fixed_create(&m->kind.method, def, plan, t, y, &frame);
+    m->frame = frame;
+    if (code == STATUS_DONE)
+        code = set_up(m, def);
+    if (code != STATUS_DONE)
+        release(out);
+    else
+        snprintf(m->table, sizeof m->table, "%s + %s, %s", slow_table, mri_fast_table,
+                 fixed_table(frame));
+    return code;
+}
+
+static int step(void *self, double t_stop, struct method_step *out)
+{
+    return fixed_step(((struct mri *)self)->frame, t_stop, out);
+}
+
+/* Of bodies, positions are the cubic through both ends with the velocities there, and
+ * velocities its slope: rates of stiff velocities say nothing of a whole step. */
+static void bodies_at(const struct fixed *x, double t, double *y)
+{
+    const double h = x->t - x->t_old, s = (t - x->t_old) / h, r = 1 - s;
+    const long v = x->from[LAYOUT_VELOCITY];
+
+    for (int k = 0; k < x->ranges; k++)
+        for (long i = x->range[k][0]; i < x->range[k][1] && i < v; i++) {
+            const double q0 = x->y_old[i], q1 = x->y[i], v0 = x->y_old[v + i], v1 = x->y[v + i];
+            y[i] = r * r * ((1 + 2 * s) * q0 + s * h * v0)
+                 + s * s * ((1 + 2 * r) * q1 - r * h * v1);
+            y[v + i] = 6 * s * r * (q1 - q0) / h + r * (1 - 3 * s) * v0 + s * (3 * s - 2) * v1;
+        }
+}
+
+static int at(void *self, double t, double *y)
+{
+    const struct fixed *x = ((struct mri *)self)->frame;
+
+    TRY(fixed_at((void *)x, t, y));
+    if (x->stepped && t > x->t_old && t < x->t)
+        bodies_at(x, t, y);
+    return STATUS_DONE;
+}
+
+static const double *state(const void *self)
+{
+    return fixed_state(((const struct mri *)self)->frame);
+}
+
+static int restart(void *self, double t, const double *y)
+{
+    struct mri *m = self;
+
+    mri_bodies_restart(m);
+    return fixed_restart(m->frame, t, y);
+}
+
+static const char *table(const void *self)
+{
+    return ((const struct mri *)self)->table;
+}
+
+static int vectors(const struct method *m, const struct plan *plan)
+{
+    return fixed_vectors(m, plan) + OF_MRISTEP + OURS;
+}
+
+const struct fixed_kind mri_kind = {
+    .method = { .name = "mri",
+                .about = "water in explicit steps of order 3, beams in implicit ones of their "
+                         "own within",
+                .source = "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341",
+                .adaptive = false, .order = 3, .serves = serves, .create = create, .step = step,
+                .at = at, .vectors = vectors, .state = state, .restart = restart, .table = table,
+                .free = release },
+    .number = 0.5,
+    .side = PLAN_EXPLICIT,
+    .length = length,
+    .advance = advance,
+};
