@@ -60,6 +60,20 @@ static void spread_solids(const struct plan *p, const struct plan_workspace *w, 
     }
 }
 
+/* What the fluid's forces do on a wall that moves [W]. */
+static double power_of(const struct plan *p, const struct plan_workspace *w,
+                       const struct object *o)
+{
+    double power = 0;
+
+    for (int c = o->from; c < o->from + o->n; c++) {
+        const int s = w->list->slot[c];
+        for (int d = 0; d < DIM && s >= 0; d++)
+            power += w->f[(size_t)s * DIM + d] * p->particles->u[c][d];
+    }
+    return power;
+}
+
 /* Force of the fluid on each solid, and the power of driven walls. */
 static void sum_solids(struct plan *p, const struct plan_workspace *w)
 {
@@ -76,9 +90,8 @@ static void sum_solids(struct plan *p, const struct plan_workspace *w)
             sum[d] += w->f[(size_t)s * DIM + d];
     }
     for (int i = 0; i < p->walls; i++)
-        for (int d = 0; d < DIM && p->wall[i].moves; d++)
-            p->wall_power += p->force[p->wall[i].object][d]
-                           * all->u[all->object[p->wall[i].object].from][d];
+        if (p->wall[i].moves)
+            p->wall_power += power_of(p, w, &all->object[p->wall[i].object]);
 }
 
 /* Skin forces bend the bodies. */
