@@ -13,6 +13,7 @@ enum param_type {
     PARAM_TEXT,       /* const char *, owned by the scene, never NULL       */
     PARAM_VECTOR,     /* double[3]; a scene gives `dimension` numbers       */
     PARAM_POINTS,     /* struct param_points, a list of vectors             */
+    PARAM_PAIRS,      /* struct param_points, a list of pairs of numbers    */
     PARAM_WORDS       /* unsigned, bit i set when words[i] is in the list   */
 };
 

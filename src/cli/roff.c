@@ -65,7 +65,7 @@ static void print_default(FILE *to, const struct param *r)
         fprintf(to, "default %s", r->fallback != 0 ? "true" : "false");
     else if (r->type == PARAM_TEXT)
         fputs("default \"\"", to);
-    else if (r->type == PARAM_WORDS)
+    else if (r->type == PARAM_WORDS || r->type == PARAM_PAIRS)
         fputs("default none", to);
     else if (r->type == PARAM_POINTS || isnan(r->fallback))
         fputs("no fixed default", to);

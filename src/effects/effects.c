@@ -11,6 +11,7 @@ extern const struct part LANE_NAME(effects_laplacian_viscosity);
 extern const struct part LANE_NAME(effects_viscosity_printed);
 extern const struct part LANE_NAME(effects_density_diffusion);
 extern const struct part LANE_NAME(effects_gravity);
+extern const struct part LANE_NAME(effects_central_force);
 
 const struct part *const effects_table[] = {
     &LANE_NAME(effects_continuity),
@@ -23,5 +24,6 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_viscosity_printed),
     &LANE_NAME(effects_density_diffusion),
     &LANE_NAME(effects_gravity),
+    &LANE_NAME(effects_central_force),
     NULL,
 };

@@ -5,6 +5,7 @@
 #include "plan/observe.h"
 
 #include "base/status.h"
+#include "plan/catalogue.h"
 
 #include <assert.h>
 #include <math.h>
@@ -12,6 +13,15 @@
 #include <string.h>
 
 static_assert(PLAN_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "a work of everybody fits");
+
+/* Is there a field beside the weight? */
+static bool pulls(const struct plan *p)
+{
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->field && !catalogue_implied(p->part[i].part))
+            return true;
+    return false;
+}
 
 int plan_book_rows(struct plan *p)
 {
@@ -24,7 +34,8 @@ int plan_book_rows(struct plan *p)
     b->impulse = b->driven + p->bodies;
     b->support = b->impulse + p->particles->objects * DIM;
     b->applied = b->support + p->bodies * DIM;
-    b->n = b->applied + p->bodies * DIM;
+    b->pull = b->applied + p->bodies * DIM;
+    b->n = b->pull + (pulls(p) ? DIM : 0);
     b->row = layout_add(&p->layout, LAYOUT_OTHER, "book", "J", b->n, 1, 0);
     return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
 }
@@ -45,6 +56,8 @@ void plan_book_rates(const struct plan *p, const struct plan_workspace *w, doubl
             book[p->book.applied + i * DIM + d] = p->body[i].load.applied[d];
         }
     }
+    for (int i = p->book.pull; i < p->book.n; i++)
+        book[i] = p->pull[i - p->book.pull];
     for (int o = 0; o < p->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
             book[p->book.impulse + o * DIM + d] = p->force[o][d];
@@ -107,6 +120,8 @@ static void read_impulses(const struct plan *p, double t, const double *book, do
 {
     for (int d = 0; d < DIM; d++) {
         double given = mass * p->scales.g[d] * t;
+        if (p->book.n > p->book.pull)
+            given += book[p->book.pull + d];
         for (int o = 0; o < p->particles->objects; o++)
             if (p->particles->object[o].kind != KIND_FLUID)
                 given -= book[p->book.impulse + o * DIM + d];

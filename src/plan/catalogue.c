@@ -135,7 +135,7 @@ static void print_default(const struct param *r, FILE *to)
         fputs(r->fallback != 0 ? "true" : "false", to);
     else if (r->type == PARAM_TEXT)
         fputs("\"\"", to);
-    else if (r->type == PARAM_POINTS || r->type == PARAM_WORDS)
+    else if (r->type == PARAM_POINTS || r->type == PARAM_PAIRS || r->type == PARAM_WORDS)
         fputs("none", to);
     else if (isnan(r->fallback))
         fputs("computed", to);

@@ -229,28 +229,33 @@ static int make_layout(struct plan *p)
     return p->scratch ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* How far walls move along axis d until the end [m]: who leaves the tank that moves
+/* How far walls move along each axis until the end [m]: who leaves the tank that moves
  * has left, not who is carried along with it. */
-static double wall_reach(const struct plan *p, int d)
+static void wall_reach(const struct plan *p, double *most)
 {
-    double most = 0;
-
-    for (int i = 0; i < p->walls; i++)
-        most = fmax(most, fabs(p->wall[i].motion.velocity[d]) * p->in.set.until
-                              + fabs(p->wall[i].motion.amplitude[d]));
-    return most;
+    for (int d = 0; d < DIM; d++)
+        most[d] = 0;
+    for (int i = 0; i < p->walls; i++) {
+        double low[DIM], high[DIM], reach[DIM];
+        shape_bounds(&p->in.wall[i].set.shape, low, high);
+        walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until, reach);
+        for (int d = 0; d < DIM; d++)
+            most[d] = fmax(most[d], reach[d]);
+    }
 }
 
 /* Who meets whom was noted with the tables. */
 static void make_list_def(struct plan *p)
 {
     struct list_def *d = &p->list_def;
+    double reach[DIM];
 
+    wall_reach(p, reach);
     memcpy(d->from, p->particles->from, sizeof d->from);
     d->support = p->scales.support;
     d->skin = p->in.kernel.skin * p->scales.support;
     for (int i = 0; i < DIM; i++) { /* walls stand outside of the domain */
-        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx + wall_reach(p, i);
+        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx + reach[i];
         d->low[i] = p->scales.low[i] - room;
         d->high[i] = p->scales.high[i] + room;
     }

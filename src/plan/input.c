@@ -259,6 +259,7 @@ static int read_walls(struct scene *scene, struct input *in)
                                           { walls_motion_params, &w->motion } }, 3));
         frame_of(in, &w->set.shape);
         TRY(shape_check(&w->set.shape, path, w->where));
+        TRY(walls_motion_prepare(&w->motion, path, w->where));
     }
     return STATUS_DONE;
 }
@@ -344,6 +345,8 @@ void input_free(struct input *in)
     free(in->pressure_self);
     free(in->walls_self);
     free(in->fluid);
+    for (int i = 0; i < in->wall_count; i++)
+        walls_motion_free(&in->wall[i].motion);
     free(in->wall);
     free(in->body);
     free(in->probe);

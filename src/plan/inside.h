@@ -45,6 +45,7 @@ struct plan_book {
     int impulse;  /* [objects][DIM] on solids                                 */
     int support;  /* [bodies][DIM] impulse of supports                        */
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
+    int pull;     /* [DIM] impulse of fields beside the weight                */
     int n;
 };
 
@@ -100,6 +101,7 @@ struct plan {
     double later;                      /* of the half that is asked for, see
                                           plan_half()                         */
     double wall_power;                 /* v . f of moving walls [W]           */
+    double pull[DIM];                  /* of fields beside the weight [N]     */
     bool moving_walls;
     char refusal[320];
     struct plan_counts counts;

@@ -177,8 +177,10 @@ double plan_speed_expected(const struct plan *p)
         most = fmax(most, length_of(p->in.fluid[i].set.velocity));
     }
     for (int i = 0; i < p->walls; i++) {
-        const struct walls_motion *m = &p->wall[i].motion;
-        most = fmax(most, length_of(m->velocity) + 2 * M_PI * m->frequency * length_of(m->amplitude));
+        double low[DIM], high[DIM], reach[DIM];
+        shape_bounds(&p->in.wall[i].set.shape, low, high);
+        most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
+                                              reach));
     }
     return fmax(most, sqrt(fall2));
 }

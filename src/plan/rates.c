@@ -2,6 +2,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
+#include "plan/catalogue.h"
 
 #include <string.h>
 
@@ -60,6 +61,20 @@ static void spread_solids(const struct plan *p, const struct plan_workspace *w, 
     }
 }
 
+/* What the fluid's forces do on a wall that moves [W]. */
+static double power_of(const struct plan *p, const struct plan_workspace *w,
+                       const struct object *o)
+{
+    double power = 0;
+
+    for (int c = o->from; c < o->from + o->n; c++) {
+        const int s = w->list->slot[c];
+        for (int d = 0; d < DIM && s >= 0; d++)
+            power += w->f[(size_t)s * DIM + d] * p->particles->u[c][d];
+    }
+    return power;
+}
+
 void plan_solids_sum(struct plan *p, const struct plan_workspace *w)
 {
     const struct particles *all = p->particles;
@@ -75,9 +90,8 @@ void plan_solids_sum(struct plan *p, const struct plan_workspace *w)
             sum[d] += w->f[(size_t)s * DIM + d];
     }
     for (int i = 0; i < p->walls; i++)
-        for (int d = 0; d < DIM && p->wall[i].moves; d++)
-            p->wall_power += p->force[p->wall[i].object][d]
-                           * all->u[all->object[p->wall[i].object].from][d];
+        if (p->wall[i].moves)
+            p->wall_power += power_of(p, w, &all->object[p->wall[i].object]);
 }
 
 void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b)
@@ -100,13 +114,31 @@ static void load_bodies(struct plan *p, const struct plan_workspace *w, double t
     }
 }
 
-static void add_fields(const struct plan *p, const struct view *v, double *ydot)
+/* Momentum of the fluid if rates were velocities. */
+static void add_momentum(const struct particles *all, double sign, const double (*udot)[DIM],
+                         double *sum)
+{
+    for (int i = 0; i < particles_count(all, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            sum[d] += sign * all->m[i] * udot[i][d];
+}
+
+/* Fields; what those that are not the weight pull with in all is booked. */
+static void add_fields(struct plan *p, const struct view *v, double *ydot)
 {
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
 
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->field)
-            p->part[i].part->field(p->part[i].self, v, udot);
+    memset(p->pull, 0, sizeof p->pull);
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *part = p->part[i].part;
+        if (!part->field)
+            continue;
+        if (!catalogue_implied(part))
+            add_momentum(v->p, -1, (const double (*)[DIM])udot, p->pull);
+        part->field(p->part[i].self, v, udot);
+        if (!catalogue_implied(part))
+            add_momentum(v->p, 1, (const double (*)[DIM])udot, p->pull);
+    }
 }
 
 /* Rates of everything but bodies, fields and the book. */
@@ -152,7 +184,7 @@ static void halve(struct plan *p, struct plan_workspace *w, enum plan_which whic
 }
 
 /* What pushes the fluid besides pairs, where its rates will stand; NULL: nobody asks. */
-static const double (*pushes(const struct plan *p, const struct view *v, double *ydot))[DIM]
+static const double (*pushes(struct plan *p, const struct view *v, double *ydot))[DIM]
 {
     double (*udot)[DIM];
 

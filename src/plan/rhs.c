@@ -163,6 +163,8 @@ double plan_event(const struct plan *p, double t)
     for (int i = 0; i < p->bodies; i++)
         if (p->body[i].kind->event)
             next = fmin(next, p->body[i].kind->event(p->body[i].body, t));
+    for (int i = 0; i < p->walls; i++)
+        next = fmin(next, walls_motion_event(&p->wall[i].motion, t));
     return next;
 }
 

@@ -5,14 +5,17 @@
 static void move_wall(struct particles *all, const struct plan_wall *w, double t)
 {
     struct object *o = &all->object[w->object];
-    double shift[DIM], u[DIM];
+    struct walls_place place;
 
-    walls_motion_at(&w->motion, t, shift, u, o->a);
+    walls_motion_at(&w->motion, t, &place);
+    for (int d = 0; d < DIM; d++) {
+        o->a[d] = place.a[d];
+        o->centre[d] = w->motion.pivot[d] + place.shift[d];
+    }
+    o->omega = place.omega;
+    o->alpha = place.alpha;
     for (int i = o->from; i < o->from + o->n; i++)
-        for (int d = 0; d < DIM; d++) {
-            all->x[i][d] = all->x0[i][d] + shift[d];
-            all->u[i][d] = u[d];
-        }
+        walls_motion_point(&w->motion, &place, all->x0[i], all->x[i], all->u[i]);
 }
 
 static void move_solids(struct plan *p, double t, const double *y)

@@ -111,6 +111,9 @@ static bool write_value(const struct scene_wish *w, FILE *to)
     case PARAM_POINTS:
         write_points(w->to, w->dimension, to);
         return true;
+    case PARAM_PAIRS:
+        write_points(w->to, 2, to);
+        return true;
     case PARAM_WORDS:
         write_words(*(const unsigned *)w->to, w->row->words, to);
         return true;

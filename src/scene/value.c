@@ -48,7 +48,8 @@ const char *scene_value_expected(const struct param *row, int dimension)
         [PARAM_NUMBER] = "a number", [PARAM_INTEGER] = "a whole number",
         [PARAM_FLAG] = "true or false", [PARAM_WORD] = "a word in quotes",
         [PARAM_TEXT] = "a text in quotes", [PARAM_VECTOR] = "a list of",
-        [PARAM_POINTS] = "a list of points like", [PARAM_WORDS] = "a list of words in quotes",
+        [PARAM_POINTS] = "a list of points like", [PARAM_PAIRS] = "a list of pairs like [a, b]",
+        [PARAM_WORDS] = "a list of words in quotes",
     };
     static const char *const vectors[] = { "", " [x]", " [x, y]", " [x, y, z]" };
     static char text[128];
@@ -191,15 +192,18 @@ static int read_words(const struct scene_wish *w)
 
 static int vector_of(const struct scene_wish *w, const struct scene_node *node, double to[3])
 {
+    static const char *const dimensions[] = { "", "in 1 dimensions ", "in 2 dimensions ",
+                                              "in 3 dimensions " };
     double x[3] = { 0, 0, 0 };
 
     assert(w->dimension >= 1 && w->dimension <= 3);
     if (node->kind != SCENE_LIST)
         return refuse_kind(w, node);
     if (node->n != w->dimension)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: %s holds %d value%s, but in %d dimensions "
-                           "%d numbers are expected (%s)", scene_where(node), w->name,
-                           shown(node), node->n, node->n == 1 ? "" : "s", w->dimension,
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: %s holds %d value%s, but %s%d "
+                           "numbers are expected (%s)", scene_where(node), w->name, shown(node),
+                           node->n, node->n == 1 ? "" : "s",
+                           w->row->type == PARAM_PAIRS ? "" : dimensions[w->dimension],
                            w->dimension, w->row->about);
     for (int d = 0; d < node->n; d++)
         TRY(number_of(w, node->child[d], &x[d]));
@@ -227,12 +231,20 @@ static int read_points(const struct scene_wish *w)
     return STATUS_DONE;
 }
 
+static int read_pairs(const struct scene_wish *w)
+{
+    struct scene_wish pairs = *w;
+
+    pairs.dimension = 2;
+    return read_points(&pairs);
+}
+
 int scene_value_read(const struct scene_wish *wish)
 {
     static int (*const read[])(const struct scene_wish *) = {
         [PARAM_NUMBER] = read_number, [PARAM_INTEGER] = read_integer, [PARAM_FLAG] = read_flag,
         [PARAM_WORD] = read_word, [PARAM_TEXT] = read_text, [PARAM_VECTOR] = read_vector,
-        [PARAM_POINTS] = read_points, [PARAM_WORDS] = read_words,
+        [PARAM_POINTS] = read_points, [PARAM_PAIRS] = read_pairs, [PARAM_WORDS] = read_words,
     };
 
     return read[wish->row->type](wish);
@@ -264,6 +276,7 @@ void scene_value_default(const struct scene_wish *wish)
             ((double *)wish->to)[d] = d < wish->dimension ? fallback : 0;
         break;
     case PARAM_POINTS:
+    case PARAM_PAIRS:
         *(struct param_points *)wish->to = (struct param_points){ 0 };
         break;
     case PARAM_WORDS:

@@ -12,7 +12,10 @@ struct object {
     char name[64];   /* "tank", without the group                             */
     enum kind kind;
     int from, n;     /* creation order                                        */
-    double a[DIM];   /* of a wall: its acceleration now           [m/s^2]     */
+    double a[DIM];   /* of a wall: acceleration of its centre now [m/s^2]     */
+    double centre[DIM]; /* about which it turns now               [m]         */
+    double omega, alpha; /* its angle's rates, in the plane of x and the last
+                            coordinate                   [1/s], [1/s^2]       */
 };
 
 struct particles {
@@ -41,6 +44,17 @@ struct view {
 static inline int particles_count(const struct particles *p, enum kind k)
 {
     return p->from[k + 1] - p->from[k];
+}
+
+/* Acceleration of the point x of a rigid wall [m/s^2], all [DIM]. */
+static inline void object_acceleration(const struct object *o, const double *x, double *a)
+{
+    const double across = x[0] - o->centre[0], above = x[DIM - 1] - o->centre[DIM - 1];
+
+    for (int d = 0; d < DIM; d++)
+        a[d] = o->a[d];
+    a[0] -= o->alpha * above + o->omega * o->omega * across;
+    a[DIM - 1] += o->alpha * across - o->omega * o->omega * above;
 }
 
 void particles_free(struct particles **p);

@@ -72,7 +72,9 @@ static void settle(const void *self, const struct settle *s)
 
     for (int i = 0; i < s->n; i++) {
         const int c = s->owner[i];
-        s->rho[c - first] = density(self, p->object[p->object_of[c]].a, s->sum[i]);
+        double a[DIM];
+        object_acceleration(&p->object[p->object_of[c]], p->x[c], a);
+        s->rho[c - first] = density(self, a, s->sum[i]);
     }
 }
 

@@ -1,35 +1,180 @@
 /* motion.c -- prescribed motion of a wall. */
 #include "walls/walls.h"
 
-#include <math.h>
+#include "base/status.h"
+#include "walls/track.h"
 
+#include <math.h>
+#include <stdio.h>
+
+enum { UP = DIM - 1, MOMENTS = 2000 };
+
+#define AT(member) .offset = offsetof(struct walls_motion, member)
 const struct param walls_motion_params[] = {
-    { .key = "velocity", .unit = "m/s", .type = PARAM_VECTOR,
-      .offset = offsetof(struct walls_motion, velocity), .min = -1e4, .max = 1e4,
+    { .key = "velocity", .unit = "m/s", .type = PARAM_VECTOR, AT(velocity), .min = -1e4, .max = 1e4,
       .about = "constant velocity of the wall" },
-    { .key = "amplitude", .unit = "m", .type = PARAM_VECTOR,
-      .offset = offsetof(struct walls_motion, amplitude), .min = -1e3, .max = 1e3,
+    { .key = "amplitude", .unit = "m", .type = PARAM_VECTOR, AT(amplitude), .min = -1e3, .max = 1e3,
       .about = "amplitude of a sine motion added to it" },
-    { .key = "frequency", .unit = "Hz", .offset = offsetof(struct walls_motion, frequency),
-      .max = 1e4, .about = "frequency of the sine motion" },
+    { .key = "frequency", .unit = "Hz", AT(frequency), .max = 1e4,
+      .about = "frequency of the sine motions, amplitude and swing" },
+    { .key = "phase", .unit = "deg", AT(phase), .min = -360, .max = 360,
+      .about = "where the sine begins: at 0 with full speed, at -90 and 90 from rest" },
+    { .key = "start", .unit = "s", AT(start), .max = 1e6, .about = "time at which it begins to move" },
+    { .key = "stop", .unit = "s", AT(stop), .fallback = 1e6, .max = 1e6,
+      .about = "time from which on it stands still where it is" },
+    { .key = "direction", .unit = "", .type = PARAM_VECTOR, AT(direction), .min = -1e6, .max = 1e6,
+      .about = "direction of `path`, of any length" },
+    { .key = "path", .unit = "", .type = PARAM_PAIRS, AT(path), .min = -1e6, .max = 1e6,
+      .about = "pairs of a time after start [s] and a distance [m] along `direction`" },
+    { .key = "pivot", .unit = "m", .type = PARAM_VECTOR, AT(pivot), .min = -1e6, .max = 1e6,
+      .about = "point about which it turns, in the plane of x and the last coordinate" },
+    { .key = "spin", .unit = "deg/s", AT(spin), .min = -1e6, .max = 1e6,
+      .about = "constant rate at which it turns, anticlockwise" },
+    { .key = "swing", .unit = "deg", AT(swing), .min = -180, .max = 180,
+      .about = "amplitude of a sine of its angle" },
+    { .key = "turn", .unit = "", .type = PARAM_PAIRS, AT(turn), .min = -1e6, .max = 1e6,
+      .about = "pairs of a time after start [s] and an angle [deg]" },
     { 0 },
 };
+
+static double radians(double degrees)
+{
+    return degrees * M_PI / 180;
+}
+
+int walls_motion_prepare(struct walls_motion *m, const char *path, const char *where)
+{
+    double length = 0;
+    char key[128];
+
+    if (!(m->stop > m->start))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: stop = %g s does not lie after start = %g s",
+                           where, path, m->stop, m->start);
+    for (int d = 0; d < DIM; d++)
+        length += m->direction[d] * m->direction[d];
+    if (m->path.n > 0 && length == 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: path needs a direction, such as %s", where,
+                           path, DIM == 2 ? "direction = [0, 1]" : "direction = [0, 0, 1]");
+    for (int d = 0; d < DIM && length > 0; d++)
+        m->direction[d] /= sqrt(length);
+    snprintf(key, sizeof key, "%s.path", path);
+    TRY(track_create(&m->path, key, where, &m->path_track));
+    snprintf(key, sizeof key, "%s.turn", path);
+    return track_create(&m->turn, key, where, &m->turn_track);
+}
+
+void walls_motion_free(struct walls_motion *m)
+{
+    track_free(&m->path_track);
+    track_free(&m->turn_track);
+}
+
+static bool shakes(const struct walls_motion *m)
+{
+    bool any = m->swing != 0;
+
+    for (int d = 0; d < DIM; d++)
+        any |= m->amplitude[d] != 0;
+    return any && m->frequency > 0;
+}
 
 bool walls_motion_any(const struct walls_motion *m)
 {
     for (int d = 0; d < DIM; d++)
-        if (m->velocity[d] != 0 || (m->amplitude[d] != 0 && m->frequency > 0))
+        if (m->velocity[d] != 0)
             return true;
-    return false;
+    return m->spin != 0 || m->path.n > 0 || m->turn.n > 0 || shakes(m);
 }
 
-void walls_motion_at(const struct walls_motion *m, double t, double *shift, double *u, double *a)
+void walls_motion_at(const struct walls_motion *m, double t, struct walls_place *to)
 {
-    const double omega = 2 * M_PI * m->frequency;
+    const double omega = 2 * M_PI * m->frequency, phase = radians(m->phase);
+    const bool on = t >= m->start && t < m->stop;
+    const double s = on ? t - m->start : t < m->start ? 0 : m->stop - m->start;
+    const double sine = sin(omega * s + phase) - sin(phase);
+    const double fast = on ? omega * cos(omega * s + phase) : 0;
+    const double bent = on ? -omega * omega * sin(omega * s + phase) : 0;
+    double path[3], turn[3], angle;
+
+    track_at(m->path_track, s, &path[0], &path[1], &path[2]);
+    track_at(m->turn_track, s, &turn[0], &turn[1], &turn[2]);
+    for (int d = 0; d < DIM; d++) {
+        to->shift[d] = m->velocity[d] * s + m->amplitude[d] * sine + m->direction[d] * path[0];
+        to->u[d] = m->velocity[d] * on + m->amplitude[d] * fast + m->direction[d] * path[1] * on;
+        to->a[d] = m->amplitude[d] * bent + m->direction[d] * path[2] * on;
+    }
+    angle = radians(m->spin * s + m->swing * sine + turn[0]);
+    to->cosine = cos(angle);
+    to->sine = sin(angle);
+    to->omega = radians(m->spin * on + m->swing * fast + turn[1] * on);
+    to->alpha = radians(m->swing * bent + turn[2] * on);
+}
+
+void walls_motion_point(const struct walls_motion *m, const struct walls_place *p,
+                        const double *x0, double *x, double *u)
+{
+    const double across = x0[0] - m->pivot[0], above = x0[UP] - m->pivot[UP];
+    const double turned[2] = { p->cosine * across - p->sine * above,
+                               p->sine * across + p->cosine * above };
 
     for (int d = 0; d < DIM; d++) {
-        shift[d] = m->velocity[d] * t + m->amplitude[d] * sin(omega * t);
-        u[d] = m->velocity[d] + m->amplitude[d] * omega * cos(omega * t);
-        a[d] = -m->amplitude[d] * omega * omega * sin(omega * t);
+        x[d] = x0[d] + p->shift[d];
+        u[d] = p->u[d];
     }
+    x[0] += turned[0] - across;
+    x[UP] += turned[1] - above;
+    u[0] -= p->omega * turned[1];
+    u[UP] += p->omega * turned[0];
+}
+
+double walls_motion_event(const struct walls_motion *m, double t)
+{
+    const struct track *track[] = { m->path_track, m->turn_track };
+    double next = HUGE_VAL, when[6] = { m->start, m->stop };
+    int n = 2;
+
+    if (!walls_motion_any(m))
+        return next;
+    for (int i = 0; i < 2; i++)
+        if (track[i]) {
+            when[n++] = m->start + track_first(track[i]);
+            when[n++] = m->start + track_last(track[i]);
+        }
+    for (int i = 0; i < n; i++)
+        if (when[i] > t && when[i] <= m->stop)
+            next = fmin(next, when[i]);
+    return next;
+}
+
+/* Corner number i of a box. */
+static void corner(const double *low, const double *high, int i, double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        x[d] = i >> d & 1 ? high[d] : low[d];
+}
+
+double walls_motion_extent(const struct walls_motion *m, const double *low, const double *high,
+                           double until, double *reach)
+{
+    double most = 0;
+
+    for (int d = 0; d < DIM; d++)
+        reach[d] = 0;
+    if (!walls_motion_any(m))
+        return 0;
+    for (int k = 0; k <= MOMENTS; k++) {
+        struct walls_place p;
+        walls_motion_at(m, until * k / MOMENTS, &p);
+        for (int i = 0; i < 1 << DIM; i++) {
+            double x0[DIM], x[DIM], u[DIM], u2 = 0;
+            corner(low, high, i, x0);
+            walls_motion_point(m, &p, x0, x, u);
+            for (int d = 0; d < DIM; d++) {
+                reach[d] = fmax(reach[d], fabs(x[d] - x0[d]));
+                u2 += u[d] * u[d];
+            }
+            most = fmax(most, sqrt(u2));
+        }
+    }
+    return most;
 }

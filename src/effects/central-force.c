@@ -1,0 +1,57 @@
+/* central-force.c -- a pull towards a point that grows with the distance.  It books
+ * no power: what it does is potential energy.  Monaghan, Rafiee (2013), Int. J. Numer.
+ * Meth. Fluids 71, 537. */
+#include "effects/effects.h"
+
+#include <math.h>
+
+struct central_force {
+    double omega;     /* [1/s] */
+    double centre[3]; /* [m]   */
+};
+
+static const struct param params[] = {
+    { .key = "omega", .unit = "1/s", .offset = offsetof(struct central_force, omega),
+      .fallback = 1, .max = 1e6, .about = "frequency of a free particle about the centre [rad/s]" },
+    { .key = "centre", .unit = "m", .type = PARAM_VECTOR,
+      .offset = offsetof(struct central_force, centre), .min = -1e6, .max = 1e6,
+      .about = "where it pulls to" },
+    { 0 },
+};
+
+static void field(const void *self, const struct view *v, double (*rate)[DIM])
+{
+    const struct central_force *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    const double *x = v->x[KIND_FLUID];
+
+    for (int i = 0; i < n; i++)
+        for (int d = 0; d < DIM; d++)
+            rate[i][d] -= s->omega * s->omega * (x[i * DIM + d] - s->centre[d]);
+}
+
+static void energy(const void *self, const struct view *v, struct energies *to)
+{
+    const struct central_force *s = self;
+    const int n = particles_count(v->p, KIND_FLUID);
+    const double *x = v->x[KIND_FLUID];
+    double sum = 0;
+
+    for (int i = 0; i < n; i++)
+        for (int d = 0; d < DIM; d++) {
+            const double r = s->omega * (x[i * DIM + d] - s->centre[d]);
+            sum += 0.5 * v->p->m[i] * r * r;
+        }
+    to->potential += sum;
+}
+
+const struct part LANE_NAME(effects_central_force) = {
+    .name = "central-force",
+    .about = "a pull towards a point, as of a spring",
+    .equation = "(G2) dv_a/dt = -omega^2 (x_a - centre)",
+    .source = "Monaghan, Rafiee 2013, Int. J. Numer. Meth. Fluids 71, 537",
+    .size = sizeof(struct central_force),
+    .params = params,
+    .field = field,
+    .energy = energy,
+};
