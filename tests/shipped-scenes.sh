@@ -143,6 +143,9 @@ scene soft-gate 0.03 7e-4
 scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
 scene toth-standard-sph 0.01 5e-4 spacing=5e-3 tol=1e-3
 scene tank-sizes 0.01 3.3e-4
+scene gate 0.12 1.7e-3 spacing=0.01
+scene sloshing-tank 0.15 3.3e-3 spacing=0.02
+scene wave-maker 0.1 3.3e-3 spacing=0.03
 scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
 fails toth-dam-break-literal
 for path in "$scenes"/*.scene; do

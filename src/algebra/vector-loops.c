@@ -1,31 +1,44 @@
 /* vector-loops.c -- loops over y, block by block, that any room may use. */
-#include "algebra/vector.h"
+#include "algebra/vector-private.h"
 
-#include "algebra/vector-blocks.h"
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Terms that one pass adds up: more passes wait longer for memory. */
 enum { TOGETHER = 6 };
 
-/* to = unit + (c[0] x[0] + c[1] x[1] + ...); fast with a constant number of terms. */
+/* to = unit + (c[0] x[0] + c[1] x[1] + ...), for a constant number of terms: written
+ * out, as a loop over them stays a loop inside of the other. */
 static inline __attribute__((always_inline)) void
 add_up(int terms, const double *c, const double *const *x, const double *unit, int n, double *to)
 {
+    const double *const x0 = x[0], *const x1 = x[terms > 1 ? 1 : 0],
+                 *const x2 = x[terms > 2 ? 2 : 0], *const x3 = x[terms > 3 ? 3 : 0],
+                 *const x4 = x[terms > 4 ? 4 : 0], *const x5 = x[terms > 5 ? 5 : 0];
+    const double c0 = c[0], c1 = c[terms > 1 ? 1 : 0], c2 = c[terms > 2 ? 2 : 0],
+                 c3 = c[terms > 3 ? 3 : 0], c4 = c[terms > 4 ? 4 : 0], c5 = c[terms > 5 ? 5 : 0];
+
 #pragma omp simd
     for (int i = 0; i < n; i++) {
-        double sum = 0;
+        double sum = c0 * x0[i];
 
-        for (int k = 0; k < terms; k++)
-            sum += c[k] * x[k][i];
+        sum = terms > 1 ? sum + c1 * x1[i] : sum;
+        sum = terms > 2 ? sum + c2 * x2[i] : sum;
+        sum = terms > 3 ? sum + c3 * x3[i] : sum;
+        sum = terms > 4 ? sum + c4 * x4[i] : sum;
+        sum = terms > 5 ? sum + c5 * x5[i] : sum;
         to[i] = unit ? unit[i] + sum : sum;
     }
 }
 
-#define ADD_UP(name, terms)                                                                \
-    static void name(const double *c, const double *const *x, const double *unit, int n,   \
-                     double *to)                                                           \
+typedef void add_up_terms(const double *c, const double *const *x, const double *unit, int n,
+                          double *to);
+
+#define ADD_UP(name, terms, target)                                                        \
+    static target void name(const double *c, const double *const *x, const double *unit,   \
+                            int n, double *to)                                             \
     {                                                                                      \
         if (unit)                                                                          \
             add_up(terms, c, x, unit, n, to);                                              \
@@ -33,19 +46,37 @@ add_up(int terms, const double *c, const double *const *x, const double *unit, i
             add_up(terms, c, x, NULL, n, to);                                              \
     }
 
-ADD_UP(add_up_1, 1)
-ADD_UP(add_up_2, 2)
-ADD_UP(add_up_3, 3)
-ADD_UP(add_up_4, 4)
-ADD_UP(add_up_5, 5)
-ADD_UP(add_up_6, 6)
+/* For one instruction set: together_NAME[terms]. */
+#define ADD_UPS(name, target)                                                              \
+    ADD_UP(add_up_1_##name, 1, target)                                                     \
+    ADD_UP(add_up_2_##name, 2, target)                                                     \
+    ADD_UP(add_up_3_##name, 3, target)                                                     \
+    ADD_UP(add_up_4_##name, 4, target)                                                     \
+    ADD_UP(add_up_5_##name, 5, target)                                                     \
+    ADD_UP(add_up_6_##name, 6, target)                                                     \
+    static add_up_terms *const together_##name[TOGETHER + 1] = {                           \
+        NULL,            add_up_1_##name, add_up_2_##name, add_up_3_##name,                \
+        add_up_4_##name, add_up_5_##name, add_up_6_##name                                  \
+    };
 
-typedef void add_up_terms(const double *c, const double *const *x, const double *unit, int n,
-                          double *to);
+ADD_UPS(narrow, )
+#ifdef VECTOR_WIDE
+ADD_UPS(wide, VECTOR_WIDE)
+#define TOGETHER_WIDE together_wide
+#else
+#define TOGETHER_WIDE together_narrow
+#endif
 
-static add_up_terms *const together[TOGETHER + 1] = {
-    NULL, add_up_1, add_up_2, add_up_3, add_up_4, add_up_5, add_up_6
-};
+bool vector_wide(void)
+{
+#ifdef VECTOR_WIDE
+    const char *lanes = getenv("STIFFWATER_LANES");
+
+    return __builtin_cpu_supports("avx2") && !(lanes && strcmp(lanes, "2") == 0);
+#else
+    return false;
+#endif
+}
 
 /* As many terms as there may be, in passes over a block that stays near. */
 static void add_up_many(int terms, const double *c, const double *const *x, const double *unit,
@@ -64,30 +95,37 @@ static void add_up_many(int terms, const double *c, const double *const *x, cons
         to[i] = unit ? unit[i] + sum[i] : sum[i];
 }
 
-static void combine_block(int terms, const double *c, const double *const *x, long from, int n,
-                          double *to)
+void vector_add_up(bool wide, const double *unit, int terms, const double *c,
+                   const double *const *x, long from, int n, double *to)
+{
+    add_up_terms *const *together = wide ? TOGETHER_WIDE : together_narrow;
+    const double *part[VECTOR_TERMS], *first = unit ? unit + from : NULL;
+
+    for (int k = 0; k < terms; k++)
+        part[k] = x[k] + from;
+    if (terms > 0 && terms <= TOGETHER)
+        together[terms](c, part, first, n, to + from);
+    else
+        add_up_many(terms, c, part, first, n, to + from);
+}
+
+void vector_combine(int terms, const double *c, const double *const *x, long n, double *to)
 {
     const int unit = terms > 1 && c[0] == 1; /* x[0] is added last */
-    const double *xk[64], *first = unit ? x[0] + from : NULL;
-    double ck[64];
+    const double *xk[VECTOR_TERMS];
+    double ck[VECTOR_TERMS];
+    const bool wide = vector_wide();
     int m = 0;
 
     for (int k = unit; k < terms; k++)
         if (c[k] != 0) {
             ck[m] = c[k];
-            xk[m++] = x[k] + from;
+            xk[m++] = x[k];
         }
-    if (m > 0 && m <= TOGETHER)
-        together[m](ck, xk, first, n, to + from);
-    else
-        add_up_many(m, ck, xk, first, n, to + from);
-}
-
-void vector_combine(int terms, const double *c, const double *const *x, long n, double *to)
-{
 #pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
     for (long b = 0; b < vector_blocks(n); b++)
-        combine_block(terms, c, x, b * VECTOR_BLOCK, vector_block_size(n, b), to);
+        vector_add_up(wide, unit ? x[0] : NULL, m, ck, xk, b * VECTOR_BLOCK,
+                      vector_block_size(n, b), to);
 }
 
 void vector_copy(long n, const double *x, double *to)

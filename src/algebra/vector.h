@@ -1,9 +1,10 @@
 /* vector.h -- the vectors that SUNDIALS works with, and our own loops over y.
  *
- * SUNDIALS' serial vector with the operations of a step replaced: cut into
- * blocks that stay in the cache, run by all threads when they are long, and
- * giving the same bits on any number of threads, because partial results
- * belong to fixed blocks and are added in their order.
+ * Long vectors in blocks that stay in the cache, worked on by all threads, with
+ * the same bits on any number of threads, because partial results belong to fixed
+ * blocks and are added in their order.  Copies share their numbers until one is
+ * written and sums wait until they are read, so a pointer to numbers (vector_data(),
+ * vector_read() ...) is good until the next operation (N_V...) on its family.
  *
  * The norm of error tests is one of three, inherited by clones.  With e_i =
  * |v_i w_i| over n entries:
@@ -28,7 +29,27 @@ enum vector_norm { VECTOR_NORM_MAX, VECTOR_NORM_P8, VECTOR_NORM_WRMS };
  * (N_VClone) share its norm; N_VDestroy ends each of them. */
 N_Vector vector_create(long n, enum vector_norm norm, SUNContext context);
 
+/* The numbers of v: to read and write; to read only, which is cheaper where copies
+ * share them; to write all of them, whatever they were. */
 double *vector_data(N_Vector v);
+const double *vector_read(N_Vector v);
+double *vector_overwrite(N_Vector v);
+
+/* First entry that is NaN or infinite; -1 if there is none. */
+long vector_bad(N_Vector v);
+
+bool vector_same(N_Vector v, N_Vector w); /* bit by bit? */
+
+/* Of the whole family: ranges [from, to) of y, disjoint, outside of which some
+ * vectors are 0 (the implicit side of f); sums then pass over these in silence.
+ * To be called while all of its vectors are new.  STATUS_FAILED: no memory. */
+int vector_ranges(N_Vector v, int ranges, const long (*range)[2]);
+
+void vector_only_inside(N_Vector v);      /* the caller knows it is 0 outside   */
+const double *vector_inside(N_Vector v);  /* to read in the ranges alone        */
+
+/* z is x; gives z's numbers, of which those in the ranges are to be written. */
+double *vector_like(N_Vector x, N_Vector z);
 
 /* The entry i with the largest e_i (the first that is not finite, if any) when
  * a norm was last taken in v's family; -1 before that. */

@@ -20,10 +20,10 @@ static int weights(N_Vector y, N_Vector weight, void *self)
     struct arkode *a = self;
 
     (void)y;
-    if (a->weighted == vector_data(weight))
+    if (a->weighted == weight)
         return 0;
-    vector_copy(a->n, a->weight, vector_data(weight));
-    a->weighted = vector_data(weight);
+    vector_copy(a->n, a->weight, vector_overwrite(weight));
+    a->weighted = weight;
     return 0;
 }
 
@@ -93,21 +93,13 @@ static double *numbers(long n)
     return status_alloc((unsigned long)n, sizeof(double));
 }
 
-static int take_nodes(struct arkode *a, enum method_norm norm)
+static enum vector_norm norm_of(const struct arkode *a)
 {
     static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
                                               [METHOD_NORM_P8] = VECTOR_NORM_P8,
                                               [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
 
-    a->nodes = a->row->order > 4 ? 3 : 2;
-    for (int k = 0; k < a->nodes; k++) {
-        a->node[k].y = k == 0 ? vector_create(a->n, norms[norm], a->context)
-                              : N_VClone(a->node[0].y);
-        a->node[k].f = numbers(a->n);
-        if (!a->node[k].y || !a->node[k].f)
-            return STATUS_FAILED;
-    }
-    return STATUS_DONE;
+    return norms[a->def.norm];
 }
 
 static int take_stiff(struct arkode *a)
@@ -117,9 +109,8 @@ static int take_stiff(struct arkode *a)
     a->ranges = plan_stiff_ranges(a->plan, ARKODE_RANGES, a->range);
     for (int k = 0; k < a->ranges; k++)
         a->stiff += a->range[k][1] - a->range[k][0];
-    a->right = numbers(a->n);
     a->z = numbers(a->n);
-    if (!a->right || !a->z)
+    if (!a->z)
         return STATUS_FAILED;
     for (int k = 0; k < ARKODE_PAST; k++)
         if (!(a->past[k] = numbers(a->stiff)))
@@ -134,8 +125,8 @@ static int take_memory(struct arkode *a)
         return STATUS_FAILED;
     plan_weights(a->plan, a->def.tol * a->row->control->accept, a->weight);
     plan_solve_tolerance(a->plan, a->def.tol * a->row->control->accept);
-    TRY(take_nodes(a, a->def.norm));
-    return take_stiff(a);
+    TRY(take_stiff(a));
+    return arkode_take_vectors(a, norm_of(a));
 }
 
 static int build(struct arkode *a, double t, const double *y)
@@ -144,8 +135,8 @@ static int build(struct arkode *a, double t, const double *y)
     TRY(take_memory(a));
     TRY(arkode_restart(a, t, y));
     TRY(set_up(a));
-    if (tableau_first_same_as_last(&a->table) && !(a->last_y = numbers(a->n)))
-        return STATUS_FAILED;
+    if (tableau_first_same_as_last(&a->table))
+        TRY(arkode_take_last(a));
     return arkode_restart(a, t, y); /* again: now its orders are known */
 }
 
@@ -179,16 +170,10 @@ void arkode_free(void **out)
         ARKodeFree(&a->ark);
     if (a->solver)
         SUNNonlinSolFree(a->solver);
-    for (int k = 0; k < ARKODE_NODES; k++) {
-        if (a->node[k].y)
-            N_VDestroy(a->node[k].y);
-        free(a->node[k].f);
-    }
+    arkode_free_vectors(a);
     for (int k = 0; k < ARKODE_PAST; k++)
         free(a->past[k]);
-    free(a->right);
     free(a->z);
-    free(a->last_y);
     free(a->weight);
     sundials_close(&a->context);
     free(a);

@@ -16,7 +16,7 @@
 
 void arkode_remember(struct arkode *a)
 {
-    const double *y = vector_data(a->node[0].y);
+    const double *y = vector_inside(a->node[0].y);
     double *to = a->past[ARKODE_PAST - 1];
 
     if (a->stiff == 0)
@@ -54,7 +54,7 @@ static void stiff_at(const struct arkode *a, double t, double *y)
 static void line_at(const struct arkode *a, double s, double *y)
 {
     const double c[2] = { s, 1 - s };
-    const double *const x[2] = { vector_data(a->node[0].y), vector_data(a->node[1].y) };
+    const double *const x[2] = { vector_read(a->node[0].y), vector_read(a->node[1].y) };
 
     vector_combine(2, c, x, a->n, y);
 }
@@ -73,8 +73,8 @@ static bool hermite_at(const struct arkode *a, double t, double *y)
     nodes = dense_nodes(known, time);
     dense_hermite(nodes, time, t, c, c + nodes);
     for (int k = 0; k < nodes; k++) {
-        x[k] = vector_data(a->node[k].y);
-        x[nodes + k] = a->node[k].f;
+        x[k] = vector_read(a->node[k].y);
+        x[nodes + k] = vector_read(a->node[k].f);
     }
     vector_combine(2 * nodes, c, x, a->n, y);
     return true;
@@ -86,7 +86,7 @@ int arkode_at(void *self, double t, double *y)
     const struct arkode_node *now = &a->node[0], *old = &a->node[1];
 
     if (t == now->t || (a->known > 1 && t == old->t)) {
-        vector_copy(a->n, vector_data(t == now->t ? now->y : old->y), y);
+        vector_copy(a->n, vector_read(t == now->t ? now->y : old->y), y);
         return STATUS_DONE;
     }
     if (a->known < 2 || !(t > old->t && t < now->t))

@@ -58,7 +58,7 @@ int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
     struct arkode_choice *c = &a->choice[0];
 
     if (a->accepted)
-        arkode_bound(a, t, vector_data(y));
+        arkode_bound(a, t, vector_read(y));
     *h = a->bound < HUGE_VAL ? a->bound : 0;
     if (a->bound < c->h) {
         c->h = a->bound;
@@ -73,14 +73,16 @@ static int cautious(struct arkode *a, double t_stop, double *h)
 {
     const struct arkode_node *now = &a->node[0];
     double most = 0;
+    const double *f;
 
     if (arkode_rates(a) != STATUS_DONE)
         return status_fail(STATUS_FAILED,
                            "%s cannot start at t = %g s: the right-hand side has no answer there "
                            "(%s); look for particles that overlap or start outside the domain",
                            a->row->method.name, now->t, a->refusal);
+    f = vector_read(now->f);
     for (long i = 0; i < a->n; i++)
-        most = fmax(most, fabs(now->f[i] * a->weight[i]));
+        most = fmax(most, fabs(f[i] * a->weight[i]));
     *h = most > 0 ? fmin(1 / most, t_stop - now->t) : (t_stop - now->t) / 100;
     return STATUS_DONE;
 }
@@ -106,7 +108,7 @@ int arkode_stretch(struct arkode *a, double t_stop)
 int arkode_constant_failed(struct arkode *a)
 {
     const struct arkode_node *now = &a->node[0];
-    const double bound = arkode_bound(a, now->t, vector_data(now->y));
+    const double bound = arkode_bound(a, now->t, vector_read(now->y));
 
     return constant_fail(a->row->method.name, a->def.seconds, now->t, a->refusal, bound,
                          &a->bound_limit);
@@ -117,7 +119,7 @@ int arkode_constant_failed(struct arkode *a)
 int arkode_first(struct arkode *a, double t_stop, double *h)
 {
     const struct arkode_node *now = &a->node[0];
-    const double bound = arkode_bound(a, now->t, vector_data(now->y));
+    const double bound = arkode_bound(a, now->t, vector_read(now->y));
 
     if (a->def.seconds > 0) {
         *h = a->def.seconds;

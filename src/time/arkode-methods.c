@@ -40,7 +40,7 @@ static const double *state(const void *self)
 {
     const struct arkode *a = self;
 
-    return vector_data(a->node[0].y);
+    return vector_read(a->node[0].y);
 }
 
 static const char *table(const void *self)

@@ -8,7 +8,6 @@
 #include "base/status.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* The first reason of an attempt: the NaN that stands for it makes later stages
  * refuse as well. */
@@ -40,43 +39,50 @@ int arkode_rates(struct arkode *a)
 
     if (now->has_f)
         return STATUS_DONE;
-    TRY(ask(a, now->t, vector_data(now->y), now->f));
+    TRY(ask(a, now->t, vector_read(now->y), vector_overwrite(now->f)));
     now->has_f = true;
     return STATUS_DONE;
 }
 
-static bool same(long n, const double *x, const double *y)
-{
-    return memcmp(x, y, (size_t)n * sizeof *x) == 0;
-}
-
 /* Is this the first stage, at the state that the last step reached?  Then f may
  * be known from dense output or from an attempt that was rejected. */
-static bool at_start(const struct arkode *a, double t, const double *y)
+static bool at_start(const struct arkode *a, double t, N_Vector y)
 {
-    return t == a->node[0].t && same(a->n, y, vector_data(a->node[0].y));
+    return t == a->node[0].t && vector_same(y, a->node[0].y);
 }
 
-static int stage_rates(struct arkode *a, double t, const double *y, double *f)
+/* The solve of the last stage is over: no sum need be kept for it. */
+static void forget_solve(struct arkode *a)
+{
+    if (!a->correction)
+        return;
+    N_VConst(0, a->correction);
+    N_VConst(0, a->right);
+    a->correction = NULL;
+}
+
+static int stage_rates(struct arkode *a, double t, N_Vector y, N_Vector f)
 {
     if (at_start(a, t, y)) {
         a->stage = 0;
+        forget_solve(a);
         TRY(arkode_rates(a));
-        vector_copy(a->n, a->node[0].f, f);
+        N_VScale(1, a->node[0].f, f);
         return STATUS_DONE;
     }
-    TRY(ask(a, t, y, f));
+    TRY(ask(a, t, vector_read(y), vector_overwrite(f)));
     if (++a->stage == a->table.stages - 1 && a->last_y) {
-        vector_copy(a->n, y, a->last_y);
+        N_VScale(1, y, a->last_y);
+        N_VScale(1, f, a->last_f);
         a->last_t = t;
-        a->last_f = f;
+        a->has_last = true;
     }
     return STATUS_DONE;
 }
 
 int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
 {
-    if (stage_rates(self, t, vector_data(y), vector_data(ydot)) != STATUS_DONE)
+    if (stage_rates(self, t, y, ydot) != STATUS_DONE)
         N_VConst(NAN, ydot);
     return 0;
 }
@@ -85,10 +91,13 @@ int arkode_implicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
 {
     struct arkode *a = self;
 
-    if (plan_rhs(a->plan, PLAN_IMPLICIT, t, vector_data(y), vector_data(ydot)) != STATUS_DONE) {
-        keep_refusal(a);
-        N_VConst(NAN, ydot);
+    if (plan_rhs(a->plan, PLAN_IMPLICIT, t, vector_read(y), vector_overwrite(ydot))
+        == STATUS_DONE) {
+        vector_only_inside(ydot);
+        return 0;
     }
+    keep_refusal(a);
+    N_VConst(NAN, ydot);
     return 0;
 }
 
@@ -97,12 +106,12 @@ void arkode_reuse_last_stage(struct arkode *a)
 {
     struct arkode_node *now = &a->node[0];
 
-    if (a->last_f && fabs(a->last_t - now->t) <= 1e-12 * fabs(now->t)
-        && same(a->n, a->last_y, vector_data(now->y))) {
-        vector_copy(a->n, a->last_f, now->f);
+    if (a->has_last && fabs(a->last_t - now->t) <= 1e-12 * fabs(now->t)
+        && vector_same(a->last_y, now->y)) {
+        N_VScale(1, a->last_f, now->f);
         now->has_f = true;
     }
-    a->last_f = NULL;
+    a->has_last = false;
 }
 
 /* --- the implicit side --------------------------------------------------- */
@@ -114,6 +123,8 @@ static int solve(SUNNonlinearSolver solver, N_Vector zpred, N_Vector zcor, N_Vec
 {
     struct arkode *a = solver->content;
     N_Vector same_zpred, z, fi, sdata;
+    const double *guess, *right;
+    double *correction;
     sunrealtype t, gamma;
     void *user;
     int code;
@@ -121,22 +132,21 @@ static int solve(SUNNonlinearSolver solver, N_Vector zpred, N_Vector zcor, N_Vec
     (void)w, (void)tolerance, (void)setup;
     if (ARKodeGetNonlinearSystemData(ark, &t, &same_zpred, &z, &fi, &gamma, &sdata, &user) != 0)
         return -1;
-    vector_copy(a->n, vector_data(sdata), vector_data(zcor));
-    if (plan_viscous(a->plan)) /* wants all of r */
-        vector_combine(2, (double[]){ 1, 1 },
-                       (const double *[]){ vector_data(zpred), vector_data(sdata) }, a->n,
-                       a->right);
-    for (int k = 0; k < a->ranges; k++)
-        for (long i = a->range[k][0]; i < a->range[k][1]; i++) {
-            a->z[i] = vector_data(zpred)[i];
-            a->right[i] = a->z[i] + vector_data(sdata)[i];
-        }
-    code = plan_solve(a->plan, t, gamma, a->right, a->z);
-    if (code != STATUS_DONE)
-        keep_refusal(a);
+    N_VLinearSum(1, zpred, 1, sdata, a->right);
+    right = plan_viscous(a->plan) ? vector_read(a->right) : vector_inside(a->right);
+    guess = vector_inside(zpred);
     for (int k = 0; k < a->ranges; k++)
         for (long i = a->range[k][0]; i < a->range[k][1]; i++)
-            vector_data(zcor)[i] = code == STATUS_DONE ? a->z[i] - vector_data(zpred)[i] : NAN;
+            a->z[i] = guess[i];
+    code = plan_solve(a->plan, t, gamma, right, a->z);
+    if (code != STATUS_DONE)
+        keep_refusal(a);
+    a->correction = zcor;
+    correction = vector_like(sdata, zcor);
+    guess = vector_inside(zpred);
+    for (int k = 0; k < a->ranges; k++)
+        for (long i = a->range[k][0]; i < a->range[k][1]; i++)
+            correction[i] = code == STATUS_DONE ? a->z[i] - guess[i] : NAN;
     return 0;
 }
 

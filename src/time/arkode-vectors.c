@@ -1,5 +1,7 @@
-/* arkode-vectors.c -- how much memory an ARKStep takes, in vectors, before there is one. */
+/* arkode-vectors.c -- our vectors beside ARKStep's own, and how many there are in all. */
 #include "time/arkode.h"
+
+#include "base/status.h"
 
 /* Of SUNDIALS' own, counted in 6.4.1: y now and at the last step, weights of both
  * tests, the interpolant's, the stage's data, what is summed. */
@@ -13,4 +15,50 @@ int arkode_vectors(const struct method *m, const struct plan *plan)
 
     /* nodes: y and f; our weights */
     return OF_ARKSTEP + sides * arkode_tables_stages(row) + 2 * nodes + 1;
+}
+
+static int take(struct arkode *a, N_Vector *v)
+{
+    *v = N_VClone(a->node[0].y);
+    return *v ? STATUS_DONE
+              : status_fail(STATUS_FAILED, "out of memory: a vector of %ld numbers cannot be had; "
+                                           "use fewer particles (a larger spacing)", a->n);
+}
+
+int arkode_take_vectors(struct arkode *a, enum vector_norm norm)
+{
+    a->nodes = a->row->order > 4 ? ARKODE_NODES : 2;
+    a->node[0].y = vector_create(a->n, norm, a->context);
+    if (!a->node[0].y)
+        return STATUS_FAILED;
+    TRY(vector_ranges(a->node[0].y, a->ranges, (const long (*)[2])a->range));
+    for (int k = 0; k < a->nodes; k++) {
+        if (k > 0)
+            TRY(take(a, &a->node[k].y));
+        TRY(take(a, &a->node[k].f));
+    }
+    return a->imex ? take(a, &a->right) : STATUS_DONE;
+}
+
+int arkode_take_last(struct arkode *a)
+{
+    TRY(take(a, &a->last_y));
+    return take(a, &a->last_f);
+}
+
+static void give_back(N_Vector v)
+{
+    if (v)
+        N_VDestroy(v);
+}
+
+void arkode_free_vectors(struct arkode *a)
+{
+    for (int k = 0; k < ARKODE_NODES; k++) {
+        give_back(a->node[k].y);
+        give_back(a->node[k].f);
+    }
+    give_back(a->right);
+    give_back(a->last_y);
+    give_back(a->last_f);
 }

@@ -130,7 +130,7 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
     if (ARKodeSetStopTime(a->ark, t_stop) != 0 || arkode_stretch(a, t_stop) != 0)
         return refuse_launch(a);
     flag = ARKodeEvolve(a->ark, t_stop, slot->y, &t, ARK_ONE_STEP);
-    bad = flag < 0 ? 0 : vector_first_bad(a->n, vector_data(slot->y));
+    bad = flag < 0 ? 0 : vector_bad(slot->y);
     if (a->def.seconds > 0 && bad >= 0)
         return arkode_constant_failed(a);
     if (flag < 0)
@@ -147,14 +147,14 @@ int arkode_restart(void *self, double t, const double *y)
 {
     struct arkode *a = self;
 
-    vector_copy(a->n, y, vector_data(a->node[0].y));
+    vector_copy(a->n, y, vector_overwrite(a->node[0].y));
     a->node[0].t = t;
     a->node[0].has_f = false;
     a->known = 1;
     a->pasts = 0;
     a->natural = 0;
     a->launched = false;
-    a->last_f = NULL;
+    a->has_last = false;
     a->refusal[0] = '\0';
     control_start(&a->control, a->row->control, a->table.order, a->table.embedded);
     arkode_remember(a);

@@ -65,7 +65,7 @@ struct arkode {
     bool launched;               /* ARKStep stands at node[0]                  */
 
     double *weight;              /* [n] of error tests                         */
-    const double *weighted;      /* vector that holds them already             */
+    N_Vector weighted;           /* vector that holds them already             */
     struct control control;
     struct arkode_choice choice[2]; /* for the step to come, for the last one  */
     double bound;                /* largest stable step [s]                    */
@@ -78,20 +78,22 @@ struct arkode {
     struct arkode_node {
         double t;
         N_Vector y;
-        double *f;               /* [n] explicit side of f(t, y)               */
+        N_Vector f;              /* explicit side of f(t, y)                   */
         bool has_f;
     } node[ARKODE_NODES];        /* [0] is the newest                          */
     int nodes, known;            /* as many as there is room for; as are filled */
 
     int stage;                   /* right-hand sides of this attempt so far    */
     double last_t;               /* of the last stage, with first-same-as-last */
-    double *last_y;              /* [n]                                        */
-    const double *last_f;        /* [n] lent by ARKStep                        */
+    N_Vector last_y, last_f;
+    bool has_last;
 
     int ranges;                  /* of stiff entries                           */
     long range[ARKODE_RANGES][2];
     long stiff;                  /* how many entries they hold                 */
-    double *right, *z;           /* [n] of which the solve touches the ranges  */
+    N_Vector right;              /* of the solve                               */
+    double *z;                   /* [n] of which the solve touches the ranges  */
+    N_Vector correction;         /* of the last stage, lent by ARKStep         */
     double *past[ARKODE_PAST];   /* [stiff] at ends of steps, newest first     */
     double past_t[ARKODE_PAST];
     int pasts;
@@ -110,6 +112,9 @@ int arkode_tables_stages(const struct arkode_row *row);
 void arkode_tables_read(const ARKodeButcherTable from, struct tableau *t);
 
 /* arkode-vectors.c */
+int arkode_take_vectors(struct arkode *a, enum vector_norm norm);
+int arkode_take_last(struct arkode *a); /* stage, of tables with first same as last */
+void arkode_free_vectors(struct arkode *a);
 int arkode_vectors(const struct method *m, const struct plan *plan);
 
 /* arkode-rates.c: f for ARKStep, with what is known already not asked again. */

@@ -70,8 +70,9 @@ struct method_def method_def_default(void)
 
 const char *method_bodies_alone(const struct plan *plan)
 {
-    return plan_viscous(plan) ? "it does not solve for the velocities of a fluid whose viscosity is "
-                                "implicit; imex3, imex4 and imex5 do, or set side = \"explicit\""
+    return plan_viscous(plan) ? "it does not solve for the velocities of a fluid whose viscosity "
+                                "is implicit; imex3, imex4 and imex5 do, or set "
+                                "side = \"explicit\""
                               : NULL;
 }
 

@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -194,6 +195,153 @@ static void combinations_equal_the_serial_ones(void **state)
     N_VDestroy(z);
 }
 
+/* Sums wait until they are read, copies share: neither may be seen. */
+static void what_waits_is_what_was_asked_for(void **state)
+{
+    const double c[3] = { 1, 0.5, -2 };
+    N_Vector v[6];
+    double x[3][2500], want;
+
+    (void)state;
+    v[0] = noisy(2500, VECTOR_NORM_MAX, 1);
+    for (int k = 1; k < 6; k++)
+        v[k] = N_VClone(v[0]);
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 2500; i++)
+            vector_overwrite(v[k])[i] = x[k][i] = i * (k + 1) + 0.25 * k;
+    }
+    N_VLinearCombination(3, (double *)c, v, v[3]);
+    N_VScale(1, v[0], v[4]);
+    vector_data(v[0])[7] = 1e9; /* neither the sum nor the copy is to see it */
+    N_VConst(5, v[1]);
+    N_VScale(1, v[5], v[2]);
+    N_VLinearSum(3, v[4], -3, v[1], v[5]);
+    for (int i = 0; i < 2500; i++) {
+        want = x[0][i] + (0.5 * x[1][i] - 2 * x[2][i]);
+        if (vector_read(v[3])[i] != want || vector_read(v[4])[i] != x[0][i]
+            || vector_read(v[2])[i] != 0 || vector_read(v[1])[i] != 5
+            || vector_read(v[5])[i] != 3 * x[0][i] - 15)
+            fail_msg("entry %d", i);
+    }
+    assert_true(vector_read(v[0])[7] == 1e9);
+    for (int k = 0; k < 6; k++)
+        N_VDestroy(v[k]);
+}
+
+/* The sum asked about, and the result of the step beside it, are right after the one
+ * pass that does both; a norm that is known is not believed after a change. */
+static void norms_of_sums(void **state)
+{
+    for (int norm = 0; norm < 3; norm++) {
+        N_Vector y = noisy(LONG, (enum vector_norm)norm, 1), f[2], w, next, error;
+        double c[3] = { 1, 0.5, -2 }, first;
+
+        (void)state;
+        f[0] = N_VClone(y), f[1] = N_VClone(y), w = N_VClone(y);
+        next = N_VClone(y), error = N_VClone(y);
+        for (long i = 0; i < LONG; i++) {
+            vector_overwrite(f[0])[i] = sin((double)i);
+            vector_overwrite(f[1])[i] = cos((double)i);
+        }
+        N_VConst(2, w);
+        N_VLinearCombination(3, c, (N_Vector[]){ y, f[0], f[1] }, next);
+        N_VLinearCombination(2, c + 1, f, error);
+        first = N_VWrmsNorm(error, w);
+        for (long i = 0; i < LONG; i++) {
+            const double e = 0.5 * sin((double)i) - 2 * cos((double)i);
+            if (vector_read(error)[i] != e || vector_read(next)[i] != vector_read(y)[i] + e)
+                fail_msg("entry %ld", i);
+        }
+        assert_true(N_VWrmsNorm(error, w) == first);
+        assert_int_equal(vector_bad(next), -1);
+        first = N_VWrmsNorm(next, w);
+        N_VConst(1, w);
+        near(N_VWrmsNorm(next, w), first / 2, 1e-14);
+        vector_data(next)[LONG - 2] = NAN;
+        assert_true(N_VWrmsNorm(next, w) == VECTOR_NOT_FINITE);
+        assert_int_equal(vector_bad(next), LONG - 2);
+        N_VDestroy(y), N_VDestroy(f[0]), N_VDestroy(f[1]);
+        N_VDestroy(w), N_VDestroy(next), N_VDestroy(error);
+    }
+}
+
+/* A stage as ARKStep solves it, with ranges and without: the same bits. */
+static void stage(int ranges, double result[2][LONG])
+{
+    static const long range[2][2] = { { 30000, 61000 }, { 5, 1030 } };
+    const double gamma = 0.125, c[3] = { 1, 0.3, 0.7 };
+    N_Vector y = noisy(LONG, VECTOR_NORM_MAX, 1), f = N_VClone(y), stiff = N_VClone(y);
+    N_Vector guess = N_VClone(y), data = N_VClone(y), correction = N_VClone(y), z = N_VClone(y);
+    N_Vector rates = N_VClone(y);
+    double *to;
+
+    assert_int_equal(vector_ranges(y, ranges, range), 0);
+    for (long i = 0; i < LONG; i++) {
+        const bool inside = (i >= 5 && i < 1030) || (i >= 30000 && i < 61000);
+        vector_overwrite(f)[i] = sin((double)i);
+        vector_overwrite(stiff)[i] = inside ? cos((double)i) : 0;
+    }
+    vector_only_inside(stiff);
+    N_VScale(1, y, guess);
+    N_VLinearSum(1, y, -1, guess, data);
+    N_VLinearCombination(3, (double *)c, (N_Vector[]){ data, f, stiff }, data);
+    N_VConst(0, correction);
+    if (ranges == 0)
+        vector_read(data);
+    to = vector_like(data, correction);
+    for (int k = 0; k < 2; k++)
+        for (long i = range[k][0]; i < range[k][1]; i++)
+            to[i] = 0.75 * vector_inside(data)[i] - 0.1 * vector_inside(guess)[i];
+    N_VLinearSum(1, correction, 1, guess, z);
+    N_VConst(9, rates); /* what it held outside must not come back */
+    N_VLinearSum(1 / gamma, correction, -1 / gamma, data, rates);
+    memcpy(result[0], vector_read(z), LONG * sizeof(double));
+    N_VLinearCombination(3, (double *)c, (N_Vector[]){ y, f, rates }, z);
+    memcpy(result[1], vector_read(z), LONG * sizeof(double));
+    assert_true(vector_read(rates)[0] == 0 && vector_read(rates)[5] != 0);
+    N_VDestroy(y), N_VDestroy(f), N_VDestroy(stiff), N_VDestroy(guess);
+    N_VDestroy(data), N_VDestroy(correction), N_VDestroy(z), N_VDestroy(rates);
+}
+
+static void ranges_change_no_bit(void **state)
+{
+    static double plain[2][LONG], ranged[2][LONG];
+
+    (void)state;
+    stage(0, plain);
+    for (int threads = 1; threads <= 4; threads++) {
+        use_threads(threads);
+        stage(2, ranged);
+        assert_memory_equal(plain, ranged, sizeof plain);
+    }
+    use_threads(1);
+}
+
+static void wide_registers_change_no_bit(void **state)
+{
+    const double *x[8];
+    double c[8];
+    N_Vector v[8], narrow, wide;
+
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        v[k] = noisy(2500, VECTOR_NORM_MAX, 3u + (unsigned)k);
+        x[k] = vector_read(v[k]);
+        c[k] = 0.3 * k - 1;
+    }
+    narrow = N_VClone(v[0]), wide = N_VClone(v[0]);
+    for (int terms = 1; terms <= 8; terms++) {
+        vector_combine(terms, c, x, 2500, vector_overwrite(wide));
+        setenv("STIFFWATER_LANES", "2", 1);
+        vector_combine(terms, c, x, 2500, vector_overwrite(narrow));
+        unsetenv("STIFFWATER_LANES");
+        assert_true(vector_same(narrow, wide));
+    }
+    for (int k = 0; k < 8; k++)
+        N_VDestroy(v[k]);
+    N_VDestroy(narrow), N_VDestroy(wide);
+}
+
 /* y + (a + b) with the small terms first: a last stage and the step's result
  * then have the same bits where the method says they are the same number. */
 static void the_first_term_is_added_last(void **state)
@@ -261,6 +409,10 @@ int main(void)
         cmocka_unit_test(norms_of_short_vectors_see_it_too),
         cmocka_unit_test(norms_let_no_overflow_pass),
         cmocka_unit_test(combinations_equal_the_serial_ones),
+        cmocka_unit_test(what_waits_is_what_was_asked_for),
+        cmocka_unit_test(norms_of_sums),
+        cmocka_unit_test(ranges_change_no_bit),
+        cmocka_unit_test(wide_registers_change_no_bit),
         cmocka_unit_test(the_first_term_is_added_last),
         cmocka_unit_test(bits_do_not_depend_on_threads),
     };

@@ -1,0 +1,120 @@
+/* vector-private.h -- what the files of our vectors share.
+ *
+ * A vector keeps its numbers in a store, which copies share until one of them is
+ * written.  A sum is put off until somebody reads it: many are only read as a
+ * part of the next sum, or by a norm, and then fewer passes over memory do.  A
+ * store that such a sum reads is not written before the sum is done, so who asks
+ * sees no difference but the time.
+ *
+ * Where a family has ranges (of stiff entries), what a vector holds inside of
+ * them is always there, put off or not; outside it may be 0 without being written. */
+#ifndef ALGEBRA_VECTOR_PRIVATE_H
+#define ALGEBRA_VECTOR_PRIVATE_H
+
+#include "algebra/vector.h"
+#include <nvector/nvector_serial.h>
+
+enum {
+    VECTOR_BLOCK = 1024, /* entries whose partial results belong together      */
+    VECTOR_LONG = 20000, /* from this length on a second thread pays           */
+    VECTOR_TERMS = 64,   /* of a sum                                           */
+    VECTOR_PUT_OFF = 8   /* sums of a family at a time                         */
+};
+
+struct vector_store {
+    double *data;          /* [n]                                              */
+    int users;             /* vectors; 0: spare                                */
+    long written;          /* when, in order of all writing; never 0           */
+    double norm;           /* of what it holds, with weights ...               */
+    long largest;
+    long by;               /* ... written then; 0: not known                   */
+    struct vector_store *next; /* of the spare ones                            */
+};
+
+/* What all clones of a vector share.  It has as many stores as members. */
+struct vector_family {
+    enum vector_norm norm;
+    long n, largest;
+    bool wide;             /* registers                                        */
+    double *partial;       /* [2][blocks] of reductions                        */
+    int members;
+    struct vector_store *spare;
+    struct vector_content *put_off[VECTOR_PUT_OFF];
+    int sums;              /* put off                                          */
+    int ranges;
+    long (*range)[2];      /* ascending, disjoint                              */
+};
+
+/* What stands outside of the ranges. */
+enum vector_outside {
+    VECTOR_HERE,           /* numbers                                          */
+    VECTOR_ZERO,           /* 0, not written                                   */
+    VECTOR_LATER           /* a sum that is put off; its store is its own      */
+};
+
+/* unit + (c[0] x[0] + c[1] x[1] + ...) */
+struct vector_sum {
+    const struct vector_store *unit; /* NULL: none                             */
+    int terms;
+    double c[VECTOR_TERMS];
+    const struct vector_store *x[VECTOR_TERMS];
+};
+
+struct vector_content {
+    struct _N_VectorContent_Serial serial; /* first: serial operations see this */
+    struct vector_family *family;
+    struct vector_store *store;
+    enum vector_outside outside;
+    bool nothing;          /* VECTOR_ZERO, and 0 inside of the ranges too      */
+    struct vector_sum sum; /* of VECTOR_LATER                                  */
+};
+
+static inline struct vector_content *vector_content(N_Vector v)
+{
+    return v->content;
+}
+
+static inline long vector_blocks(long n)
+{
+    return (n + VECTOR_BLOCK - 1) / VECTOR_BLOCK;
+}
+
+static inline int vector_block_size(long n, long b)
+{
+    const long left = n - b * VECTOR_BLOCK;
+
+    return left < VECTOR_BLOCK ? (int)left : VECTOR_BLOCK;
+}
+
+/* Loops that wait for arithmetic are compiled for wide registers too; which does not
+ * change a bit, as products are not contracted. */
+#if defined __x86_64__ && defined __GNUC__
+#define VECTOR_WIDE __attribute__((target("avx2")))
+#endif
+
+/* vector-loops.c */
+bool vector_wide(void); /* does this machine have them? */
+
+/* to = unit + (c[0] x[0] + ...), n entries from `from` on. */
+void vector_add_up(bool wide, const double *unit, int terms, const double *c,
+                   const double *const *x, long from, int n, double *to);
+
+/* vector-store.c */
+bool vector_join(struct vector_content *c, struct vector_family *f); /* false: no memory */
+void vector_leave(struct vector_content *c);
+double *vector_renew(struct vector_content *c); /* what was there does not matter */
+void vector_share(struct vector_content *from, struct vector_content *to);
+void vector_put_off(struct vector_content *c, const struct vector_sum *sum);
+void vector_sum_block(const struct vector_content *c, long b); /* of a sum put off */
+void vector_summed(struct vector_content *c);  /* all its blocks are done       */
+void vector_settle(struct vector_content *c);  /* numbers are here now          */
+
+/* vector-sum.c, vector-norm.c, vector-serial.c: operations. */
+int vector_sum_combination(int terms, sunrealtype *c, N_Vector *v, N_Vector z);
+void vector_sum_two(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z);
+void vector_sum_scale(sunrealtype c, N_Vector x, N_Vector z);
+void vector_sum_constant(sunrealtype c, N_Vector z);
+sunrealtype vector_norm_weighted(N_Vector v, N_Vector weight);
+void vector_serial_operations(N_Vector v);
+
+#endif

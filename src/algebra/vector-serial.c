@@ -1,0 +1,115 @@
+/* vector-serial.c -- operations that few methods ask for: SUNDIALS' serial ones, once
+ * the numbers are where they look for them. */
+#include "algebra/vector-private.h"
+
+static N_Vector in(N_Vector v)
+{
+    vector_settle(vector_content(v));
+    return v;
+}
+
+static N_Vector out(N_Vector v)
+{
+    vector_data(v);
+    return v;
+}
+
+static double *array(N_Vector v)
+{
+    return vector_data(v);
+}
+
+static void product(N_Vector x, N_Vector y, N_Vector z)
+{
+    N_VProd_Serial(in(x), in(y), out(z));
+}
+
+static void quotient(N_Vector x, N_Vector y, N_Vector z)
+{
+    N_VDiv_Serial(in(x), in(y), out(z));
+}
+
+static void absolute(N_Vector x, N_Vector z)
+{
+    N_VAbs_Serial(in(x), out(z));
+}
+
+static void inverse(N_Vector x, N_Vector z)
+{
+    N_VInv_Serial(in(x), out(z));
+}
+
+static void add_constant(N_Vector x, sunrealtype c, N_Vector z)
+{
+    N_VAddConst_Serial(in(x), c, out(z));
+}
+
+static void compare(sunrealtype c, N_Vector x, N_Vector z)
+{
+    N_VCompare_Serial(c, in(x), out(z));
+}
+
+static sunbooleantype inverse_test(N_Vector x, N_Vector z)
+{
+    return N_VInvTest_Serial(in(x), out(z));
+}
+
+static sunbooleantype constraint_mask(N_Vector c, N_Vector x, N_Vector z)
+{
+    return N_VConstrMask_Serial(in(c), in(x), out(z));
+}
+
+static sunrealtype dot_product(N_Vector x, N_Vector y)
+{
+    return N_VDotProd_Serial(in(x), in(y));
+}
+
+static sunrealtype largest(N_Vector x)
+{
+    return N_VMaxNorm_Serial(in(x));
+}
+
+static sunrealtype least(N_Vector x)
+{
+    return N_VMin_Serial(in(x));
+}
+
+static sunrealtype sum_of_absolutes(N_Vector x)
+{
+    return N_VL1Norm_Serial(in(x));
+}
+
+static sunrealtype length_weighted(N_Vector x, N_Vector w)
+{
+    return N_VWL2Norm_Serial(in(x), in(w));
+}
+
+static sunrealtype norm_masked(N_Vector x, N_Vector w, N_Vector mask)
+{
+    return N_VWrmsNormMask_Serial(in(x), in(w), in(mask));
+}
+
+static sunrealtype least_quotient(N_Vector x, N_Vector y)
+{
+    return N_VMinQuotient_Serial(in(x), in(y));
+}
+
+void vector_serial_operations(N_Vector v)
+{
+    v->ops->nvgetarraypointer = array;
+    v->ops->nvprod = product;
+    v->ops->nvdiv = quotient;
+    v->ops->nvabs = absolute;
+    v->ops->nvinv = inverse;
+    v->ops->nvaddconst = add_constant;
+    v->ops->nvcompare = compare;
+    v->ops->nvinvtest = inverse_test;
+    v->ops->nvconstrmask = constraint_mask;
+    v->ops->nvdotprod = dot_product;
+    v->ops->nvmaxnorm = largest;
+    v->ops->nvmin = least;
+    v->ops->nvl1norm = sum_of_absolutes;
+    v->ops->nvwl2norm = length_weighted;
+    v->ops->nvwrmsnormmask = norm_masked;
+    v->ops->nvminquotient = least_quotient;
+}
