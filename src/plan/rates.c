@@ -11,7 +11,7 @@ int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table 
 {
     const struct sum_job job = {
         .list = w->list, .record = w->record, .table = table, .slots = p->slots,
-        .later = push ? p->later : 0, .push = push, .gamma = p->scales.gamma,
+        .later = p->later, .push = push, .gamma = p->scales.gamma,
         .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
@@ -19,17 +19,16 @@ int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table 
     return p->engine->sum->pairs(&job, &w->scratch);
 }
 
-/* Rates of the fluid to their places in ydot: x' = u, u' = f/m, rho'; one pass in
- * the order of ydot, as scattered writes wait longer than scattered reads. */
+/* Rates of the fluid to their places in ydot, x' = u, u' = f/m: one pass in the order
+ * of ydot, as scattered writes wait longer than scattered reads. */
 static void spread_fluid(const struct plan *p, const struct plan_workspace *w,
                          const struct view *v, double *ydot)
 {
     const struct list *l = w->list;
-    const int n = particles_count(v->p, KIND_FLUID), row = p->density_row[KIND_FLUID];
+    const int n = particles_count(v->p, KIND_FLUID);
     const double (*u)[DIM] = (const double (*)[DIM])v->u[KIND_FLUID];
     double (*xdot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_x));
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
-    double *rhodot = row < 0 ? NULL : ydot + layout_at(&p->layout, row);
 
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int i = 0; i < n; i++) {
@@ -39,17 +38,15 @@ static void spread_fluid(const struct plan *p, const struct plan_workspace *w,
             xdot[i][d] = u[i][d];
             udot[i][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d] * im;
         }
-        if (rhodot)
-            rhodot[i] = s < 0 ? 0 : w->drho[s];
     }
 }
 
-/* Rates of density of solids that have one of their own. */
-static void spread_solids(const struct plan *p, const struct plan_workspace *w, double *ydot)
+/* Rates of density of those that have one of their own. */
+static void spread_densities(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
     const struct list *l = w->list;
 
-    for (int k = KIND_FLUID + 1; k < KINDS; k++) {
+    for (int k = 0; k < KINDS; k++) {
         const int first = p->particles->from[k], n = particles_count(p->particles, k);
         double *rhodot;
         if (p->density_row[k] < 0)
@@ -142,13 +139,15 @@ static void add_fields(struct plan *p, const struct view *v, double *ydot)
 }
 
 /* Rates of everything but bodies, fields and the book. */
-static void spread(const struct plan *p, const struct plan_workspace *w, const struct view *v,
-                    double *ydot)
+static void spread(const struct plan *p, const struct plan_workspace *w, enum plan_which which,
+                   const struct view *v, double *ydot)
 {
     if (p->row_x < 0)
         return;
-    spread_fluid(p, w, v, ydot);
-    spread_solids(p, w, ydot);
+    if (which != PLAN_DENSITY)
+        spread_fluid(p, w, v, ydot);
+    if (which != PLAN_VELOCITY)
+        spread_densities(p, w, ydot);
 }
 
 /* Forces on everybody are known: what follows from them. */
@@ -184,11 +183,12 @@ static void halve(struct plan *p, struct plan_workspace *w, enum plan_which whic
 }
 
 /* What pushes the fluid besides pairs, where its rates will stand; NULL: nobody asks. */
-static const double (*pushes(struct plan *p, const struct view *v, double *ydot))[DIM]
+static const double (*pushes(struct plan *p, enum plan_which which, const struct view *v,
+                             double *ydot))[DIM]
 {
     double (*udot)[DIM];
 
-    if (p->later == 0 || p->row_x < 0)
+    if (which == PLAN_DENSITY || p->later == 0 || p->row_x < 0)
         return NULL;
     udot = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
     memset(udot, 0, (size_t)particles_count(v->p, KIND_FLUID) * sizeof *udot);
@@ -208,8 +208,8 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
     if (p->particles->n > 0)
-        TRY(plan_sum(p, w, table, pushes(p, &v, ydot)));
-    spread(p, w, &v, ydot);
+        TRY(plan_sum(p, w, table, pushes(p, which, &v, ydot)));
+    spread(p, w, which, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);
     else

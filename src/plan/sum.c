@@ -107,15 +107,15 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
 static void look_ahead(const struct sum_job *job, int first, int owners, const struct sum *all,
                        struct side *a)
 {
-    const lanes p = a->p2 * a->rho * a->rho;
-    const lanes slope = (job->gamma * p + job->bulk - 2 * p) / (a->rho * a->rho * a->rho);
+    const lanes p = a->p2 * a->rho * a->rho, irho = a->irho, time = job->later / a->m;
+    const lanes slope = (job->gamma * p + job->bulk - 2 * p) * (irho * irho * irho);
     const lanes to = job->later * slope * all->drho;
 
     a->p2 += job->clamped ? lanes_where(p > (lanes){0}, to) : to;
-    if (first >= job->list->start[KIND_FLUID + 1])
+    if (!job->push || first >= job->list->start[KIND_FLUID + 1])
         return;
     for (int d = 0; d < DIM; d++) {
-        a->v[d] += job->later * all->f[d] / a->m;
+        a->v[d] += time * all->f[d];
         for (int l = 0; l < owners; l++)
             a->v[d][l] += job->later * job->push[job->list->order[first + l]][d];
     }

@@ -30,7 +30,7 @@ struct sum_job {
                                           after the records; 0: of the records */
     const double (*push)[DIM];         /* accelerations of the fluid by other
                                           things than pairs, creation order;
-                                          for later != 0                      */
+                                          for later != 0, NULL: velocities stay */
     double gamma, bulk;                /* dp/drho = (gamma p + bulk)/rho, 0 for */
     bool clamped;                      /* p = 0 if clamped; for later != 0    */
     double *f;                         /* [listed][DIM] force on a slot [N]   */

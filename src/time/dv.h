@@ -14,6 +14,9 @@
  * longest stable step is shorter and the energy strays further.  Quadratures ride
  * along: h of A's rates, h/2 of D_n's and of D_(n+1)'s.
  *
+ * D taken at x', where A has the geometry of all pairs, would be as stable, but of
+ * order 1: three times the error in positions (doc/speed.md).
+ *
  * Bodies: A needs them at the half step, by backward Euler under the last load;
  * then the load in A, held fixed, moves them by two implicit stages (dv-bodies.c).
  *

@@ -88,8 +88,8 @@ static void elastica_under_its_weight(void **state)
     }
 }
 
-/* Turek and Hron 2006: a bar in plane strain under its weight, data/reference/A11a*.csv.
- * A beam has no shear: it is 0.7 to 1.2 % below their solid. */
+/* CSM1 and CSM2 of Turek and Hron 2006, data/reference/A11a_turek_hron_reference.csv: a bar
+ * in plane strain under its weight.  A thin beam is 0.7 to 1.2 % below their solid. */
 static void bar_of_turek_and_hron(void **state)
 {
     static const double bar[][3] = { { 1.4e6, -7.187e-3, -66.10e-3 },
