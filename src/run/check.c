@@ -137,6 +137,8 @@ int run_check(const struct run_order *order)
     double seconds = 0;
     int status = run_prepare(&r, order);
 
+    if (status == STATUS_DONE)
+        status = run_doubt_scene(&r);
     if (status == STATUS_DONE) {
         plan_start(r.plan, r.y);
         status = time_rhs(&r, &seconds);

@@ -24,7 +24,7 @@ struct outputs {
     struct snapshot *snapshot;
     struct plan_sheet first, last;
     bool begun;
-    double defect_max;
+    double defect_max, most; /* see the header [J] */
     double *rho, *p, *x, *u; /* of everybody, for particle files */
     unsigned char *kind;
 };
@@ -85,6 +85,17 @@ static double defect_of(const struct plan_sheet *first, const struct plan_sheet 
     for (int i = 0; i < s->works; i++)
         given += s->work[i] - first->work[i];
     return s->total - first->total - given;
+}
+
+/* Energy of the fluid in the lowest corner of the domain, moving at U/100 [J]. */
+static double least_energy(struct plan *plan, double mass)
+{
+    const struct scales *s = plan_scales(plan);
+    double each = 0.5e-4 * s->speed * s->speed;
+
+    for (int d = 0; d < DIM; d++)
+        each += fmin(-s->g[d] * s->low[d], -s->g[d] * s->high[d]);
+    return mass * each;
 }
 
 int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y)

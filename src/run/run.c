@@ -196,21 +196,6 @@ static int start(struct run *r)
     return write_used(r);
 }
 
-/* What a user should hear of a run that ended well, even a quiet one. */
-static void tell_doubts(struct run *r)
-{
-    const double rho0 = plan_scales(r->plan)->rho0;
-    const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
-
-    if (out > 0)
-        status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
-                    "the book count them", out);
-    if (r->tally.density[1] > 1.2 * rho0)
-        status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
-                    "the largest speed)", r->tally.density[1],
-                    100 * (r->tally.density[1] / rho0 - 1));
-}
-
 /* The last row of a run that ended early: where it ended. */
 static void write_end(struct run *r)
 {
@@ -259,6 +244,8 @@ int run_scene(const struct run_order *order)
 
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
+        status = run_doubt_scene(&r);
+    if (status == STATUS_DONE)
         status = start(&r);
     if (status != STATUS_DONE || !r.outputs) {
         run_release(&r);
@@ -273,7 +260,7 @@ int run_scene(const struct run_order *order)
         write_end(&r);
     }
     if (status == STATUS_DONE)
-        tell_doubts(&r);
+        run_doubt_end(&r);
     last = write_constants(&r);
     if (status == STATUS_DONE)
         status = last;

@@ -68,7 +68,7 @@ first() {
 
 # cross UP WHICH: time of that crossing of zero of the second column, upwards (1) or down (-1)
 cross() {
-    awk -v up="$1" -v which="$2" 'NR > 1 && x * up <= 0 && $2 * up > 0 && ++k == which {
+    awk -v up="$1" -v which="$2" 'NR > 1 && x * up < 0 && $2 * up > 0 && ++k == which {
             print t - x / ($2 - x) * ($1 - t); exit }
         { t = $1; x = $2 }'
 }
@@ -94,6 +94,7 @@ cost() {
 # row WHAT REFERENCE GOT MARK EXPRESSION COST [WHY]: EXPRESSION (awk) is the mark; WHY is the
 # reason found for missing it
 row() {
+    case $5 in *nan* | *inf*) echo "$case: $1: no number in $5"; bad=1 ;; esac
     if awk "BEGIN { exit !($5) }"; then verdict=pass; else verdict=missed; fi
     case $verdict${7:+ with reason} in
     pass | 'missed with reason') ;;
@@ -107,7 +108,7 @@ row() {
 # are x, y, u, v, rho, p
 snapshots() {
     awk -F, '!/^[#t]/ { print $1, $2 }' "$1/snapshots.csv" | while read -r t file; do
-        awk -F, -v t="$t" '/^#/ || /^x/ { next } $9 != 0 { next }
+        awk -F, -v t="$t" '/^#/ || /^x/ { next } $8 != 0 { next }
             { x = $1; y = $2; u = $3; v = $4; rho = $5; p = $6 } '"$2" \
             "$1/$file"
     done
@@ -117,7 +118,7 @@ snapshots() {
 draw() {
     cp "$top/plots/style.gp" .
     echo '# nothing: this figure belongs to no single run' >constants.gp
-    { printf "load 'style.gp'\nset terminal pngcairo size 1000, 620 font 'Sans,15' lw 1.3\n"
+    { printf "load 'style.gp'\nset terminal pngcairo size 800, 480 font 'Sans,12'\n"
       echo "set output '$case.png'"; cat; } >figure.gp
     gnuplot -d figure.gp
 }

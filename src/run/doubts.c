@@ -1,0 +1,147 @@
+/* doubts.c -- what a user should hear, even of a quiet run, though it is no error: of a
+ * scene before it runs, and of a run that came to its end. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "scene/scene.h"
+#include "state/buckets.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double near_solids = 0.3;  /* nearer than this two are in one place [dx] */
+static const double energy_share = 0.01; /* of the energy there is: a defect that matters */
+
+static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
+
+/* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside. */
+static double outside(const struct scales *s, const double *x, int axes)
+{
+    double most = -HUGE_VAL;
+
+    for (int d = 0; d < axes; d++)
+        most = fmax(most, fmax(s->low[d] - x[d], x[d] - s->high[d]));
+    return most;
+}
+
+static const char *where(const struct run *r, const char *group, const char *name)
+{
+    const struct scene_node *node = scene_child(scene_root(r->scene), group);
+
+    node = node ? scene_child(node, name) : NULL;
+    return node ? scene_where(node) : scene_path(r->scene);
+}
+
+static void doubt_probes(const struct run *r)
+{
+    const struct scales *s = plan_scales(r->plan);
+
+    for (int i = 0; i < plan_probes(r->plan); i++) {
+        const char *name;
+        const struct settings_probe *probe = plan_probe(r->plan, i, &name);
+        const bool height = strcmp(probe->what, "height") == 0;
+        if (outside(s, probe->at, height ? DIM - 1 : DIM) > 0)
+            status_warn("%s: probe.%s lies outside the domain, where fluid counts as lost: it will "
+                        "read 0", where(r, "probe", name), name);
+    }
+}
+
+struct solids {
+    const struct particles *p;
+    const struct buckets *near;
+    double reach; /* [m] */
+};
+
+static bool is_wall(const void *self, int j)
+{
+    const struct particles *p = self;
+
+    return KIND_BIT(p->object[p->object_of[j]].kind) & walls;
+}
+
+/* One sentence a beam: where its skin first meets a wall or the outside. */
+static void doubt_skin(const struct run *r, const struct solids *all, const struct object *beam)
+{
+    const double slack = plan_scales(r->plan)->dx;
+
+    for (int i = beam->from; i < beam->from + beam->n; i++) {
+        const double *x = all->p->x0[i];
+        const int j = buckets_find(all->near, x, all->reach, is_wall, all->p);
+        if (j >= 0) {
+            status_warn("%s: beam.%s and wall.%s fill the same space near (%g, %g) m; the fluid "
+                        "feels the particles of both, and the wall does not hold the beam",
+                        where(r, "beam", beam->name), beam->name,
+                        all->p->object[all->p->object_of[j]].name, x[0], x[1]);
+            return;
+        }
+        if (outside(plan_scales(r->plan), x, DIM) > slack) {
+            status_warn("%s: beam.%s reaches out of the domain near (%g, %g) m, where fluid counts "
+                        "as lost", where(r, "beam", beam->name), beam->name, x[0], x[1]);
+            return;
+        }
+    }
+}
+
+static int doubt_skins(const struct run *r)
+{
+    const struct particles *p = plan_particles(r->plan);
+    const double reach = near_solids * plan_scales(r->plan)->dx;
+    struct buckets near;
+
+    TRY(buckets_create(&near, (const double (*)[DIM])p->x0, p->n, reach));
+    for (int i = 0; i < p->objects; i++)
+        if (p->object[i].kind == KIND_SKIN || p->object[i].kind == KIND_SKIN_SLIP)
+            doubt_skin(r, &(struct solids){ p, &near, reach }, &p->object[i]);
+    buckets_free(&near);
+    return STATUS_DONE;
+}
+
+int run_doubt_scene(const struct run *r)
+{
+    if (!plan_scales(r->plan)->fluid)
+        return STATUS_DONE;
+    doubt_probes(r);
+    return doubt_skins(r);
+}
+
+static void advise_step(const struct run *r, char *to, size_t room)
+{
+    if (r->def.seconds > 0)
+        snprintf(to, room, "steps shorter than %g s", r->def.seconds);
+    else if (r->method->adaptive)
+        snprintf(to, room, "a tol below %g", r->def.tol);
+    else
+        snprintf(to, room, "a smaller CFL number (%s@...), or a method that controls its error",
+                 r->method->name);
+}
+
+/* The defect of the book is the error of time integration; energy made so may drive what
+ * a figure shows. */
+static void doubt_energy(const struct run *r)
+{
+    const double defect = outputs_defect_max(r->outputs), there = outputs_energy_most(r->outputs);
+    char advice[120];
+
+    if (!(defect > energy_share * there))
+        return;
+    advise_step(r, advice, sizeof advice);
+    status_warn("energy: the book missed by %.3g J at its worst, %.2g %% of the %.3g J there were; "
+                "that is the error of time integration, so take %s", defect,
+                100 * defect / there, there, advice);
+}
+
+void run_doubt_end(const struct run *r)
+{
+    const double rho0 = plan_scales(r->plan)->rho0;
+    const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
+
+    if (out > 0)
+        status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
+                    "the book count them", out);
+    if (r->tally.density[1] > 1.2 * rho0)
+        status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
+                    "the largest speed)", r->tally.density[1],
+                    100 * (r->tally.density[1] / rho0 - 1));
+    doubt_energy(r);
+}
