@@ -72,4 +72,7 @@ claim 'the flap swings up as a whole' "$(most gate flap.tip_angle) > 0.6"
 for run in far soft gate; do
     books $run
 done
+go swing "$top_srcdir/data/scenes/elastica.scene" until=0.3 method=dv # feels its first step
+claim 'dv begins with a step that a bent strip allows' \
+    "$(number swing energy_defect_max) < 1e-3 * $(number swing energy_initial)"
 exit $bad

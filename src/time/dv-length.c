@@ -102,15 +102,18 @@ void dv_choose(struct dv *x, double h)
         x->choice.limiter = METHOD_STABILITY;
 }
 
-/* Without a bound: a step along the rates that changes y by as much as an error may. */
-static double cautious(const struct dv *x, double t_stop)
+/* Without a bound: a step along the rates, those of bodies left to themselves among them,
+ * that changes y by as much as an error may. */
+static double cautious(struct dv *x, double t_stop)
 {
     const double *weight = vector_data(x->weight);
     const long v = x->from[LAYOUT_VELOCITY];
     double most = 0;
 
+    if (plan_rhs(x->plan, PLAN_IMPLICIT, x->t, x->y, x->right) != STATUS_DONE)
+        return (t_stop - x->t) / 100;
     for (long i = 0; i < x->n; i++) {
-        const double f = i < v ? x->y[v + i] : x->a.f[1][i] + x->d.f[1][i];
+        const double f = i < v ? x->y[v + i] : x->a.f[1][i] + x->d.f[1][i] + x->right[i];
         most = fmax(most, fabs(f * weight[i]));
     }
     return most > 0 ? fmin(1 / most, t_stop - x->t) : (t_stop - x->t) / 100;
