@@ -111,7 +111,8 @@ static int make_bodies(struct plan *p)
         points = in->kind->skin(b->body, NULL);
         b->skin = p->scales.fluid ? points : 0; /* without water nobody presses */
         b->force = status_alloc(points + 1, sizeof *b->force);
-        if (!b->force)
+        b->seen = status_alloc(points + 1, sizeof *b->seen);
+        if (!b->force || !b->seen)
             return STATUS_FAILED;
     }
     return STATUS_DONE;
@@ -321,6 +322,7 @@ void plan_free(struct plan **plan)
     for (int i = 0; i < p->bodies; i++) {
         p->body[i].kind->free(&p->body[i].body);
         free(p->body[i].force);
+        free(p->body[i].seen);
     }
     viscous_free(p);
     plan_workspace_free(p, &p->main);

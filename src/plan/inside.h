@@ -25,7 +25,8 @@ struct plan_body {
     char name[64], path[80];
     int object;              /* its skin in particles->object, -1: no skin   */
     int skin;                /* points                                        */
-    double (*force)[DIM];    /* [skin][DIM] scratch, force on each point [N]  */
+    double (*force)[DIM];    /* [skin][DIM] of the last right-hand side [N]   */
+    double (*seen)[DIM];     /* the same of the last look from outside        */
     struct body_load load;   /* of the last right-hand side                   */
 };
 

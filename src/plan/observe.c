@@ -40,16 +40,28 @@ void plan_view(struct plan *p, double t, const double *y, struct view *v)
             v->rho[k] = p->main.rho + p->particles->from[k];
 }
 
+/* Forces on skins for who looks; those of the run come back by the same again. */
+static void swap_forces(struct plan *p)
+{
+    for (int i = 0; i < p->bodies; i++) {
+        double (*force)[DIM] = p->body[i].force;
+        p->body[i].force = p->body[i].seen;
+        p->body[i].seen = force;
+    }
+}
+
 int plan_observe(struct plan *p, double t, const double *y)
 {
     struct plan_workspace *w;
     struct view v;
+    int status;
 
     plan_view_make(p, t, y, &v);
     TRY(choose(p, &v, &w));
-    if (plan_rates(p, w, PLAN_ALL, t, y, p->scratch) != STATUS_DONE)
-        return status_fail(STATUS_FAILED, "%s", p->refusal);
-    return STATUS_DONE;
+    swap_forces(p);
+    status = plan_rates(p, w, PLAN_ALL, t, y, p->scratch);
+    swap_forces(p);
+    return status == STATUS_DONE ? status : status_fail(STATUS_FAILED, "%s", p->refusal);
 }
 
 const double *plan_force(const struct plan *p, int object)
@@ -71,7 +83,7 @@ void plan_body_view(struct plan *p, int body, double t, const double *y, struct 
 {
     const struct plan_body *b = &p->body[body];
 
-    b->kind->show(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, out);
+    b->kind->show(b->body, &p->layout, t, y, (const double (*)[DIM])b->seen, out);
 }
 
 const double *plan_impulse(const struct plan *p, const double *y, int object)
