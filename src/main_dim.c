@@ -7,6 +7,7 @@
 #include "study/compare.h"
 #include "time/method.h"
 
+#include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -95,6 +96,15 @@ static int carry_out(const struct cli *c)
     }
 }
 
+/* What was printed has to reach its reader: a full disk is told when the last of it is
+ * written. */
+static int check_printed(void)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return STATUS_DONE;
+    return status_fail(STATUS_IO, "standard output cannot be written: %s", strerror(errno));
+}
+
 int main(int argc, char **argv)
 {
     struct cli c;
@@ -103,6 +113,8 @@ int main(int argc, char **argv)
     gsl_set_error_handler_off(); /* its default handler aborts the program */
     cli_parse(argc, argv, &c);
     status = carry_out(&c);
+    if (status == STATUS_DONE)
+        status = check_printed();
     if (status != STATUS_DONE)
         fprintf(stderr, "stiffwater: %s\n", status_message());
     return status;

@@ -46,7 +46,7 @@ const struct commands_row commands_table[] = {
       "Simulates a scene and leaves tables, particle fields and figures' data in a directory.\v"
       "Any key of the scene can be set: beam.E=5e9 sets E of every beam, beam.plate.E=5e9 of "
       "one.  Exit status: 0 done, 1 the run failed, 2 the scene or the command line is wrong, "
-      "3 stopped by SIGINT or SIGTERM (files are complete), 4 input or output failed.",
+      "3 stopped by SIGINT, SIGTERM or SIGHUP (files are complete), 4 input or output failed.",
       run_options, true },
     { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
       "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double near_solids = 0.3;  /* nearer than this two are in one place [dx] */
+static const double near_solids = 0.7;   /* nearer than this two fill one place [dx]    */
 static const double energy_share = 0.01; /* of the energy there is: a defect that matters */
 
 static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
@@ -60,26 +60,32 @@ static bool is_wall(const void *self, int j)
     return KIND_BIT(p->object[p->object_of[j]].kind) & walls;
 }
 
-/* One sentence a beam: where its skin first meets a wall or the outside. */
-static void doubt_skin(const struct run *r, const struct solids *all, const struct object *beam)
+static void doubt_rooted(const struct run *r, const struct solids *all, const struct object *beam)
 {
-    const double slack = plan_scales(r->plan)->dx;
-
     for (int i = beam->from; i < beam->from + beam->n; i++) {
         const double *x = all->p->x0[i];
         const int j = buckets_find(all->near, x, all->reach, is_wall, all->p);
-        if (j >= 0) {
-            status_warn("%s: beam.%s and wall.%s fill the same space near (%g, %g) m; the fluid "
-                        "feels the particles of both, and the wall does not hold the beam",
-                        where(r, "beam", beam->name), beam->name,
-                        all->p->object[all->p->object_of[j]].name, x[0], x[1]);
-            return;
-        }
-        if (outside(plan_scales(r->plan), x, DIM) > slack) {
-            status_warn("%s: beam.%s reaches out of the domain near (%g, %g) m, where fluid counts "
-                        "as lost", where(r, "beam", beam->name), beam->name, x[0], x[1]);
-            return;
-        }
+        if (j < 0)
+            continue;
+        status_warn("%s: beam.%s and wall.%s fill the same space near (%g, %g) m; the fluid feels "
+                    "the particles of both, and the wall does not hold the beam",
+                    where(r, "beam", beam->name), beam->name,
+                    all->p->object[all->p->object_of[j]].name, x[0], x[1]);
+        return;
+    }
+}
+
+static void doubt_place(const struct run *r, const struct solids *all, const struct object *beam)
+{
+    const struct scales *s = plan_scales(r->plan);
+
+    for (int i = beam->from; i < beam->from + beam->n; i++) {
+        const double *x = all->p->x0[i];
+        if (outside(s, x, DIM) < s->dx)
+            continue;
+        status_warn("%s: beam.%s reaches out of the domain near (%g, %g) m, where fluid counts as "
+                    "lost", where(r, "beam", beam->name), beam->name, x[0], x[1]);
+        return;
     }
 }
 
@@ -88,11 +94,14 @@ static int doubt_skins(const struct run *r)
     const struct particles *p = plan_particles(r->plan);
     const double reach = near_solids * plan_scales(r->plan)->dx;
     struct buckets near;
+    const struct solids all = { p, &near, reach };
 
     TRY(buckets_create(&near, (const double (*)[DIM])p->x0, p->n, reach));
     for (int i = 0; i < p->objects; i++)
-        if (p->object[i].kind == KIND_SKIN || p->object[i].kind == KIND_SKIN_SLIP)
-            doubt_skin(r, &(struct solids){ p, &near, reach }, &p->object[i]);
+        if (p->object[i].kind == KIND_SKIN || p->object[i].kind == KIND_SKIN_SLIP) {
+            doubt_rooted(r, &all, &p->object[i]);
+            doubt_place(r, &all, &p->object[i]);
+        }
     buckets_free(&near);
     return STATUS_DONE;
 }
@@ -126,7 +135,7 @@ static void doubt_energy(const struct run *r)
     if (!(defect > energy_share * there))
         return;
     advise_step(r, advice, sizeof advice);
-    status_warn("energy: the book missed by %.3g J at its worst, %.2g %% of the %.3g J there were; "
+    status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "
                 "that is the error of time integration, so take %s", defect,
                 100 * defect / there, there, advice);
 }

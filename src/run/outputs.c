@@ -24,7 +24,7 @@ struct outputs {
     struct snapshot *snapshot;
     struct plan_sheet first, last;
     bool begun;
-    double defect_max, most; /* see the header [J] */
+    double defect_max, most; /* of energy, see the header [J] */
     double *rho, *p, *x, *u; /* of everybody, for particle files */
     unsigned char *kind;
 };
@@ -87,15 +87,17 @@ static double defect_of(const struct plan_sheet *first, const struct plan_sheet 
     return s->total - first->total - given;
 }
 
-/* Energy of the fluid in the lowest corner of the domain, moving at U/100 [J]. */
-static double least_energy(struct plan *plan, double mass)
+/* Energy of the last row above that of all fluid in the lowest corner of the domain; no
+ * less than that of fluid at U/100 [J]. */
+static double energy_there(const struct outputs *o, const struct plan *plan)
 {
     const struct scales *s = plan_scales(plan);
-    double each = 0.5e-4 * s->speed * s->speed;
+    double lowest = 0; /* gravity's potential [J/kg] */
 
     for (int d = 0; d < DIM; d++)
-        each += fmin(-s->g[d] * s->low[d], -s->g[d] * s->high[d]);
-    return mass * each;
+        lowest += fmin(-s->g[d] * s->low[d], -s->g[d] * s->high[d]);
+    return fmax(o->last.total - o->last.mass * lowest - outputs_defect(o),
+                0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
 }
 
 int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y)
@@ -105,6 +107,7 @@ int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y
         o->first = o->last;
     o->begun = true;
     o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
+    o->most = fmax(o->most, energy_there(o, plan));
     return tables_rows(o->tables, plan, t, y, &o->last, outputs_defect(o));
 }
 
@@ -174,6 +177,11 @@ double outputs_defect(const struct outputs *o)
 double outputs_defect_max(const struct outputs *o)
 {
     return o->defect_max;
+}
+
+double outputs_energy_most(const struct outputs *o)
+{
+    return o->most;
 }
 
 /* Largest component of what momentum the book cannot explain [N s]. */

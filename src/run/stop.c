@@ -1,4 +1,4 @@
-/* stop.c -- notes SIGINT and SIGTERM.
+/* stop.c -- notes SIGINT, SIGTERM and SIGHUP.
  *
  * timeout(1) and batch systems signal the process and then its group, so that one
  * wish comes twice: what follows within a second is the same wish. */
@@ -31,6 +31,15 @@ static void note(int number)
     }
 }
 
+/* A run under nohup(1) outlives its terminal. */
+static void hear_hangup(const struct sigaction *action)
+{
+    struct sigaction now;
+
+    if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+        sigaction(SIGHUP, action, NULL);
+}
+
 void stop_listen(void)
 {
     struct sigaction action = { .sa_handler = note, .sa_flags = SA_RESTART };
@@ -38,8 +47,10 @@ void stop_listen(void)
     sigemptyset(&action.sa_mask);
     sigaddset(&action.sa_mask, SIGINT);
     sigaddset(&action.sa_mask, SIGTERM);
+    sigaddset(&action.sa_mask, SIGHUP);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    hear_hangup(&action);
     signal(SIGPIPE, SIG_IGN); /* nobody reads the progress line: no reason to end */
     signal(SIGXFSZ, SIG_IGN); /* write() says it, and the run ends in order       */
 }

@@ -1,4 +1,4 @@
-/* stop.h -- SIGINT and SIGTERM ask a run to end with complete files. */
+/* stop.h -- SIGINT, SIGTERM and SIGHUP ask a run to end with complete files. */
 #ifndef RUN_STOP_H
 #define RUN_STOP_H
 
