@@ -65,7 +65,8 @@ tables()
     table "$1/book.csv" \
         "t,kinetic,potential,internal,elastic(,[-a-z.]+)*,pressure_defect,total,defect,mass$momentum"
     table "$1/steps.csv" 't,h,limiter,where,rejected'
-    [ "$(value "$1" fluid)" = 0 ] || table "$1/front.csv" 't,x,height'
+    [ "$(value "$1" fluid)" = 0 ] || grep -q '^ *periodic = \["' "$1/scene.used" ||
+        table "$1/front.csv" 't,x,height'
     [ "$(value "$1" fluid)" = 0 ] || table "$1/pairing.csv" 't,pairing,nearest_mean,nearest_least'
     [ "$(value "$1" wall)" = 0 ] || table "$1/forces.csv" "t($force)+"
     grep -q '^beam ' "$1/scene.used" && table "$1/beam.csv" \
@@ -146,6 +147,15 @@ scene tank-sizes 0.01 3.3e-4
 scene gate 0.12 1.7e-3 spacing=0.01
 scene sloshing-tank 0.15 3.3e-3 spacing=0.02
 scene wave-maker 0.1 3.3e-3 spacing=0.03
+scene taylor-green 0.1 3.3e-3
+scene poiseuille 0.1125 3.3e-3
+scene couette 0.1125 3.3e-3
+scene oscillating-drop 0.1 3.3e-3
+scene elliptic-drop 5e-4 1.7e-5
+scene rotating-square 0.1 3.3e-3
+scene standing-wave 0.05 3.3e-3 spacing=0.05
+scene driven-cavity 0.03 1.7e-3 spacing=0.04 'wall.lid.to=[1.12,1.12]'
+scene elastic-obstacle 0.03 7e-4
 scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
 fails toth-dam-break-literal
 for path in "$scenes"/*.scene; do

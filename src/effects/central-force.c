@@ -53,5 +53,6 @@ const struct part LANE_NAME(effects_central_force) = {
     .size = sizeof(struct central_force),
     .params = params,
     .field = field,
+    .placed = true,
     .energy = energy,
 };

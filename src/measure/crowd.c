@@ -2,6 +2,7 @@
 #include "measure/crowd.h"
 
 #include "base/status.h"
+#include "state/period.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +13,7 @@ struct crowd {
     struct view view;
     double reach2;         /* neighbours are nearer than this, squared    [m^2] */
     int half, quarter;     /* of the full lattice, rounded up                   */
-    double size;           /* edge of a cell, at least the support        [m]   */
+    double size[DIM];      /* edges of a cell, at least the support       [m]   */
     double low[DIM];       /* corner of the first cell                    [m]   */
     long cells[DIM], most; /* cells in use by direction; how many may be     */
     int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
@@ -84,28 +85,37 @@ static bool is_inside(const struct scales *s, enum kind k, const double *x)
     const double margin = k == KIND_FLUID ? 0 : s->support;
 
     for (int d = 0; d < DIM; d++)
-        if (!(x[d] >= s->low[d] - margin && x[d] <= s->high[d] + margin))
+        if (s->period[d] > 0 ? !isfinite(x[d])
+                             : !(x[d] >= s->low[d] - margin && x[d] <= s->high[d] + margin))
             return false;
     return true;
+}
+
+/* How many cells of this size along d: where the domain repeats, they fill it. */
+static double count_along(const struct scales *s, int d, double size)
+{
+    if (s->period[d] > 0)
+        return fmax(floor(s->period[d] / size), 1);
+    return floor((s->high[d] - s->low[d] + 2 * s->support) / size) + 1;
 }
 
 /* Cells of one support, or larger where the domain is large and empty. */
 static void lay_cells(struct crowd *c)
 {
     const struct scales *s = c->p->scales;
-    double count;
+    double count, size = s->support;
 
-    c->size = s->support;
     do {
         count = 1;
         for (int d = 0; d < DIM; d++)
-            count *= floor((s->high[d] - s->low[d] + 2 * s->support) / c->size) + 1;
+            count *= count_along(s, d, size);
         if (count > (double)c->most)
-            c->size *= 1.25;
+            size *= 1.25;
     } while (count > (double)c->most);
     for (int d = 0; d < DIM; d++) {
-        c->low[d] = s->low[d] - s->support;
-        c->cells[d] = (long)((s->high[d] - s->low[d] + 2 * s->support) / c->size) + 1;
+        c->cells[d] = (long)count_along(s, d, size);
+        c->size[d] = s->period[d] > 0 ? s->period[d] / (double)c->cells[d] : size;
+        c->low[d] = s->period[d] > 0 ? s->low[d] : s->low[d] - s->support;
     }
 }
 
@@ -114,7 +124,7 @@ static long cell_of(const struct crowd *c, const double *x)
     long cell = 0;
 
     for (int d = 0; d < DIM; d++) {
-        const long at = (long)((x[d] - c->low[d]) / c->size);
+        const long at = (long)((x[d] - c->low[d]) / c->size[d]);
         cell = cell * c->cells[d] + (at < c->cells[d] ? at : c->cells[d] - 1);
     }
     return cell;
@@ -134,7 +144,9 @@ static void find_cells(struct crowd *c)
     for (int k = 0; k < KINDS; k++)
         for (int i = c->p->from[k]; i < c->p->from[k + 1]; i++) {
             const double *x = c->view.x[k] + DIM * (long)(i - c->p->from[k]);
-            c->cell[i] = is_inside(c->p->scales, (enum kind)k, x) ? cell_of(c, x) : OUTSIDE;
+            double home[DIM];
+            period_home(c->p->scales, x, home);
+            c->cell[i] = is_inside(c->p->scales, (enum kind)k, home) ? cell_of(c, home) : OUTSIDE;
         }
 }
 
@@ -180,31 +192,47 @@ static void count_cell(const struct crowd *c, const double *x, long cell, struct
         const double *y = position(c, c->order[m]);
         const bool fluid = c->order[m] < c->p->from[KIND_FLUID + 1];
         const bool below = y[DIM - 1] < c->p->scales->low[DIM - 1];
-        double r2 = 0;
-        for (int d = 0; d < DIM; d++)
-            r2 += (x[d] - y[d]) * (x[d] - y[d]);
+        const double r2 = period_square(c->p->scales, x, y, DIM);
         to->all += r2 < c->reach2 && (fluid || below);
         to->fluid += r2 < c->reach2 && fluid;
     }
 }
 
-/* The 3^D cells around x: their numbers go to cell, as many are returned.  None
- * where x is further than a cell from all of them. */
-static int around(const struct crowd *c, const double *x, long cell[27])
+/* Cells of one direction that hold x and those beside it; their number. None where x is
+ * further than a cell from all of them. */
+static int along(const struct crowd *c, int d, double x, long at[3])
 {
-    long from[3] = { 0, 0, 0 }, to[3] = { 0, 0, 0 };
+    const double here = floor((x - c->low[d]) / c->size[d]);
     int n = 0;
 
-    for (int d = 0; d < DIM; d++) {
-        const double at = floor((x[d] - c->low[d]) / c->size);
-        from[d] = (long)fmin(fmax(at - 1, 0), (double)c->cells[d]);
-        to[d] = (long)fmax(fmin(at + 1, (double)c->cells[d] - 1), -1);
+    if (c->p->scales->period[d] > 0) {
+        for (long k = -1; k <= 1 && n < c->cells[d]; k++)
+            at[n++] = ((long)here + k + c->cells[d]) % c->cells[d];
+        return n;
     }
-    for (long i = from[0]; i <= to[0]; i++)
-        for (long j = from[1]; j <= to[1]; j++)
-            for (long k = from[2]; k <= to[2]; k++)
-                cell[n++] = DIM == 2 ? i * c->cells[1] + j
-                                     : (i * c->cells[1] + j) * c->cells[DIM - 1] + k;
+    const long from = (long)fmin(fmax(here - 1, 0), (double)c->cells[d]);
+    const long to = (long)fmax(fmin(here + 1, (double)c->cells[d] - 1), -1);
+    for (long k = from; k <= to; k++)
+        at[n++] = k;
+    return n;
+}
+
+/* The 3^D cells around x: their numbers go to cell, as many are returned. */
+static int around(const struct crowd *c, const double *x, long cell[27])
+{
+    long at[3][3] = { { 0 } };
+    int many[3] = { 1, 1, 1 }, n = 0;
+    double home[DIM];
+
+    period_home(c->p->scales, x, home);
+    for (int d = 0; d < DIM; d++)
+        many[d] = along(c, d, home[d], at[d]);
+    for (int i = 0; i < many[0]; i++)
+        for (int j = 0; j < many[1]; j++)
+            for (int k = 0; k < many[2]; k++)
+                cell[n++] = DIM == 2 ? at[0][i] * c->cells[1] + at[1][j]
+                                     : (at[0][i] * c->cells[1] + at[1][j]) * c->cells[DIM - 1]
+                                           + at[2][k];
     return n;
 }
 

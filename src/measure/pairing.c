@@ -2,6 +2,7 @@
 #include "measure/pairing.h"
 
 #include "base/status.h"
+#include "state/period.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,7 +14,7 @@ static const double half = 0.5;
 struct pairing {
     const struct particles *p;
     int n;                 /* fluid                                             */
-    double size;           /* edge of a cell                              [m]   */
+    double size[DIM];      /* edges of a cell                             [m]   */
     long cells[DIM], most; /* cells in use by direction; how many may be        */
     int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
     int *order;            /* [n] fluid cell by cell                            */
@@ -50,36 +51,58 @@ void pairing_free(struct pairing **pairing)
     *pairing = NULL;
 }
 
+/* How many cells of this size along d: where the domain repeats, they fill it. */
+static double count_along(const struct scales *s, int d, double size)
+{
+    const double cells = floor((s->high[d] - s->low[d]) / size);
+
+    return s->period[d] > 0 ? fmax(cells, 1) : cells + 1;
+}
+
 /* Neighbours on a lattice are found in the 3^D cells around; larger cells where the
  * domain is large and empty.  Returns how many there are. */
 static long lay_cells(struct pairing *g)
 {
     const struct scales *s = g->p->scales;
-    double count;
+    double count, size = 1.1 * s->dx;
 
-    g->size = 1.1 * s->dx;
-    for (;; g->size *= 1.25) {
+    for (;; size *= 1.25) {
         count = 1;
         for (int d = 0; d < DIM; d++)
-            count *= floor((s->high[d] - s->low[d]) / g->size) + 1;
+            count *= count_along(s, d, size);
         if (count <= (double)g->most)
             break;
     }
-    for (int d = 0; d < DIM; d++)
-        g->cells[d] = (long)((s->high[d] - s->low[d]) / g->size) + 1;
+    for (int d = 0; d < DIM; d++) {
+        g->cells[d] = (long)count_along(s, d, size);
+        g->size[d] = s->period[d] > 0 ? s->period[d] / (double)g->cells[d] : size;
+    }
     return (long)count;
 }
 
-/* NaN is outside. */
-static long cell_of(const struct pairing *g, const double *x)
+/* Along d; NaN and what is outside: OUTSIDE. */
+static long place_of(const struct pairing *g, int d, const double *x)
 {
     const struct scales *s = g->p->scales;
+    double home[DIM];
+    long at;
+
+    period_home(s, x, home);
+    if (!(home[d] >= s->low[d] && home[d] <= s->high[d]) && !(s->period[d] > 0 && isfinite(x[d])))
+        return OUTSIDE;
+    at = (long)((home[d] - s->low[d]) / g->size[d]);
+    return at < g->cells[d] ? at : g->cells[d] - 1;
+}
+
+static long cell_of(const struct pairing *g, const double *x)
+{
     long cell = 0;
 
     for (int d = 0; d < DIM; d++) {
-        if (!(x[d] >= s->low[d] && x[d] <= s->high[d]))
+        const long at = place_of(g, d, x);
+        if (at == OUTSIDE)
             return OUTSIDE;
-        cell = cell * g->cells[d] + (long)((x[d] - s->low[d]) / g->size);
+        cell = cell * g->cells[d] + at;
     }
     return cell;
 }
@@ -110,15 +133,37 @@ static double nearest_in(const struct pairing *g, const double *x, int i, long c
 {
     for (int k = g->start[cell]; k < g->start[cell + 1]; k++) {
         const int j = g->order[k];
-        double r2 = 0;
-        for (int d = 0; d < DIM; d++) {
-            const double step = x[DIM * (size_t)i + d] - x[DIM * (size_t)j + d];
-            r2 += step * step;
-        }
+        const double r2 = period_square(g->p->scales, x + DIM * (size_t)i, x + DIM * (size_t)j,
+                                        DIM);
         if (j != i && r2 < best)
             best = r2;
     }
     return best;
+}
+
+/* Cells from..to along d are up to `reach` away from that of x; numbers count on beyond
+ * the sides where the domain repeats, but not twice round. */
+static void range_of(const struct pairing *g, int d, const double *x, long reach, long *from,
+                     long *to)
+{
+    const long at = place_of(g, d, x);
+
+    *from = at - reach;
+    *to = at + reach;
+    if (g->p->scales->period[d] > 0) {
+        if (2 * reach + 1 > g->cells[d])
+            *to = *from + g->cells[d] - 1;
+        return;
+    }
+    *from = at > reach ? at - reach : 0;
+    *to = at + reach < g->cells[d] ? at + reach : g->cells[d] - 1;
+}
+
+static long wrapped(const struct pairing *g, int d, long at)
+{
+    const long n = g->cells[d];
+
+    return (at % n + n) % n;
 }
 
 /* ... of the cells up to `reach` cells away. */
@@ -128,16 +173,15 @@ static double nearest_around(const struct pairing *g, const double *x, int i, lo
     long from[3] = { 0, 0, 0 }, to[3] = { 0, 0, 0 };
     double best = s->support * s->support;
 
-    for (int d = 0; d < DIM; d++) {
-        const long at = (long)((x[DIM * (size_t)i + d] - s->low[d]) / g->size);
-        from[d] = at > reach ? at - reach : 0;
-        to[d] = at + reach < g->cells[d] ? at + reach : g->cells[d] - 1;
-    }
+    for (int d = 0; d < DIM; d++)
+        range_of(g, d, x + DIM * (size_t)i, reach, &from[d], &to[d]);
     for (long a = from[0]; a <= to[0]; a++)
         for (long b = from[1]; b <= to[1]; b++)
-            for (long c = from[2]; c <= to[2]; c++)
-                best = nearest_in(g, x, i, DIM == 2 ? a * g->cells[1] + b
-                                  : (a * g->cells[1] + b) * g->cells[DIM - 1] + c, best);
+            for (long c = from[2]; c <= to[2]; c++) {
+                const long row = wrapped(g, 0, a) * g->cells[1] + wrapped(g, 1, b);
+                best = nearest_in(g, x, i, DIM == 2 ? row : row * g->cells[DIM - 1]
+                                                                + wrapped(g, DIM - 1, c), best);
+            }
     return best;
 }
 
@@ -145,10 +189,12 @@ static double nearest_around(const struct pairing *g, const double *x, int i, lo
 static double nearest(const struct pairing *g, const double *x, int i)
 {
     const double far = g->p->scales->support;
-    double r2 = nearest_around(g, x, i, 1);
+    double r2 = nearest_around(g, x, i, 1), size = g->size[0];
 
-    if (r2 > g->size * g->size) /* a cell further away somebody may be nearer */
-        r2 = nearest_around(g, x, i, (long)ceil(far / g->size));
+    for (int d = 1; d < DIM; d++)
+        size = fmin(size, g->size[d]);
+    if (r2 > size * size) /* a cell further away somebody may be nearer */
+        r2 = nearest_around(g, x, i, (long)ceil(far / size));
     return r2 < far * far ? sqrt(r2) : INFINITY;
 }
 

@@ -1,32 +1,34 @@
 /* probe.c -- gauges: pressure, velocity, height of the water. */
 #include "measure/probe.h"
 
+#include "state/period.h"
+
 #include <math.h>
 
 /* Wendland's C2 function without its constant, which a mean does not need. */
-static double weight(const double *x, const double *y, double support)
+static double weight(const struct scales *s, const double *x, const double *y)
 {
-    double r2 = 0, rest;
+    const double r2 = period_square(s, x, y, DIM);
+    double rest;
 
-    for (int d = 0; d < DIM; d++)
-        r2 += (x[d] - y[d]) * (x[d] - y[d]);
-    if (!(r2 < support * support))
+    if (!(r2 < s->support * s->support))
         return 0;
-    rest = 1 - sqrt(r2) / support;
+    rest = 1 - sqrt(r2) / s->support;
     return rest * rest * rest * rest * (5 - 4 * rest);
 }
 
 /* Weighted sums around x of value [count of fluid][components]. */
 struct mean {
+    const struct scales *scales;
     const double *x, *y, *value;
-    double support, weight, sum[DIM];
+    double weight, sum[DIM];
     int components;
 };
 
 static void add(void *self, int i)
 {
     struct mean *m = self;
-    const double w = weight(m->x, m->y + DIM * (long)i, m->support);
+    const double w = weight(m->scales, m->x, m->y + DIM * (long)i);
 
     m->weight += w;
     for (int k = 0; w > 0 && k < m->components; k++)
@@ -37,8 +39,8 @@ static struct mean mean_make(const struct crowd *c, const double *value, int com
                              const double *x)
 {
     const struct view *v = crowd_view(c);
-    struct mean m = { .x = x, .y = v->x[KIND_FLUID], .value = value,
-                      .support = v->p->scales->support, .components = components };
+    struct mean m = { .scales = v->p->scales, .x = x, .y = v->x[KIND_FLUID], .value = value,
+                      .components = components };
 
     crowd_near(c, x, add, &m);
     return m;
@@ -68,13 +70,9 @@ void probe_velocity(const struct crowd *c, const double *x, double *u)
         u[d] = m.weight > 0 ? m.sum[d] / m.weight : 0;
 }
 
-static bool is_near(const double *x, const double *y, int axes, double support)
+static bool is_near(const struct scales *s, const double *x, const double *y, int axes)
 {
-    double r2 = 0;
-
-    for (int d = 0; d < axes; d++)
-        r2 += (x[d] - y[d]) * (x[d] - y[d]);
-    return r2 <= support * support;
+    return period_square(s, x, y, axes) <= s->support * s->support;
 }
 
 double probe_height(const struct crowd *c, const double *x, int axes)
@@ -86,7 +84,7 @@ double probe_height(const struct crowd *c, const double *x, int axes)
 
     for (int i = 0; i < n; i++) {
         const double *y = v->x[KIND_FLUID] + DIM * (long)i;
-        if (y[DIM - 1] > best && is_near(x, y, axes, s->support) && crowd_is_water(c, i))
+        if (y[DIM - 1] > best && is_near(s, x, y, axes) && crowd_is_water(c, i))
             best = y[DIM - 1];
     }
     return best - s->low[DIM - 1];

@@ -32,6 +32,14 @@ static int check_part(const struct plan *p, const struct scene *scene, const str
     return STATUS_DONE;
 }
 
+static bool repeats(const struct plan *p)
+{
+    for (int d = 0; d < DIM; d++)
+        if (p->scales.period[d] > 0)
+            return true;
+    return false;
+}
+
 /* Every field that a part needs, some part must provide. */
 static int check_needs(const struct plan *p, const struct scene *scene)
 {
@@ -42,6 +50,10 @@ static int check_needs(const struct plan *p, const struct scene *scene)
     for (int i = 0; i < p->parts; i++) {
         const unsigned missing = p->part[i].part->needs & ~provided;
         TRY(check_part(p, scene, &p->part[i]));
+        if (p->part[i].part->placed && repeats(p))
+            return status_fail(STATUS_BAD_SCENE, "%s: %s depends on the place, and so does not go "
+                               "with domain.periodic; leave one of them out", scene_path(scene),
+                               p->part[i].path);
         if (missing & FIELD_DENSITY)
             return status_fail(STATUS_BAD_SCENE, "%s: %s (%s) needs a density, which no effect "
                                "provides: name effects.continuity = { }", scene_path(scene),

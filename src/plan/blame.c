@@ -3,6 +3,7 @@
 #include "plan/observe.h"
 
 #include "base/status.h"
+#include "state/period.h"
 #define LANES 2 /* only sizes without lanes are used here */
 #include "space/pairs.h"
 
@@ -82,9 +83,11 @@ static void tell(const struct plan *p, const struct view *v, const struct plan_w
                  int slot, const struct plan_part *part, double a, char *text, size_t room)
 {
     const int c = w->list->order[slot];
-    const double *x = v->x[KIND_FLUID] + (size_t)c * DIM, *u = v->u[KIND_FLUID] + (size_t)c * DIM;
+    const double *u = v->u[KIND_FLUID] + (size_t)c * DIM;
     char z[32] = "", mass[160] = "";
+    double x[DIM];
 
+    period_home(&p->scales, v->x[KIND_FLUID] + (size_t)c * DIM, x);
     if (DIM == 3)
         snprintf(z, sizeof z, ", %g", x[DIM - 1]);
     doubt_mass(p, mass, sizeof mass);

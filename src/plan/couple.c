@@ -71,8 +71,8 @@ static void assemble(const struct couple_job *job, const double *record)
 {
     const struct list *list = job->list;
 
-    memset(job->diagonal, 0, (size_t)list->listed * sizeof *job->diagonal);
-    memset(job->firm, 0, (size_t)list->listed * sizeof *job->firm);
+    memset(job->diagonal, 0, (size_t)list->start[KINDS] * sizeof *job->diagonal);
+    memset(job->firm, 0, (size_t)list->start[KINDS] * sizeof *job->firm);
 #pragma omp parallel if (list->listed > WORTH_THREADS)
     {
         struct block b;

@@ -24,17 +24,18 @@ struct couple_job {
     unsigned needs;                  /* NEED_ bits                              */
     const struct kernel_use *kernel;
     double *c;                       /* [rows of the list][lanes]               */
-    double *diagonal;                /* [listed] sum of an owner's c, 0 where
+    double *diagonal;                /* [particles] sum of an owner's c, 0 where
                                         nobody acts                             */
-    double *firm;                    /* [listed] of the fluid: its part with solids,
+    double *firm;                    /* [particles] of the fluid: its part with solids,
                                         else as diagonal                        */
 };
 
 struct couple_engine {
     void (*assemble)(const struct couple_job *job, const double *record);
 
-    /* f [listed][DIM] of owners of these kinds (bits); others are not touched.
-     * velocity [listed + 1][COUPLE_STRIDE] by slot, 16-byte aligned, the dummy's too. */
+    /* f [particles][DIM] of owners of these kinds (bits); others are not touched.
+     * velocity [listed + 1][COUPLE_STRIDE] by slot, 16-byte aligned, those of images and of
+     * the dummy, too. */
     void (*multiply)(const struct couple_job *job, unsigned kinds, const double *velocity,
                      double *f);
 };

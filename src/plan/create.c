@@ -259,6 +259,12 @@ static void make_list_def(struct plan *p)
         const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx + reach[i];
         d->low[i] = p->scales.low[i] - room;
         d->high[i] = p->scales.high[i] + room;
+        if (p->scales.period[i] > 0) {
+            d->period[i] = p->scales.period[i];
+            d->side[i] = p->scales.low[i];
+            d->low[i] = -HUGE_VAL;
+            d->high[i] = HUGE_VAL;
+        }
     }
 }
 

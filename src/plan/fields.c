@@ -21,9 +21,9 @@ static int update_list(struct plan *p, struct plan_workspace *w, const struct vi
 
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
-    return p->engine->sum->list->update(w->list, &cloud) == STATUS_DONE
-               ? STATUS_DONE
-               : refuse_position(p, w->list, v->t);
+    if (p->engine->sum->list->update(w->list, &cloud) != STATUS_DONE)
+        return refuse_position(p, w->list, v->t);
+    return plan_workspace_fit(p, w);
 }
 
 /* Who has left the domain meets nobody: the density at rest. */

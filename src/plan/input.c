@@ -236,6 +236,9 @@ static void frame_of(const struct input *in, struct shape *s)
     memcpy(s->high, in->domain.to, sizeof s->high);
     s->thickness = ceil(in->kernel.support) * in->set.spacing;
     s->open = in->domain.open | (in->domain.lid ? 0 : shape_side(DIM - 1, true));
+    for (int d = 0; d < DIM; d++)
+        if (in->domain.periodic & 1u << d)
+            s->open |= shape_side(d, false) | shape_side(d, true);
 }
 
 static int read_walls(struct scene *scene, struct input *in)
@@ -279,6 +282,10 @@ static int read_probes(struct scene *scene, struct input *in)
         snprintf(p->name, sizeof p->name, "%s", scene_name(node));
         snprintf(path, sizeof path, "probe.%s", p->name);
         TRY(scene_fill(scene, node, path, settings_probe_params, NULL, DIM, &p->set));
+        if (in->domain.periodic & 1u << (DIM - 1) && strcmp(p->set.what, "height") == 0)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s: there is no height where the vertical "
+                               "repeats (domain.periodic); take what = \"pressure\" or "
+                               "\"velocity\"", scene_where(node), path);
     }
     return STATUS_DONE;
 }

@@ -60,7 +60,8 @@ struct plan_field {
  * own; the rest it shares with the run, as one evaluation is over before the next. */
 struct plan_workspace {
     struct list *list;
-    double *record;  /* [n+1][RECORD], 64-byte aligned                        */
+    double *record;  /* [slots][RECORD], 64-byte aligned                      */
+    size_t slots;    /* room for so many; with images it may grow             */
     double *f;       /* [n][DIM] by slot                                      */
     double *drho;    /* [n] by slot                                           */
     double *power;   /* [slots]                                               */
@@ -121,6 +122,7 @@ void plan_fields_make(struct plan *p);
 /* workspace.c */
 int plan_workspace_make(struct plan *p, struct plan_workspace *w);
 void plan_workspace_free(struct plan *p, struct plan_workspace *w);
+int plan_workspace_fit(struct plan *p, struct plan_workspace *w); /* after a rebuild */
 int plan_observer_make(struct plan *p);
 void plan_observer_free(struct plan *p);
 

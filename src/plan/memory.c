@@ -13,6 +13,7 @@ struct count {
     double fluid, solid; /* particles                                           */
     double numbers;      /* in y                                                */
     double entries;      /* in the rows of one pair list                        */
+    double slots;        /* of a particle, images included                      */
     int vectors;         /* of the size of y, of the method                     */
     bool fields;         /* densities are summed                                */
     bool viscous;        /* a viscosity is implicit                             */
@@ -34,6 +35,18 @@ static double neighbours_of_wall(const struct plan *p)
     return (DIM == 2 ? 2 * r * r * r / 3 : M_PI / 4 * r * r * r * r) / ceil(p->in.kernel.support);
 }
 
+/* Slots of a particle: itself, and its images near periodic sides. */
+static double slots(const struct plan *p)
+{
+    const double reach = (1 + p->in.kernel.skin) * p->scales.support;
+    double all = 1;
+
+    for (int d = 0; d < DIM; d++)
+        if (p->scales.period[d] > 0)
+            all *= 1 + 2 * reach / p->scales.period[d];
+    return all;
+}
+
 /* A frame is held twice, once while its file is made with three components, cells
  * and ids, and the file itself twice (output/fields-file.c). */
 static double outputs(const struct count *c)
@@ -48,8 +61,10 @@ static double outputs(const struct count *c)
 /* Coefficients of pairs, velocities and their sums by slot, y of a stage, vectors. */
 static double viscous(const struct count *c)
 {
-    return c->viscous ? 8 * (1.25 * c->entries + (c->fluid + c->solid) * (COUPLE_STRIDE + 2)
-                             + c->numbers + c->fluid * DIM * VISCOUS_VECTORS)
+    const double n = c->fluid + c->solid;
+
+    return c->viscous ? 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2) + c->numbers
+                             + c->fluid * DIM * VISCOUS_VECTORS)
                       : 0;
 }
 
@@ -59,8 +74,9 @@ static void estimate(const struct count *c, struct plan_memory *m)
 
     *m = (struct plan_memory){
         .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
-        .lists = 2 * list_bytes(n, c->entries),
-        .sums = 8 * n * (RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0)) + viscous(c),
+        .lists = 2 * list_bytes(n, n * c->slots, c->entries),
+        .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
+              + viscous(c),
         .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
         .outputs = outputs(c),
     };
@@ -74,7 +90,7 @@ void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
         .entries = p->main.list && p->main.list->builds > 0
                        ? list_entries(p->main.list)
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
-        .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
+        .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
     };
 
     estimate(&c, out);
@@ -89,7 +105,8 @@ double plan_memory_each(const struct plan *p, bool fluid)
 {
     const struct count c = {
         .fluid = fluid, .solid = !fluid, .numbers = fluid ? 2 * DIM + 1 : 1,
-        .entries = fluid ? neighbours(p) : neighbours_of_wall(p), .vectors = USUAL_VECTORS,
+        .entries = fluid ? neighbours(p) : neighbours_of_wall(p), .slots = slots(p),
+        .vectors = USUAL_VECTORS,
     };
     struct plan_memory m;
 

@@ -182,7 +182,7 @@ double plan_speed_expected(const struct plan *p)
         double low[DIM], high[DIM];
         shape_bounds(&p->in.fluid[i].set.shape, low, high);
         for (int d = 0; d < DIM; d++) {
-            const double g = p->scales.g[d];
+            const double g = p->scales.period[d] > 0 ? 0 : p->scales.g[d];
             fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
                                                : p->scales.high[d] - low[d]));
         }

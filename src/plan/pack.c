@@ -4,10 +4,12 @@
 
 #include "base/status.h"
 #include "space/record.h"
+#include "state/period.h"
 
 #include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { CHUNK = 128 };
 
@@ -15,12 +17,23 @@ enum { CHUNK = 128 };
  * these is within the support of a kernel. */
 static void write_far(const struct plan *p, int number, double *r)
 {
+    const double edge = p->scales.period[0] > 0 ? p->scales.high[0] : p->list_def.high[0];
+
     for (int i = 0; i < RECORD; i++)
         r[i] = 0;
-    r[RECORD_X] = p->list_def.high[0] + (10.0 + 2.0 * number) * p->scales.support;
+    r[RECORD_X] = edge + (10.0 + 2.0 * number) * p->scales.support;
     r[RECORD_RHO] = p->scales.rho0;
     r[RECORD_M] = 1;
     r[RECORD_IRHO] = 1 / p->scales.rho0;
+}
+
+static void write_place(double *r, const double *x)
+{
+    r[RECORD_X] = x[0];
+    r[RECORD_X + 1] = x[1];
+#if DIM == 3
+    r[RECORD_Z] = x[2];
+#endif
 }
 
 static void write_record(double *r, const double *x, const double *u, double rho, double press,
@@ -28,12 +41,10 @@ static void write_record(double *r, const double *x, const double *u, double rho
 {
     const double irho = 1 / rho;
 
-    r[RECORD_X] = x[0];
-    r[RECORD_X + 1] = x[1];
+    write_place(r, x);
     r[RECORD_V] = u[0];
     r[RECORD_V + 1] = u[1];
 #if DIM == 3
-    r[RECORD_Z] = x[2];
     r[RECORD_VZ] = u[2];
 #endif
     r[RECORD_RHO] = rho;
@@ -72,6 +83,39 @@ static int pack_chunk(const struct plan *p, struct plan_workspace *w, const stru
     return -1;
 }
 
+/* Slots from..to-1 of kind k stand whole lengths from their positions, and images have
+ * all else of their originals. */
+static void move_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
+                       int k, int from, int to)
+{
+    const struct list *l = w->list;
+
+    for (int s = from; s < to; s++) {
+        const int c = l->order[s], original = l->slot[c];
+        const double *x = v->x[k] + (size_t)(c - v->p->from[k]) * DIM;
+        double *r = w->record + (size_t)s * RECORD, place[DIM];
+        if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
+            write_far(p, s + 1, r);
+            continue;
+        }
+        if (s != original)
+            memcpy(r, w->record + (size_t)original * RECORD, RECORD * sizeof *r);
+        for (int d = 0; d < DIM; d++)
+            place[d] = x[d] + l->offset[s][d];
+        write_place(r, place);
+    }
+}
+
+static void move(const struct plan *p, struct plan_workspace *w, const struct view *v, int k,
+                 const int *start)
+{
+    const int from = start[k], to = start[k + 1];
+
+#pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
+    for (int s = from; s < to; s += CHUNK)
+        move_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+}
+
 static int refuse_density(struct plan *p, const struct plan_workspace *w, const struct view *v,
                           int slot)
 {
@@ -79,9 +123,10 @@ static int refuse_density(struct plan *p, const struct plan_workspace *w, const 
     const int c = w->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
     const int i = c - v->p->from[o->kind];
-    const double *x = v->x[o->kind] + (size_t)i * DIM;
+    double x[DIM];
     char z[32] = "";
 
+    period_home(&p->scales, v->x[o->kind] + (size_t)i * DIM, x);
     if (DIM == 3)
         snprintf(z, sizeof z, ", %g", x[DIM - 1]);
     snprintf(p->refusal, sizeof p->refusal,
@@ -108,6 +153,10 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
             for (int old = bad; at >= 0 && at < old;) /* keep the smallest slot */
                 if (atomic_compare_exchange_weak(&bad, &old, at))
                     break;
+        }
+        if (l->offset) {
+            move(p, w, v, k, l->start);
+            move(p, w, v, k, l->image);
         }
     }
     write_far(p, 0, w->record + (size_t)l->listed * RECORD);

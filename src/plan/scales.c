@@ -8,6 +8,17 @@
 #include <math.h>
 #include <string.h>
 
+static bool repeats(const struct plan *p, int d)
+{
+    return p->in.domain.periodic & 1u << d;
+}
+
+/* Is there a depth along d? */
+static bool weighs(const struct plan *p, int d)
+{
+    return p->in.set.gravity[d] != 0 && !repeats(p, d);
+}
+
 /* Highest minus lowest point of all fluid along gravity [m]. */
 static double fluid_height(const struct plan *p)
 {
@@ -20,7 +31,7 @@ static double fluid_height(const struct plan *p)
             least = fmin(least, low[d]);
             most = fmax(most, high[d]);
         }
-        if (p->in.set.gravity[d] != 0 && p->in.fluids > 0)
+        if (weighs(p, d) && p->in.fluids > 0)
             best = fmax(best, most - least);
     }
     return best;
@@ -32,11 +43,13 @@ static int make_sound(struct plan *p, struct scene *scene)
     double g2 = 0;
 
     for (int d = 0; d < DIM; d++)
-        g2 += p->in.set.gravity[d] * p->in.set.gravity[d];
+        if (weighs(p, d))
+            g2 += p->in.set.gravity[d] * p->in.set.gravity[d];
     if (isnan(e->c0)) {
         if (p->in.fluids > 0 && g2 == 0)
-            return status_fail(STATUS_BAD_SCENE, "%s: eos.c0 is needed: without gravity the sound "
-                               "speed cannot be computed; take 10 times the largest speed that "
+            return status_fail(STATUS_BAD_SCENE, "%s: eos.c0 is needed: without gravity (along a "
+                               "direction that is not periodic) the sound speed cannot be "
+                               "computed; take 10 times the largest speed that "
                                "you expect", scene_path(scene));
         e->c0 = p->in.fluids > 0 ? 10 * sqrt(2 * sqrt(g2) * fluid_height(p)) : 1;
         scene_computed(scene, "eos", "c0", e->c0);
@@ -44,6 +57,25 @@ static int make_sound(struct plan *p, struct scene *scene)
     if (isnan(p->in.reference.speed)) {
         p->in.reference.speed = e->c0 / 10;
         scene_computed(scene, "reference", "speed", p->in.reference.speed);
+    }
+    return STATUS_DONE;
+}
+
+/* Who meets somebody must not meet its image, too, nor its own. */
+static int make_periods(struct plan *p, const struct scene *scene)
+{
+    const struct scene_node *domain = scene_child(scene_root(scene), "domain");
+    const double least = 2 * (1 + p->in.kernel.skin) * p->scales.support;
+
+    for (int d = 0; d < DIM; d++) {
+        const double length = p->scales.high[d] - p->scales.low[d];
+        p->scales.period[d] = repeats(p, d) ? length : 0;
+        if (repeats(p, d) && p->scales.fluid && !(length >= least))
+            return status_fail(STATUS_BAD_SCENE, "%s: domain.periodic: along %c the domain is %g m "
+                               "long, but a direction that repeats needs at least %g m, 2 (kernel."
+                               "support + its skin), so that no particle meets another twice; make "
+                               "it longer or the spacing smaller", scene_where(domain), "xyz"[d],
+                               length, least);
     }
     return STATUS_DONE;
 }
@@ -77,5 +109,5 @@ int plan_scales_make(struct plan *p, struct scene *scene)
         s->low[d] = isnan(p->in.domain.from[d]) ? 0 : p->in.domain.from[d];
         s->high[d] = isnan(p->in.domain.to[d]) ? 0 : p->in.domain.to[d];
     }
-    return STATUS_DONE;
+    return make_periods(p, scene);
 }

@@ -11,6 +11,7 @@ static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_wor
 
 static const char *const norm_words[] = { "max", "p8", "wrms", NULL };
 static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
+static const char *const axis_words[] = { "x", "y", DIM == 3 ? "z" : NULL, NULL };
 static const char *const probe_words[] = { "pressure", "height", "velocity", NULL };
 
 #define AT(type, member) .offset = offsetof(struct type, member)
@@ -69,6 +70,9 @@ const struct param settings_domain_params[] = {
       .max = 1, .about = "whether a frame closes the top" },
     { .key = "open", .unit = "", .type = PARAM_WORDS, AT(settings_domain, open),
       .words = shape_sides, .about = "sides on which a frame has no wall" },
+    { .key = "periodic", .unit = "", .type = PARAM_WORDS, AT(settings_domain, periodic),
+      .words = axis_words, .about = "directions that repeat: what leaves through one side comes in "
+      "through the other; no frame there" },
     { 0 },
 };
 

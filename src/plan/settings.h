@@ -32,6 +32,7 @@ struct settings_domain {
     double from[3], to[3]; /* [m] */
     bool lid;
     unsigned open; /* sides without wall, bits of shape_side() */
+    unsigned periodic; /* directions that repeat, bit d for number d */
 };
 
 struct settings_reference {

@@ -14,7 +14,7 @@ static double depth_pressure(const struct plan *p, int f, const double *x)
 
     shape_bounds(&s->shape, low, high);
     for (int d = 0; d < DIM; d++) {
-        const double g = p->scales.g[d];
+        const double g = p->scales.period[d] > 0 ? 0 : p->scales.g[d];
         double top = g < 0 ? high[d] : low[d];
         if (d == DIM - 1 && !isnan(s->surface))
             top = s->surface;

@@ -33,8 +33,8 @@ struct sum_job {
                                           for later != 0, NULL: velocities stay */
     double gamma, bulk;                /* dp/drho = (gamma p + bulk)/rho, 0 for */
     bool clamped;                      /* p = 0 if clamped; for later != 0    */
-    double *f;                         /* [listed][DIM] force on a slot [N]   */
-    double *drho;                      /* [listed] rate of density of a slot
+    double *f;                         /* [particles][DIM] force on a slot [N] */
+    double *drho;                      /* [particles] rate of density of a slot
                                           [kg/m^D/s]: divided by the mass     */
     double *power;                     /* [slots] v.f + p2 m drho over all
                                           owners [W]                          */
@@ -49,7 +49,7 @@ struct sum_field_job {
     pairs_field *gather;
     const void *self;
     const struct kernel_use *kernel;
-    double (*sum)[2 + DIM];          /* [listed] of owners; others untouched  */
+    double (*sum)[2 + DIM];          /* [particles] of owners; others untouched */
 };
 
 /* Starts as { 0 }; memory is taken at the first call and after a rebuild that

@@ -34,6 +34,8 @@ static void spread(struct plan *p, const double *x, bool walls)
         }
         w += viscous_body(p, i);
     }
+    for (int s = l->image[0]; s < l->listed; s++)
+        memcpy(to[s], to[l->slot[l->order[s]]], sizeof to[s]);
     memset(to[l->listed], 0, sizeof to[0]);
 }
 

@@ -37,22 +37,6 @@ static void set_stage(struct plan *p, double gamma, const double *r)
     }
 }
 
-static int make_room(struct viscous *u)
-{
-    const struct list *l = u->job.list;
-    const size_t want = (size_t)l->rows_before[l->groups] * (size_t)l->lanes;
-    double *c;
-
-    if (want <= u->room)
-        return STATUS_DONE;
-    c = realloc(u->job.c, (want + want / 4) * sizeof *c);
-    if (!c)
-        return status_fail(STATUS_FAILED, "no memory for the coefficients of %s", u->part->path);
-    u->job.c = c;
-    u->room = want + want / 4;
-    return STATUS_DONE;
-}
-
 /* The matrix and the first residual, at the places of the stage. */
 static int set_system(struct plan *p, double t, double gamma, const double *r)
 {
@@ -64,7 +48,7 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
 
     plan_view_make(p, t, u->stage, &v);
     TRY(plan_fields(p, &p->main, &v));
-    TRY(make_room(u));
+    TRY(viscous_fit(u));
     p->engine->couple->assemble(&u->job, p->main.record);
     p->counts.passes++;
     TRY(viscous_join(p, gamma));
@@ -136,7 +120,7 @@ static double power(struct plan *p, double gamma)
         for (int k = s * DIM; k < (s + 1) * DIM; k++)
             sum += u->x[k] * (p->particles->m[l->order[s]] * u->x[k] - u->right[k]
                               + u->residual[k]) / gamma;
-    for (int s = n; s < l->listed; s++)
+    for (int s = n; s < l->start[KINDS]; s++)
         for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
             sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
                    * p->main.f[(size_t)s * DIM + (size_t)d];

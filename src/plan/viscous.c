@@ -34,7 +34,8 @@ static int take_memory(struct plan *p, struct viscous *u)
     double **vector[] = { &u->v, &u->right, &u->x, &u->residual, &u->near, &u->search, &u->image,
                           &u->guess, &u->guess_image };
 
-    u->velocity = lines((n + 1) * COUPLE_STRIDE);
+    u->slots = n + 1;
+    u->velocity = lines(u->slots * COUPLE_STRIDE);
     u->job.diagonal = numbers(n);
     u->job.firm = numbers(n);
     u->stage = numbers((size_t)plan_size(p));
@@ -50,6 +51,29 @@ static int take_memory(struct plan *p, struct viscous *u)
     for (int i = 0; i < VISCOUS_STARTS + VISCOUS_STAGES; i++) {
         struct viscous_past *to = i < VISCOUS_STARTS ? &u->start[i] : &u->past[i - VISCOUS_STARTS];
         if (!(to->v = numbers(all)))
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+int viscous_fit(struct viscous *u)
+{
+    const struct list *l = u->job.list;
+    const size_t want = (size_t)l->rows_before[l->groups] * (size_t)l->lanes;
+    const size_t slots = (size_t)l->listed + 1;
+
+    if (want > u->room) {
+        double *c = realloc(u->job.c, (want + want / 4) * sizeof *c);
+        if (!c)
+            return status_fail(STATUS_FAILED, "no memory for the coefficients of %s",
+                               u->part->path);
+        u->job.c = c;
+        u->room = want + want / 4;
+    }
+    if (slots > u->slots) {
+        free(u->velocity);
+        u->slots = slots + slots / 8;
+        if (!(u->velocity = lines(u->slots * COUPLE_STRIDE)))
             return STATUS_FAILED;
     }
     return STATUS_DONE;

@@ -22,9 +22,10 @@ struct viscous {
     struct pairs_table *table;   /* [KINDS][KINDS] its law alone               */
     struct couple_job job;
     size_t room;                 /* for so many c                              */
+    size_t slots;                /* for so many velocities by slot             */
     double tol;                  /* error in units of scales that a step may have */
     int fluid, unknowns;         /* entries of the fluid's velocity; of all    */
-    double *velocity;            /* [n + 1][COUPLE_STRIDE] by slot             */
+    double *velocity;            /* [slots][COUPLE_STRIDE]                     */
     double *stage;               /* [size] y as far as it is known             */
     double *v, *right, *x, *residual, *near, *search, *image; /* [unknowns]     */
     double *guess, *guess_image; /* [unknowns] w, A w of viscous-gradients.c    */
@@ -38,6 +39,7 @@ struct viscous {
 /* viscous.c: p->viscous, when the scene asks for one. */
 int viscous_make(struct plan *p);
 void viscous_free(struct plan *p);
+int viscous_fit(struct viscous *u); /* after a rebuild */
 int viscous_rates(struct plan *p, double t, const double *y, double *ydot);
 
 /* After w->f and w->power are those of the implicit law: rates of the book but for

@@ -27,7 +27,8 @@ int plan_workspace_make(struct plan *p, struct plan_workspace *w)
     if (n == 0) /* a beam alone: no pairs */
         return STATUS_DONE;
     TRY(p->engine->sum->list->create(&w->list, &p->list_def));
-    w->record = lines((n + 1) * RECORD);
+    w->slots = n + 1;
+    w->record = lines(w->slots * RECORD);
     w->f = lines(n * DIM);
     w->drho = lines(n);
     w->power = lines(p->slots + 1);
@@ -38,6 +39,26 @@ int plan_workspace_make(struct plan *p, struct plan_workspace *w)
             return STATUS_FAILED;
     }
     return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* The observer shares the run's records: both get those with more room. */
+int plan_workspace_fit(struct plan *p, struct plan_workspace *w)
+{
+    const size_t want = (size_t)w->list->listed + 1, slots = want + want / 8;
+    struct plan_workspace *const all[] = { &p->main, &p->observer, w };
+    double *old = w->record, *record;
+
+    if (want <= w->slots)
+        return STATUS_DONE;
+    if (!(record = lines(slots * RECORD)))
+        return STATUS_FAILED;
+    for (int i = 0; i < 3; i++)
+        if (all[i]->record == old) {
+            all[i]->record = record;
+            all[i]->slots = slots;
+        }
+    free(old);
+    return STATUS_DONE;
 }
 
 void plan_workspace_free(struct plan *p, struct plan_workspace *w)

@@ -8,6 +8,7 @@
 #include "output/snapshot.h"
 #include "run/columns.h"
 #include "run/tables.h"
+#include "state/period.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -124,11 +125,12 @@ static void frame_of(struct outputs *o, struct plan *plan, double t, const doubl
     struct view v;
 
     plan_view(plan, t, y, &v);
-    for (int k = 0; k < KINDS; k++) {
+    for (int k = 0; k < KINDS; k++) { /* everybody where the domain has it */
         const size_t from = all->from[k], n = particles_count(all, k);
         if (n == 0)
             continue;
-        memcpy(o->x + from * DIM, v.x[k], n * DIM * sizeof *o->x);
+        for (size_t i = 0; i < n; i++)
+            period_home(plan_scales(plan), v.x[k] + i * DIM, o->x + (from + i) * DIM);
         memcpy(o->u + from * DIM, v.u[k], n * DIM * sizeof *o->u);
         for (size_t i = 0; i < n; i++)
             o->rho[from + i] = v.rho[k] ? v.rho[k][i] : plan_scales(plan)->rho0;

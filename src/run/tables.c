@@ -98,9 +98,13 @@ static int open_probes(struct tables *o, struct plan *plan, const char *dir, str
 
 static int open_front(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
 {
+    const struct scales *s = plan_scales(plan);
+
     if (particles_count(plan_particles(plan), KIND_FLUID) == 0)
         return columns_none(dir, "front.csv");
     TRY(crowd_create(plan_particles(plan), &o->crowd));
+    if (s->period[0] > 0 || s->period[DIM - 1] > 0) /* no foremost, no highest */
+        return columns_none(dir, "front.csv");
     columns_start(h);
     columns_add(h, "m", "x");
     columns_add(h, "m", "height");
@@ -237,6 +241,8 @@ static int row_front(struct tables *o, double t)
 {
     struct front front;
 
+    if (!o->front)
+        return STATUS_DONE;
     front_find(o->crowd, &front);
     return series_row(o->front, (double[]){ t, front.x, front.height });
 }

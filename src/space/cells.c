@@ -19,6 +19,8 @@ enum { WORTH_THREADS = 4096 };
 
 static const double *position(const struct list *list, const struct cloud *cloud, int kind, int i)
 {
+    if (list->own->images.home)
+        return list->own->images.home[i];
     return cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
 }
 
@@ -67,14 +69,14 @@ static double resize(struct cells *c, const double *high, double radius, double 
     }
 }
 
-static int make_grid(struct list *list, struct cells *c, const double *high, int inside)
+int cells_grid(struct list *list, struct cells *c, const double *high, int n)
 {
     const double radius = list->def.support + list->def.skin;
     size_t cells = 0;
 
     memset(c->n, 0, sizeof c->n);
-    if (inside > 0) {
-        cells = (size_t)resize(c, high, radius, 8.0 * inside + 4096);
+    if (n > 0) {
+        cells = (size_t)resize(c, high, radius, 8.0 * n + 4096);
         for (int d = 0; d < DIM; d++)
             c->n[d] = (int)((high[d] - c->low[d]) * c->per_metre[d]) + 1;
     }
@@ -84,8 +86,8 @@ static int make_grid(struct list *list, struct cells *c, const double *high, int
     return STATUS_DONE;
 }
 
-/* Number of the cell that holds x, along the plough's way. */
-static int rank(const struct cells *c, const double *x)
+/* Along the plough's way. */
+int cells_rank(const struct cells *c, const double *x)
 {
     int at[DIM], row;
 
@@ -99,24 +101,30 @@ static int rank(const struct cells *c, const double *x)
     return row * c->n[0] + (row % 2 ? c->n[0] - 1 - at[0] : at[0]);
 }
 
-/* Counts into start[cell + 2], so that after placing start[cell] is right. */
+/* Counts are in start[cell + 2], so that after placing start[cell] is right. */
+void cells_add_up(struct cells *c, int first)
+{
+    size_t cells = 1;
+
+    for (int d = 0; d < DIM; d++)
+        cells *= (size_t)c->n[d];
+    c->start[0] = c->start[1] = first;
+    for (size_t k = 2; k <= cells + 1; k++)
+        c->start[k] += c->start[k - 1];
+}
+
 static void count(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
     const int from = list->def.from[kind], to = list->def.from[kind + 1];
-    size_t cells = 1;
 
 #pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS)
     for (int i = from; i < to; i++)
         if (list->slot[i] >= 0)
-            list->slot[i] = rank(c, position(list, cloud, kind, i));
+            list->slot[i] = cells_rank(c, position(list, cloud, kind, i));
     for (int i = from; i < to; i++)
         if (list->slot[i] >= 0)
             c->start[list->slot[i] + 2]++;
-    for (int d = 0; d < DIM; d++)
-        cells *= (size_t)c->n[d];
-    c->start[0] = c->start[1] = list->start[kind];
-    for (size_t k = 2; k <= cells + 1; k++)
-        c->start[k] += c->start[k - 1];
+    cells_add_up(c, list->start[kind]);
 }
 
 /* Two coordinates (one, if no more are left) as the scan compares them. */
@@ -126,6 +134,14 @@ static int word(const double *x, int left, double per_metre)
     const unsigned high = left > 1 ? (unsigned)(long long)(x[1] * per_metre) : 0;
 
     return (int)(high << 16 | (low & 0xffff));
+}
+
+void cells_note(struct list *list, int slot, const double *x)
+{
+    struct list_private *own = list->own;
+
+    for (int w = 0; w < LIST_WORDS; w++)
+        own->place[w][slot] = word(x + 2 * w, DIM - 2 * w, own->per_metre);
 }
 
 /* Slots in turn, cell by cell. */
@@ -143,19 +159,17 @@ static void place(struct list *list, int kind, struct cells *c)
 /* Where everybody is, now that all slots are known. */
 static void note_places(struct list *list, const struct cloud *cloud, int kind)
 {
-    const double per_metre = LIST_UNITS / (list->def.support + list->def.skin);
     const int from = list->def.from[kind], to = list->def.from[kind + 1];
-    struct list_private *own = list->own;
 
 #pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS)
     for (int i = from; i < to; i++) {
-        const double *x = position(list, cloud, kind, i);
-        double *built = own->built + (size_t)DIM * (size_t)i;
+        const double *x = cloud->x[kind] + (size_t)DIM * (size_t)(i - from);
+        double *built = list->own->built + (size_t)DIM * (size_t)i;
 
         for (int d = 0; d < DIM; d++)
             built[d] = list->slot[i] < 0 ? INFINITY : x[d];
-        for (int w = 0; w < LIST_WORDS && list->slot[i] >= 0; w++)
-            own->place[w][list->slot[i]] = word(x + 2 * w, DIM - 2 * w, per_metre);
+        if (list->slot[i] >= 0)
+            cells_note(list, list->slot[i], position(list, cloud, kind, i));
     }
 }
 
@@ -163,6 +177,8 @@ int cells_sort(struct list *list, const struct cloud *cloud)
 {
     list->start[0] = 0;
     list->own->farthest = 0;
+    if (list->own->images.home)
+        images_bring_home(list, cloud);
     for (int kind = 0; kind < KINDS; kind++) {
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
@@ -170,13 +186,17 @@ int cells_sort(struct list *list, const struct cloud *cloud)
 
         for (int d = 0; d < DIM && inside > 0; d++)
             list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
-        TRY(make_grid(list, c, high, inside));
+        TRY(cells_grid(list, c, high, inside));
         count(list, cloud, kind, c);
         place(list, kind, c);
         note_places(list, cloud, kind);
         list->start[kind + 1] = list->start[kind] + inside;
     }
-    list->listed = list->start[KINDS];
+    for (int kind = 0; kind <= KINDS; kind++)
+        list->image[kind] = list->start[KINDS];
+    if (list->own->images.home)
+        TRY(images_sort(list, cloud));
+    list->listed = list->image[KINDS];
     for (int w = 0; w < LIST_WORDS; w++)
         memset(list->own->place[w] + list->listed, 0, LIST_PAD * sizeof(int));
     return STATUS_DONE;

@@ -29,6 +29,15 @@ struct cells_window {
  * positions. 0 or STATUS_FAILED (no memory). */
 int cells_sort(struct list *list, const struct cloud *cloud);
 
+/* For sorting others in the same way: a grid from c->low to high for n of them, with
+ * all start at 0 (0 or STATUS_FAILED); the number of the cell that holds x; the
+ * counts in start[cell + 2] become, in start[cell + 1], first slots from `first` on;
+ * where a slot stands. */
+int cells_grid(struct list *list, struct cells *c, const double *high, int n);
+int cells_rank(const struct cells *c, const double *x);
+void cells_add_up(struct cells *c, int first);
+void cells_note(struct list *list, int slot, const double *x);
+
 /* The cells that the box low..high [m] touches; false when there are none. */
 static inline bool cells_window(const struct cells *c, const double *low, const double *high,
                                 struct cells_window *w)

@@ -21,25 +21,32 @@ struct crowd {
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
 };
 
+/* Widens low..high by the grids of all kinds. */
+static void widen(const struct cells cells[KINDS], double *low, double *high)
+{
+    for (int d = 0; d < DIM; d++)
+        for (int kind = 0; kind < KINDS; kind++) {
+            if (cells[kind].n[d] == 0)
+                continue;
+            low[d] = fmin(low[d], cells[kind].low[d]);
+            high[d] = fmax(high[d], cells[kind].low[d]
+                                        + cells[kind].n[d] / cells[kind].per_metre[d]);
+        }
+}
+
 /* Blocks over the grids of all kinds, an empty one around them; coarser until
  * there are not many more than particles. */
 static size_t make_grid(const struct list *list, struct drift *drift)
 {
     const double edge = list->def.support + 2 * farthest * list->def.skin;
-    const struct cells *cells = list->own->cells;
     double high[DIM];
 
     for (int d = 0; d < DIM; d++) {
         drift->low[d] = INFINITY;
         high[d] = -INFINITY;
-        for (int kind = 0; kind < KINDS; kind++) {
-            if (cells[kind].n[d] == 0)
-                continue;
-            drift->low[d] = fmin(drift->low[d], cells[kind].low[d]);
-            high[d] = fmax(high[d], cells[kind].low[d]
-                                        + cells[kind].n[d] / cells[kind].per_metre[d]);
-        }
     }
+    widen(list->own->cells, drift->low, high);
+    widen(list->own->image_cells, drift->low, high);
     for (double coarse = 1;; coarse *= 1.25) {
         double blocks = 1;
 
@@ -57,10 +64,10 @@ static size_t make_grid(const struct list *list, struct drift *drift)
 
 static int make_room(const struct list *list, struct drift *drift, size_t blocks)
 {
-    if (list_grow((void **)&drift->block, &drift->block_room, (size_t)list->n + 1,
-                  sizeof *drift->block)
-        && list_grow((void **)&drift->next, &drift->next_room, (size_t)list->n + 1,
-                     sizeof *drift->next)
+    const size_t all = (size_t)(list->n + list->listed - list->image[0]) + 1;
+
+    if (list_grow((void **)&drift->block, &drift->block_room, all, sizeof *drift->block)
+        && list_grow((void **)&drift->next, &drift->next_room, all, sizeof *drift->next)
         && list_grow((void **)&drift->head, &drift->head_room, blocks, sizeof *drift->head)
         && list_grow((void **)&drift->used, &drift->used_room, blocks, sizeof *drift->used)
         && list_grow((void **)&drift->kinds, &drift->kinds_room, blocks, sizeof *drift->kinds)
@@ -79,6 +86,32 @@ static int block_of(const struct drift *drift, const double *x)
     return block;
 }
 
+/* An image is somebody, too: the number of the one in this slot. */
+static int image_number(const struct list *list, int slot)
+{
+    return list->n + slot - list->image[0];
+}
+
+/* Where somebody who is at x stands, in this slot. */
+static void place(const struct list *list, int slot, const double *x, double *to)
+{
+    memcpy(to, x, DIM * sizeof *to);
+    for (int d = 0; d < DIM && list->offset; d++)
+        to[d] += list->offset[slot][d];
+}
+
+/* Somebody of this kind, who stands at x. */
+static void enter(struct drift *drift, int number, int kind, const double *x)
+{
+    const int b = drift->block[number] = block_of(drift, x);
+
+    drift->next[number] = drift->kinds[b] ? drift->head[b] : -1;
+    drift->head[b] = number;
+    if (drift->kinds[b] == 0)
+        drift->used[drift->useds++] = b;
+    drift->kinds[b] |= (unsigned char)KIND_BIT(kind);
+}
+
 int drift_note(struct list *list, const struct cloud *cloud)
 {
     struct drift *drift = &list->own->drift;
@@ -91,17 +124,19 @@ int drift_note(struct list *list, const struct cloud *cloud)
     memset(drift->kinds, 0, blocks);
     for (int kind = 0; kind < KINDS; kind++) {
         const double *x = cloud->x[kind];
+        double at[DIM];
 
         for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++, x += DIM) {
             drift->block[i] = -1;
             if (list->slot[i] < 0)
                 continue;
-            const int b = drift->block[i] = block_of(drift, x);
-            drift->next[i] = drift->kinds[b] ? drift->head[b] : -1;
-            drift->head[b] = i;
-            if (drift->kinds[b] == 0)
-                drift->used[drift->useds++] = b;
-            drift->kinds[b] |= (unsigned char)KIND_BIT(kind);
+            place(list, list->slot[i], x, at);
+            enter(drift, i, kind, at);
+        }
+        for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
+            const int i = list->order[s] - list->def.from[kind];
+            place(list, s, cloud->x[kind] + (size_t)i * DIM, at);
+            enter(drift, image_number(list, s), kind, at);
         }
     }
     return STATUS_DONE;
@@ -134,6 +169,32 @@ static void start_ranges(const struct drift *drift, unsigned resting)
     }
 }
 
+/* Range of a block and one more displacement in it. */
+static void widen_range(const struct drift *drift, int block, const double *x,
+                        const double *built)
+{
+    double *range = drift->range + (size_t)block * 2 * DIM;
+
+    for (int d = 0; d < DIM; d++) {
+        const double moved = x[d] - built[d];
+        range[2 * d] = moved < range[2 * d] ? moved : range[2 * d];
+        range[2 * d + 1] = moved > range[2 * d + 1] ? moved : range[2 * d + 1];
+    }
+}
+
+/* Those of images are those of their originals. */
+static void widen_images(const struct list *list, const struct cloud *cloud, int kind)
+{
+    const struct drift *drift = &list->own->drift;
+
+    for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
+        const int i = list->order[s];
+        widen_range(drift, drift->block[image_number(list, s)],
+                    cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
+                    list->own->built + (size_t)i * DIM);
+    }
+}
+
 /* False when somebody went too far. */
 static bool widen_ranges(const struct list *list, const struct cloud *cloud, int kind)
 {
@@ -154,6 +215,7 @@ static bool widen_ranges(const struct list *list, const struct cloud *cloud, int
         }
         near &= far <= limit * limit;
     }
+    widen_images(list, cloud, kind);
     return near;
 }
 
@@ -193,16 +255,18 @@ static bool meet(const struct list *list, const struct cloud *cloud, int block,
     const struct drift *drift = &list->own->drift;
 
     crowd->n = 0;
-    for (int i = drift->head[block]; i >= 0; i = drift->next[i], crowd->n++) {
+    for (int m = drift->head[block]; m >= 0; m = drift->next[m], crowd->n++) {
+        const int slot = m < list->n ? list->slot[m] : list->image[0] + m - list->n;
+        const int i = list->order[slot];
         int kind = 0;
 
         if (crowd->n == CROWD)
             return false;
         while (i >= list->def.from[kind + 1])
             kind++;
-        memcpy(crowd->now[crowd->n], cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
-               sizeof crowd->now[0]);
-        memcpy(crowd->was[crowd->n], list->own->built + (size_t)i * DIM, sizeof crowd->was[0]);
+        place(list, slot, cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
+              crowd->now[crowd->n]);
+        place(list, slot, list->own->built + (size_t)i * DIM, crowd->was[crowd->n]);
     }
     return true;
 }

@@ -20,8 +20,8 @@ struct drift {
     double low[DIM];       /* corner of the grid                   [m]       */
     double per_metre[DIM]; /* blocks                               [1/m]     */
     int n[DIM];            /* blocks; the outermost are empty                */
-    int *block;            /* [particles] where each stood; -1: left out     */
-    int *next;             /* [particles] the next in the same block, or -1  */
+    int *block;            /* [particles, images] where each stood; -1: left out */
+    int *next;             /* [particles, images] the next in the same block, or -1 */
     int *head;             /* [blocks] the first there                       */
     int *used;             /* [useds] blocks with somebody                   */
     int useds;

@@ -4,6 +4,7 @@
 
 #include "space/cells.h"
 #include "space/drift.h"
+#include "space/images.h"
 #include "space/list.h"
 
 enum {
@@ -34,8 +35,14 @@ struct list_private {
                            infinite for those left out                       */
     int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same in slot order and in
                            units, two coordinates modulo 2^16 in a word      */
+    const double *stand; /* [n][DIM] where everybody stood then, as the list sees
+                            it: built, or own->images.home                   */
+    size_t order_room, place_room[LIST_WORDS], offset_room;
+    double per_metre;   /* units of a place                         [1/m]    */
     double farthest;    /* from 0, of a coordinate                    [m]    */
     struct cells cells[KINDS];
+    struct cells image_cells[KINDS];
+    struct images images;
     struct drift drift;
     int stores;
     struct list_store *store; /* [stores]                                    */

@@ -62,9 +62,14 @@ int list_create(struct list **list, const struct list_def *def, int lanes)
     made->order = array(n, sizeof *made->order);
     made->slot = array(n, sizeof *made->slot);
     own->built = array(n * DIM, sizeof *own->built);
-    bool good = made->order && made->slot && own->built;
-    for (int w = 0; w < LIST_WORDS; w++)
+    own->order_room = n;
+    own->per_metre = LIST_UNITS / (def->support + def->skin);
+    bool good = made->order && made->slot && own->built && images_create(made) == STATUS_DONE;
+    for (int w = 0; w < LIST_WORDS; w++) {
         good = good && (own->place[w] = array(n + LIST_PAD, sizeof(int)));
+        own->place_room[w] = n + LIST_PAD;
+    }
+    own->stand = own->images.home ? own->images.home[0] : own->built;
     made->group_slot = own->group_slot = array(groups, sizeof *own->group_slot);
     made->group_kind = own->group_kind = array(groups, sizeof *own->group_kind);
     made->segment_from = own->segment_from = array(groups + 1, sizeof *own->segment_from);
@@ -86,8 +91,11 @@ void list_free(struct list **list)
         free(own->store[t].found);
         free(own->store[t].near);
     }
-    for (int kind = 0; kind < KINDS; kind++)
+    for (int kind = 0; kind < KINDS; kind++) {
         free(own->cells[kind].start);
+        free(own->image_cells[kind].start);
+    }
+    images_free(&own->images);
     drift_free(&own->drift);
     for (int w = 0; w < LIST_WORDS; w++)
         free(own->place[w]);
@@ -100,6 +108,7 @@ void list_free(struct list **list)
     free(own->segment);
     free(own);
     free((*list)->order);
+    free((*list)->offset);
     free((*list)->slot);
     free(*list);
     *list = NULL;
@@ -285,12 +294,16 @@ double list_entries(const struct list *list)
 }
 
 /* Positions, order and slots; a group is of four, mostly, and has a segment or two,
- * each noted twice. */
-double list_bytes(double n, double entries)
+ * each noted twice. Where something is periodic also what images.h says, and offsets. */
+double list_bytes(double n, double slots, double entries)
 {
     const double group = 2 * sizeof(int) + sizeof(int) + sizeof(long)
                        + 1.5 * (sizeof(struct list_segment) + sizeof(struct list_found));
+    const double place = DIM * sizeof(double), turns = DIM * sizeof(int);
+    const double images = slots > n ? n * (place + turns) + slots * place
+                                          + (slots - n) * (turns + 2 * sizeof(int))
+                                    : 0;
 
-    return entries * sizeof(int) + n * (DIM * sizeof(double) + (2 + LIST_WORDS) * sizeof(int)
-                                        + group / 4);
+    return entries * sizeof(int) + n * (place + sizeof(int) + group / 4) + images
+         + slots * (1 + LIST_WORDS) * sizeof(int);
 }

@@ -15,7 +15,13 @@
  *
  * Particles outside the box are left out: no slot, no cell, no pairs, until
  * they come back in, which forces a rebuild.  Those who leave the box stay in
- * the list until the next rebuild: whoever sums must mask them. */
+ * the list until the next rebuild: whoever sums must mask them.
+ *
+ * Along a periodic direction nobody is outside.  Positions may lie any number of
+ * lengths away: offset[slot] brings them into the domain.  Who stands near a
+ * periodic side then has images beyond the opposite one, in slots of their own
+ * after those of particles: neighbours as all others, but never owners
+ * (space/images.h).  Offsets stay until the next rebuild. */
 #ifndef SPACE_LIST_H
 #define SPACE_LIST_H
 
@@ -28,7 +34,11 @@ struct list_def {
     unsigned acts[KINDS];        /* partner kinds by owner kind, KIND_BITs   */
     double support;              /* largest kernel support H           [m]   */
     double skin;                 /* extra radius of the list           [m]   */
-    double low[DIM], high[DIM];  /* box outside of which nobody counts [m]   */
+    double low[DIM], high[DIM];  /* box outside of which nobody counts; infinite
+                                    along periodic directions         [m]   */
+    double period[DIM];          /* of a periodic direction its length, at least
+                                    2 (support + skin); else 0        [m]   */
+    double side[DIM];            /* of a periodic direction: where it begins [m] */
 };
 
 /* Rows of one group of owners against one kind of partner. */
@@ -44,7 +54,12 @@ struct list {
     int n;                 /* particles                                      */
     int listed;            /* slots in use; slot `listed` is the dummy       */
     int start[KINDS + 1];  /* kind k: slots start[k] .. start[k+1]-1         */
-    int *order;            /* [listed] creation index of a slot              */
+    int image[KINDS + 1];  /* images of kind k: slots image[k] .. image[k+1]-1,
+                              start[KINDS] = image[0], image[KINDS] = listed */
+    int *order;            /* [listed] creation index of a slot, of an image
+                              that of its original                           */
+    double (*offset)[DIM]; /* [listed] whole lengths, to be added to the position:
+                              where the slot stands; NULL: nothing is periodic [m] */
     int *slot;             /* [n] slot of a creation index, -1: left out     */
     int groups;            /* groups of owners, all kinds                    */
     int group_from[KINDS + 1]; /* owners of kind k: groups [k] .. [k+1]-1;
@@ -89,7 +104,7 @@ static inline bool list_inside(const struct list_def *def, const double *x)
 /* Entries in all rows, padding included. */
 double list_entries(const struct list *list);
 
-/* Bytes that a list of n particles with so many entries takes. */
-double list_bytes(double n, double entries);
+/* Bytes that a list of n particles in so many slots, with so many entries, takes. */
+double list_bytes(double n, double slots, double entries);
 
 #endif

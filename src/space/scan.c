@@ -197,7 +197,7 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 
 static const double *position(const struct scan *s, int lane)
 {
-    return s->list->own->built + (size_t)DIM * (size_t)s->list->order[s->group + lane];
+    return s->list->own->stand + (size_t)DIM * (size_t)s->list->order[s->group + lane];
 }
 
 /* From now on lanes from..to-1 look for neighbours. */
@@ -262,11 +262,12 @@ static void take_apart(struct scan *s, const struct cells *c)
     let_look(s, 0, s->owners);
 }
 
-void scan_near(struct scan *s, const struct cells *c)
+void scan_near(struct scan *s, const struct cells *c, const struct cells *images)
 {
     memset(s->count, 0, sizeof s->count);
-    if (s->apart)
-        take_apart(s, c);
-    else
-        take_box(s, c);
+    for (; c; c = c == images ? NULL : images)
+        if (s->apart)
+            take_apart(s, c);
+        else
+            take_box(s, c);
 }

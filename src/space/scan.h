@@ -2,7 +2,7 @@
  *
  *     scan_start(&scan, list, memory, room);       once
  *     scan_group(&scan, group, owners);            for each group
- *     scan_near(&scan, &list->own->cells[kind]);   near and count are made */
+ *     scan_near(&scan, &list->own->cells[kind], NULL);   near and count are made */
 #ifndef SPACE_SCAN_H
 #define SPACE_SCAN_H
 
@@ -51,7 +51,8 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 #define scan_group LANE_NAME(scan_group)
 void scan_group(struct scan *s, int group, int owners);
 
+/* Of the cells of a kind, then of those of its images (NULL: nothing is periodic). */
 #define scan_near LANE_NAME(scan_near)
-void scan_near(struct scan *s, const struct cells *c);
+void scan_near(struct scan *s, const struct cells *c, const struct cells *images);
 
 #endif

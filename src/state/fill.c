@@ -122,6 +122,46 @@ static int refuse_empty(const struct filling *f, const struct fill_item *item)
                        item->group, item->name, f->scales->dx);
 }
 
+/* Where a given item reaches to along d. */
+static void reach_of(const struct fill_item *item, int d, double *least, double *most)
+{
+    double low[DIM], high[DIM];
+
+    *least = HUGE_VAL;
+    *most = -HUGE_VAL;
+    if (item->shape) {
+        shape_bounds(item->shape, low, high);
+        *least = low[d];
+        *most = high[d];
+    }
+    for (int i = 0; i < item->points; i++) {
+        *least = fmin(*least, item->point[i][d]);
+        *most = fmax(*most, item->point[i][d]);
+    }
+}
+
+/* What sticks out over a side through which it comes in again would overlap with what
+ * stands there. */
+static int check_periods(const struct filling *f)
+{
+    const struct scales *s = f->scales;
+    double least, most;
+
+    for (int k = 0; k < f->items; k++)
+        for (int d = 0; d < DIM; d++) {
+            const struct fill_item *item = &f->item[k];
+            reach_of(item, d, &least, &most);
+            if (s->period[d] > 0 && (least < s->low[d] - 1e-9 * s->period[d]
+                                     || most > s->high[d] + 1e-9 * s->period[d]))
+                return status_fail(STATUS_BAD_SCENE, "%s: %s.%s reaches over a periodic side: along"
+                                   " %c it goes from %g m to %g m, and the domain repeats from %g"
+                                   " m to %g m; let it end at the side, or name two parts",
+                                   item->where, item->group, item->name, "xyz"[d], least, most,
+                                   s->low[d], s->high[d]);
+        }
+    return STATUS_DONE;
+}
+
 static int add_lattice(const struct filling *f, int k)
 {
     const struct lattice lattice = lattice_make(f->item[k].shape, f->scales->dx);
@@ -240,6 +280,7 @@ static int fill(const struct filling *f, double bytes_fluid, double bytes_solid,
 
     TRY(check_spacing(f));
     TRY(check_fills(f));
+    TRY(check_periods(f));
     TRY(check_room(f, bytes_fluid, bytes_solid));
     TRY(fit_check(f->item, f->items, f->scales->dx));
     TRY(add_all(f));

@@ -5,15 +5,17 @@
 
 #include "base/status.h"
 #include "state/buckets.h"
+#include "state/period.h"
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const double near_fluid = 0.7; /* least distance of fluid to others [dx] */
 static const double near_walls = 0.3; /* two walls nearer than this are in one place [dx] */
 
 struct partners {
     const struct particles *p;
-    int object;     /* not this one      */
+    int object;     /* not this one, -1: any */
     unsigned kinds; /* of these, as bits */
 };
 
@@ -25,13 +27,34 @@ static bool is_partner(const void *self, int j)
     return object != w->object && KIND_BIT(w->p->object[object].kind) & w->kinds;
 }
 
+/* The same over periodic sides, one at a time, where it may also be one of its own. */
+static int find_beyond(const struct buckets *b, const struct particles *p, int i, double reach,
+                       unsigned kinds)
+{
+    const struct partners anybody = { p, -1, kinds };
+    const struct scales *s = p->scales;
+    double x[DIM];
+    int j = -1;
+
+    for (int d = 0; d < DIM && j < 0; d++) {
+        memcpy(x, p->x0[i], sizeof x);
+        if (!(s->period[d] > 0))
+            continue;
+        x[d] += x[d] < 0.5 * (s->low[d] + s->high[d]) ? s->period[d] : -s->period[d];
+        if (fabs(x[d] - 0.5 * (s->low[d] + s->high[d])) < 0.5 * s->period[d] + reach)
+            j = buckets_find(b, x, reach, is_partner, &anybody);
+    }
+    return j;
+}
+
 /* A particle of another object and one of the kinds nearer to i than reach, or -1. */
 static int find_near(const struct buckets *b, const struct particles *p, int i, double reach,
                      unsigned kinds)
 {
     const struct partners other = { p, p->object_of[i], kinds };
+    const int j = buckets_find(b, p->x0[i], reach, is_partner, &other);
 
-    return buckets_find(b, p->x0[i], reach, is_partner, &other);
+    return j >= 0 ? j : find_beyond(b, p, i, reach, kinds);
 }
 
 static void print_place(char *to, size_t room, const double *x)
@@ -54,7 +77,8 @@ static int refuse_near(const struct particles *p, const struct fill_item *item, 
                        " particles are %.3g m apart, and less than %.1f spacings (%.3g m) is too"
                        " near; move or shorten one of them so that their borders only touch",
                        a->where, a->group, a->name, b->group, b->name, b->where, place,
-                       sqrt(buckets_distance2(p->x0[i], p->x0[j])), near_fluid, near_fluid * dx);
+                       sqrt(period_square(p->scales, p->x0[i], p->x0[j], DIM)), near_fluid,
+                       near_fluid * dx);
 }
 
 static int refuse_inside(const struct particles *p, const struct fill_item *item, int i, int k)

@@ -113,8 +113,10 @@ struct part {
     /* p [Pa] of n densities [kg/m^D] (parts that provide FIELD_PRESSURE). */
     void (*pressure)(const void *self, int n, const double *rho, double *p);
 
-    /* Adds to the acceleration of the fluid, rate [n fluid][DIM] [m/s^2]. */
+    /* Adds to the acceleration of the fluid, rate [n fluid][DIM] [m/s^2]; `placed`:
+     * one that depends on the place, and so does not repeat. */
     void (*field)(const void *self, const struct view *v, double (*rate)[DIM]);
+    bool placed;
 
     void (*limit)(const void *self, const struct view *v, struct limit *out);
 

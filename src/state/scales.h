@@ -21,6 +21,8 @@ struct scales {
     double speed;           /* U, reference speed                    [m/s]    */
     double g[3];            /* gravity                               [m/s^2]  */
     double low[3], high[3]; /* domain                                [m]      */
+    double period[3];       /* of a direction that repeats the domain's length,
+                               else 0                                [m]      */
     bool fluid;             /* there is any                                   */
     bool clamped;           /* pressure is never negative                     */
 

@@ -474,6 +474,61 @@ static void test_nearest_of_all(void **state)
     }
 }
 
+/* Where directions repeat: neighbours are found beyond the sides, and nothing depends
+ * on where the sides lie nor on how many lengths away somebody is. */
+static void test_where_directions_repeat(void **state)
+{
+    struct pairing_index first, found;
+    double at[DIM], pressure, seen[DIM], now[DIM];
+    struct crowd *c;
+    int water = 0;
+
+    (void)state;
+    empty_tank();
+    for (int d = 0; d < DIM; d++)
+        scales.period[d] = scales.high[d];
+    srand(2);
+    for (int i = 0; i < (DIM == 2 ? 450 : 3000); i++)
+        add(KIND_FLUID, 2.0 * rand() / RAND_MAX, 0.5 * rand() / RAND_MAX, 1.0 * rand() / RAND_MAX);
+    for (int i = 0; i < all.n; i++) {
+        p[i] = rand();
+        u[i][0] = rand();
+        at[i % DIM] = 0.01;
+    }
+    first = pairing_now(1);
+    c = crowd_now();
+    pressure = probe_pressure(c, p, at);
+    probe_velocity(c, at, seen);
+    for (int i = 0; i < all.n; i++) {
+        int near = -1;
+        for (int j = 0; j < all.n; j++) {
+            double r2 = 0;
+            for (int d = 0; d < DIM; d++)
+                r2 += pow(remainder(x[KIND_FLUID][i][d] - x[KIND_FLUID][j][d],
+                                    scales.period[d]), 2);
+            near += r2 < scales.support * scales.support;
+        }
+        assert_int_equal(crowd_is_water(c, i), 2 * near >= crowd_full(&scales));
+        water += crowd_is_water(c, i);
+    }
+    assert_true(water > 20 && water < all.n - 20);
+    crowd_free(&c);
+    for (int i = 0; i < all.n; i++)
+        for (int d = 0; d < DIM; d++)
+            x[KIND_FLUID][i][d] += scales.period[d] * (0.4 + i % 5 - 2);
+    for (int d = 0; d < DIM; d++)
+        at[d] += scales.period[d] * (0.4 - d);
+    found = pairing_now(1);
+    c = crowd_now();
+    assert_near(found.share, first.share);
+    assert_near(found.mean, first.mean);
+    assert_near(found.least, first.least);
+    assert_near(probe_pressure(c, p, at) / pressure, 1);
+    probe_velocity(c, at, now);
+    assert_near(now[0] / seen[0], 1);
+    crowd_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -496,6 +551,7 @@ int main(void)
         cmocka_unit_test(test_pairs_are_counted),
         cmocka_unit_test(test_loners_have_no_neighbour),
         cmocka_unit_test(test_nearest_of_all),
+        cmocka_unit_test(test_where_directions_repeat),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -72,6 +72,10 @@ void list_reports_bad_positions(void **state);
 void list_bounds_its_grid(void **state);
 void list_misses_nobody_moving(void **state);
 
+void images_find_all(void **state);
+void images_meet_across_a_side(void **state);
+void images_miss_nobody_moving(void **state);
+
 void sum_agrees_with_brute_force(void **state);
 void sum_same_bits_lanes_and_threads(void **state);
 void sum_padding_adds_nothing(void **state);

@@ -5,12 +5,14 @@
 # swings between two ellipses (`data/scenes/oscillating-drop.scene`, dx = R/20). The reference is
 # the solution of the three ordinary equations of Monaghan and Rafiee (Int. J. Numer. Meth. Fluids
 # 71 (2013) 537), `data/reference/A07a_oscillating_drop.csv`. Semi-axes are those of the ellipse
-# with the same second moments as the particles, a = 2 sqrt(mean x^2 + dx^2/12).
+# with the same second moments as the particles, a = 2 sqrt(mean x^2), over the radius of the disc
+# with as many particles (0.3 % more than R).
 . "$(dirname "$0")/lib.sh"
 
 go run "$scenes/oscillating-drop.scene" until=5 output.snapshots=126
 snapshots run '{ a += x * x; b += y * y; n++ }
-    END { printf "%s %.6f %.6f\n", t, 2 * sqrt(a / n + 0.05 ^ 2 / 12), 2 * sqrt(b / n + 0.05 ^ 2 / 12) }' >axes
+    END { r = sqrt(n / 3.14159265) * 0.05
+           printf "%s %.6f %.6f\n", t, 2 * sqrt(a / n) / r, 2 * sqrt(b / n) / r }' >axes
 period=$(awk '{ print $1, $2 - $3 }' axes | cross 1 1)
 sed '/^[#t]/d; s/,/ /g' "$reference/A07a_oscillating_drop.csv" >exact
 # Largest error over one period, each snapshot against the reference at its time.

@@ -114,13 +114,13 @@ snapshots() {
     done
 }
 
-# draw: the gnuplot script on its standard input, into CASE.png
+# draw [-NAME]: the gnuplot script on its standard input, into CASE.png or CASE-NAME.png
 draw() {
     cp "$top/plots/style.gp" .
     echo '# nothing: this figure belongs to no single run' >constants.gp
     { printf "load 'style.gp'\nset terminal pngcairo size 800, 480 font 'Sans,12'\n"
-      echo "set output '$case.png'"; cat; } >figure.gp
-    gnuplot -d figure.gp
+      echo "set output '$case${1-}.png'"; cat; } >figure${1-}.gp
+    gnuplot -d figure${1-}.gp
 }
 
 # done_here: the last line of a case

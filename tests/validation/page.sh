@@ -27,7 +27,9 @@ for file; do
     wanted "$case" "$here/$case.sh" || continue
     VALIDATION_OUT=$build/$case sh "$here/$case.sh" || failed=1
     cp "$build/$case/rows" "$here/rows/$case.rows"
-    cp "$build/$case/$case.png" "$top/doc/img/validation-$case.png"
+    for figure in "$build/$case/$case"*.png; do
+        cp "$figure" "$top/doc/img/validation-$(basename "$figure")"
+    done
 done
 
 # head FILE: its comment without the marks
@@ -48,8 +50,9 @@ head_of() {
         case=$(basename "$file" .sh)
         echo
         head_of "$here/$case.sh" | sed '1s/^[^ ]* -- \(.*\)$/## '"$case"': \1/; /^Long/d'
-        echo
-        echo "![$case](img/validation-$case.png)"
+        for figure in "$top/doc/img/validation-$case.png" "$top/doc/img/validation-$case-"[a-z]*.png; do
+            [ ! -f "$figure" ] || printf '\n![%s](img/%s)\n' "$case" "$(basename "$figure")"
+        done
     done
 } >"$page.new"
 mv "$page.new" "$page"
