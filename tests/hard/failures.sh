@@ -1,0 +1,65 @@
+#!/bin/sh
+# failures.sh -- runs that cannot go on end as failed within a bounded number of steps, with
+# every family of methods: the message names time, particle, place, part and what to try,
+# and what was written is whole.
+. "$top_srcdir/tests/hard/hands.sh"
+tank=$top_srcdir/tests/hard/tank.scene
+
+# fails NAME STEPS KEY=VALUE...: before it has taken so many steps, and leaves whole files
+fails() {
+    name=$1
+    steps=$2
+    shift 2
+    go "$name" "$tank" output.fields=0.02 output.snapshots=5 "$@"
+    claim "$name fails within $steps steps" \
+        "$code == 1 && $(number "$name" steps) + $(number "$name" rejected) <= $steps"
+    grep -q '"status": "failed"' "$out/$name/run.json" || { echo "NOT SO  $name: status"; bad=1; }
+    claim 'its last row is where it ended' "$(number "$name" t_end) == 0 || \
+        sqrt(($(last "$name" book t) / $(number "$name" t_end) - 1) ^ 2) < 1e-9"
+    whole "$name"
+}
+
+# tells NAME: who, where, when, by which part, what to try
+tells() {
+    says "$1" 't = ' ' s' 'particle' '(column) at (' 'is pushed hardest: effects.'
+    grep -q -E 'Things to try|[Tt]ry |take a higher eos.c0' "$out/$1.said" ||
+        { echo "NOT SO  $1 says what to try"; cat "$out/$1.said"; bad=1; }
+}
+
+adaptive='cks43 imex3 ark436 erk2 bs54 erk6 ab3 dv adams bdf gsl-rkf45 gsl-rk8pd gsl-msadams'
+ruled='leapfrog euler-cfl staggered'
+
+# Sound far too slow for the fall: the column is pressed into the floor.
+for method in $adaptive $ruled; do
+    fails "soft-$method" 3000 method="$method" eos.c0=0.5
+    tells "soft-$method"
+    says "soft-$method" 'the fluid has run away' 'eos.c0'
+done
+
+# Densities that may vary by 1 %, where the impact asks for 6 %: no step is short enough.
+# A wall's density is often the first to leave; which part is to blame is then not said.
+for method in $adaptive $ruled; do
+    fails "narrow-$method" 5000 method="$method" eos.lowest=0.99 eos.highest=1.01
+    says "narrow-$method" 't = ' particle ' at (' 'density' 'lies outside 990 to 1010'
+    grep -q -E 'Things to try|: try ' "$out/narrow-$method.said" ||
+        { echo "NOT SO  narrow-$method says what to try"; bad=1; }
+done
+
+# Faster than five times sound at the start.
+for method in cks43 adams leapfrog; do
+    fails "fast-$method" 10 method="$method" 'fluid.column.velocity=[1000,0]'
+    tells "fast-$method"
+done
+
+# Steps longer than any bound of stability; the state may then be past telling who did it.
+for method in leapfrog@4 cks43@1e-2s erk4@1e-2s imex3@1e-2s ab3@1e-2s \
+    dv@1e-2s gsl-rkf45@1e-2s leapfrog@1e-2s; do
+    fails "long-$method" 3000 method="$method"
+    says "long-$method" 't = ' particle '(column)'
+    grep -q -E '[Tt]ry |take a higher eos.c0' "$out/long-$method.said" ||
+        { echo "NOT SO  long-$method says what to try"; cat "$out/long-$method.said"; bad=1; }
+done
+
+# No answer from the first to the last: tolerances that the rounding of numbers forbids.
+fails tight 3000 tol=1e-12 until=0.01 eos.c0=1e-3
+exit $bad
