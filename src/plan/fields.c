@@ -8,8 +8,13 @@
 
 static int refuse_position(struct plan *p, const struct list *l, double t)
 {
-    const struct object *o = &p->particles->object[p->particles->object_of[l->bad]];
+    const struct object *o;
 
+    if (l->bad < 0) {
+        snprintf(p->refusal, sizeof p->refusal, "no memory for the list of pairs at t = %g s", t);
+        return STATUS_FAILED;
+    }
+    o = &p->particles->object[p->particles->object_of[l->bad]];
     snprintf(p->refusal, sizeof p->refusal, "the position of particle %d (%s) is not finite at "
              "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
     return STATUS_FAILED;

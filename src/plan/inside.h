@@ -158,5 +158,6 @@ void plan_book_rates(const struct plan *p, const struct plan_workspace *w, doubl
 
 /* start.c */
 void plan_start_density(const struct plan *p, double *y);
+double plan_start_speed(const struct plan *p); /* largest of the fluid at t = 0 [m/s] */
 
 #endif

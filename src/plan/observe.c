@@ -169,14 +169,9 @@ int plan_lanes(const struct plan *p)
     return p->engine->lanes;
 }
 
-static double length_of(const double *v)
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + (DIM == 3 ? v[2] * v[2] : 0));
-}
-
 double plan_speed_expected(const struct plan *p)
 {
-    double most = 0, fall2 = 0;
+    double most = plan_start_speed(p), fall2 = 0;
 
     for (int i = 0; i < p->in.fluids; i++) {
         double low[DIM], high[DIM];
@@ -186,7 +181,6 @@ double plan_speed_expected(const struct plan *p)
             fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
                                                : p->scales.high[d] - low[d]));
         }
-        most = fmax(most, length_of(p->in.fluid[i].set.velocity));
     }
     for (int i = 0; i < p->walls; i++) {
         double low[DIM], high[DIM], reach[DIM];

@@ -124,6 +124,27 @@ static void start_motion(const struct plan *p, double *y)
     }
 }
 
+double plan_start_speed(const struct plan *p)
+{
+    const struct particles *all = p->particles;
+    double most = 0;
+
+    for (int o = 0, f = 0; o < all->objects; o++) {
+        const struct object *ob = &all->object[o];
+        if (ob->kind != KIND_FLUID)
+            continue;
+        for (int i = ob->from; i < ob->from + ob->n; i++) {
+            double u[DIM], u2 = 0;
+            start_velocity(&p->in.fluid[f], all->x0[i], u);
+            for (int d = 0; d < DIM; d++)
+                u2 += u[d] * u[d];
+            most = fmax(most, sqrt(u2));
+        }
+        f++;
+    }
+    return most;
+}
+
 void plan_start(const struct plan *p, double *y)
 {
     memset(y, 0, (size_t)plan_size(p) * sizeof *y);
