@@ -80,6 +80,8 @@ for name in $(awk '$1 !~ /\.\.\.$/ { print $1 }' table.methods); do
     esac
     expect 0 check "$scenes/small-2d.scene" --method "$name"
 done
+expect 0 check "${top_srcdir:-.}/data/scenes/taylor-green.scene" # its flow, no gravity
+says 'speed to expect 0.99'
 for name in scene kernel domain reference eos output fluid wall probe effects.continuity; do
     expect 0 explain $name
 done
