@@ -12,7 +12,8 @@
  * asks for (44), (45), and one monolithic ODE instead of (46), (47).
  * Checked in tests/unit/beam*.c. */
 #include "base/status.h"
-#include "bodies/beam-make.h"
+#include "bodies/beam-couple.h"
+#include "bodies/beam-state.h"
 #include "bodies/element.h"
 
 #include <math.h>
@@ -58,33 +59,17 @@ static int beam_rows(struct body *b, struct layout *l)
     return STATUS_DONE;
 }
 
-/* Entry of y that holds degree of freedom i of q (rate: of v). */
-static long place(const struct body *b, const struct layout *l, int i, bool rate)
-{
-    return layout_at(l, b->row[(rate ? BEAM_ROW_W_RATE : BEAM_ROW_W) + i % 2]) + i / 2;
-}
-
-/* y to q and v; held degrees of freedom are 0 whatever y says. */
-static void gather(const struct body *b, const struct layout *l, const double *y)
-{
-    for (int i = 0; i < b->bending->dofs; i++) {
-        const bool held = bending_held(b->bending, i);
-        b->vec.q[i] = held ? 0 : y[place(b, l, i, false)];
-        b->vec.v[i] = held ? 0 : y[place(b, l, i, true)];
-    }
-}
-
 static void beam_start(const struct body *b, const struct layout *l, double *y)
 {
     for (int i = 0; i < b->bending->dofs; i++)
-        y[place(b, l, i, false)] = y[place(b, l, i, true)] = 0;
+        y[beam_state_place(b, l, i, false)] = y[beam_state_place(b, l, i, true)] = 0;
 }
 
 static void beam_move(const struct body *b, const struct layout *l, double t, const double *y,
                       double (*x)[DIM], double (*u)[DIM])
 {
     (void)t;
-    gather(b, l, y);
+    beam_state_read(b, l, y);
     beam_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
 }
 
@@ -110,7 +95,7 @@ static double balance(const struct body *b, const struct layout *l, double t, co
     const int n = b->bending->dofs;
     double axial;
 
-    gather(b, l, y);
+    beam_state_read(b, l, y);
     for (int i = 0; i < n; i++)
         w->force[i] = w->weight[i] + (is_pushed(b, t) ? w->pushed[i] : 0);
     axial = beam_skin_load(b->skin, force, w->force);
@@ -137,8 +122,8 @@ static void beam_load(struct body *b, const struct layout *l, double t, const do
     double across = 0, applied = 0;
 
     for (int i = 0; i < n; i++) {
-        ydot[place(b, l, i, false)] = 0;
-        ydot[place(b, l, i, true)] = w->given[i];
+        ydot[beam_state_place(b, l, i, false)] = 0;
+        ydot[beam_state_place(b, l, i, true)] = w->given[i];
     }
     for (int i = 0; i < n; i += 2) {
         across += w->inertia[i] - w->force[i];
@@ -158,12 +143,12 @@ static void beam_stiff(const struct body *b, const struct layout *l, double t, c
     const struct beam_vectors *w = &b->vec;
 
     (void)t;
-    gather(b, l, y);
+    beam_state_read(b, l, y);
     bending_resist(b->bending, w->q, w->v, w->resist);
     bending_accelerate(b->bending, w->resist);
     for (int i = 0; i < b->bending->dofs; i++) {
-        ydot[place(b, l, i, false)] += w->v[i];
-        ydot[place(b, l, i, true)] -= w->resist[i];
+        ydot[beam_state_place(b, l, i, false)] += w->v[i];
+        ydot[beam_state_place(b, l, i, true)] -= w->resist[i];
     }
 }
 
@@ -175,141 +160,16 @@ static int beam_solve(struct body *b, const struct layout *l, double t, double g
 
     (void)t;
     for (int i = 0; i < n; i++) {
-        w->q[i] = r[place(b, l, i, false)];
-        w->v[i] = r[place(b, l, i, true)];
+        w->q[i] = r[beam_state_place(b, l, i, false)];
+        w->v[i] = r[beam_state_place(b, l, i, true)];
     }
     TRY(bending_solve(b->bending, gamma, w->q, w->v));
     for (int i = 0; i < n; i++) {
-        z[place(b, l, i, false)] = w->q[i];
-        z[place(b, l, i, true)] = w->v[i];
+        z[beam_state_place(b, l, i, false)] = w->q[i];
+        z[beam_state_place(b, l, i, true)] = w->v[i];
     }
     return STATUS_DONE;
 }
-
-/* --- together with implicit viscosity -------------------------------------- */
-
-static int beam_unknowns(const struct body *b)
-{
-    return b->bending->dofs;
-}
-
-static void beam_read(struct body *b, const struct layout *l, const double *y, double *v)
-{
-    for (int i = 0; i < b->bending->dofs; i++)
-        v[i] = y[place(b, l, i, true)];
-}
-
-static void beam_write(struct body *b, const struct layout *l, double gamma, const double *r,
-                       const double *v, double *z)
-{
-    for (int i = 0; i < b->bending->dofs; i++) {
-        const double moved = bending_held(b->bending, i) ? 0 : gamma * v[i];
-        z[place(b, l, i, false)] = r[place(b, l, i, false)] + moved;
-        z[place(b, l, i, true)] = v[i];
-    }
-}
-
-static void beam_right(struct body *b, const struct layout *l, double gamma, const double *r,
-                       double *to)
-{
-    for (int i = 0; i < b->bending->dofs; i++)
-        b->vec.q[i] = r[place(b, l, i, false)];
-    beam_read(b, l, r, to);
-    bending_right(b->bending, gamma, b->vec.q, to);
-}
-
-static void beam_inertia(struct body *b, double gamma, const double *v, double *to)
-{
-    bending_inertia(b->bending, gamma, v, to);
-}
-
-static void beam_drift(const struct body *b, const double *v, double (*u)[DIM])
-{
-    beam_skin_drift(b->skin, v, u);
-}
-
-/* Who is held feels nothing. */
-static void beam_pull(const struct body *b, const double (*force)[DIM], double c, double *to)
-{
-    double *f = b->vec.force;
-
-    memset(f, 0, (size_t)b->bending->dofs * sizeof *f);
-    beam_skin_load(b->skin, force, f);
-    for (int i = 0; i < b->bending->dofs; i++)
-        to[i] += bending_held(b->bending, i) ? 0 : c * f[i];
-}
-
-static int beam_join(struct body *b, double gamma, const double *c)
-{
-    bending_join(b->bending, gamma);
-    for (int i = 0; i < b->skin->points; i++)
-        bending_join_point(b->bending, b->skin->point[i].first, b->skin->point[i].shape,
-                           gamma * c[i]);
-    return bending_joined(b->bending);
-}
-
-static void beam_joined(const struct body *b, double *v)
-{
-    bending_join_solve(b->bending, v);
-}
-
-/* Of a node, or of what an element reaches by turning. */
-static double beam_fastest(const struct body *b, const double *v)
-{
-    const double reach[2] = { 1, b->bending->l };
-    double most = 0;
-
-    for (int i = 0; i < b->bending->dofs; i++)
-        most = fmax(most, reach[i % 2] * fabs(v[i]));
-    return most;
-}
-
-/* Adds what the support gives: 1 . (M v' - S^T force) across, with v' in w->given. */
-static void add_support(const struct body *b, const double (*force)[DIM], double support[DIM])
-{
-    const struct beam_vectors *w = &b->vec;
-    const int n = b->bending->dofs;
-    double axial, across = 0;
-
-    memset(w->force, 0, (size_t)n * sizeof *w->force);
-    axial = beam_skin_load(b->skin, force, w->force);
-    band_multiply(b->bending->mass, w->given, w->inertia);
-    for (int i = 0; i < n; i += 2)
-        across += w->inertia[i] - w->force[i];
-    for (int d = 0; d < DIM; d++)
-        support[d] += across * b->normal[d] - axial * b->along[d];
-}
-
-static void beam_yield(struct body *b, const struct layout *l, const double (*force)[DIM],
-                       double *ydot, double support[DIM])
-{
-    const struct beam_vectors *w = &b->vec;
-    const int n = b->bending->dofs;
-
-    memset(w->given, 0, (size_t)n * sizeof *w->given);
-    beam_skin_load(b->skin, force, w->given);
-    bending_accelerate(b->bending, w->given);
-    for (int i = 0; i < n; i++)
-        ydot[place(b, l, i, true)] += w->given[i];
-    add_support(b, force, support);
-}
-
-static void beam_settle(struct body *b, const struct layout *l, double gamma, const double *r,
-                        const double *z, const double (*force)[DIM], double support[DIM])
-{
-    const struct beam_vectors *w = &b->vec;
-
-    gather(b, l, z);
-    bending_resist(b->bending, w->q, w->v, w->resist);
-    bending_accelerate(b->bending, w->resist);
-    for (int i = 0; i < b->bending->dofs; i++) {
-        const long k = place(b, l, i, true);
-        w->given[i] = (z[k] - r[k]) / gamma + w->resist[i];
-    }
-    add_support(b, force, support);
-}
-
-/* -------------------------------------------------------------------------- */
 
 static double beam_event(const struct body *b, double t)
 {
@@ -340,7 +200,7 @@ static void beam_limit(const struct body *b, struct limit *out)
 static void beam_energy(const struct body *b, const struct layout *l, const double *y,
                         struct energies *to)
 {
-    gather(b, l, y);
+    beam_state_read(b, l, y);
     to->kinetic += bending_kinetic(b->bending, b->vec.v);
     to->elastic += bending_elastic(b->bending, b->vec.q);
     to->potential += b->rest_potential - dot(b->bending->dofs, b->vec.weight, b->vec.q);
@@ -351,7 +211,7 @@ static void beam_momentum(const struct body *b, const struct layout *l, const do
 {
     double across = 0;
 
-    gather(b, l, y);
+    beam_state_read(b, l, y);
     band_multiply(b->bending->mass, b->vec.v, b->vec.inertia);
     for (int i = 0; i < b->bending->dofs; i += 2)
         across += b->vec.inertia[i];
@@ -394,20 +254,22 @@ static const struct body_kind *beam_choose(const void *params)
 }
 
 const struct body_kind bodies_beam = {
-    .name = "beam", .about = "elastic beam or plate strip (2D); it bends a little, or with "
-                             "theory = \"elastica\" as far as it likes",
+    .name = "beam",
+    .about = "elastic beam or plate strip (2D); it bends a little, or with "
+             "theory = \"elastica\" as far as it likes",
     .equation = "M w'' + D w' + K w = F, D = alpha M + beta K + drag I, EI = E b^3/12 (plane "
                 "strain: /(1 - nu^2))  (39)-(45); elastica: dE/dq for K w  (BE4)-(BE6)",
     .source = "Toth 2012, section 4; consistent mass and Rayleigh damping unless (44), (45) are "
               "asked for; elastica: Reissner 1972",
-    .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
-    .choose = beam_choose,
+    .group = "beam",
+    .size = sizeof(struct beam_def), .params = beam_def_params, .choose = beam_choose,
     .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
     .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,
-    .stiff = beam_stiff, .solve = beam_solve, .unknowns = beam_unknowns, .read = beam_read,
-    .write = beam_write, .right = beam_right, .inertia = beam_inertia, .drift = beam_drift,
-    .pull = beam_pull, .join = beam_join, .joined = beam_joined, .fastest = beam_fastest,
-    .yield = beam_yield, .settle = beam_settle, .event = beam_event, .limit = beam_limit,
-    .energy = beam_energy,
-    .momentum = beam_momentum, .weight = beam_weight, .show = beam_show,
+    .stiff = beam_stiff, .solve = beam_solve, .unknowns = beam_couple_unknowns,
+    .read = beam_couple_read, .write = beam_couple_write, .right = beam_couple_right,
+    .inertia = beam_couple_inertia, .drift = beam_couple_drift, .pull = beam_couple_pull,
+    .join = beam_couple_join, .joined = beam_couple_joined, .fastest = beam_couple_fastest,
+    .yield = beam_couple_yield, .settle = beam_couple_settle, .event = beam_event,
+    .limit = beam_limit, .energy = beam_energy, .momentum = beam_momentum, .weight = beam_weight,
+    .show = beam_show,
 };
