@@ -98,12 +98,12 @@ fi
 pages="$top/README.md $top/CONTRIBUTING.md $(echo "$top"/doc/*.md)"
 effect=$(sed -n 's,^/\* \([a-z-]*\)\.c -- .*,\1,p' "$top/doc/adding-a-part.md" | head -n 1)
 
-# Paths with a directory of ours, in quotes or links; NAME and wildcards are no names.
+# Paths with a directory of ours, in quotes or links; NAME is none, wildcards must find something.
 # shellcheck disable=SC2086 # paths have no blanks
-for path in $(grep -h -o -E '[(` ](src|tests|doc|data|plots|bench|m4|build-aux)/[A-Za-z0-9_./-]+' $pages |
-    sed 's/^.//; s/[.,]$//' | grep -v -E 'NAME|ROOM|PREFIX' | sort -u); do
+for path in $(grep -h -o -E '[(` ](src|tests|doc|data|plots|bench|m4|build-aux)/[A-Za-z0-9_./*-]+' $pages |
+    sed 's/^.//; s/[.,]$//' | grep -v -E 'NAME|ROOM|PREFIX|CASE' | sort -u); do
     case $path in *"/$effect"* | *.log) continue ;; esac
-    [ -e "$top/$path" ] || grep -q -w -e "$path" "$top"/tests/*/*.am ||
+    ls $top/$path >"$directory/there" 2>&1 || grep -q -w -e "$path" "$top"/tests/*/*.am ||
         complain "$path is named in $(grep -l -F -e "$path" $pages | tr '\n' ' ')but is not there"
 done
 

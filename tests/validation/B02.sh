@@ -49,6 +49,7 @@ plot 'seen' using 2:3 with points pt 6 lc rgb grey title 'measured', \
     'slip.t' with lines lw 2 lc rgb pick(2) title 'adami, slip'
 set xrange [0:0.584]
 set yrange [0:0.3]
+set ytics 0.1
 set size 0.5, 0.33
 set xlabel
 set ylabel 'z [m]'

@@ -68,15 +68,18 @@ set multiplot layout 3, 1
 set xrange [1.4:7]
 set lmargin 8
 set key top left Left reverse
+set ytics 1
 set ylabel 'P1 / ρgH'
 set yrange [0:3]
 plot 'computed.p1' using 2:3 with lines lw 1 lc rgb pick(2) title 'De Courcy 2024', \
     'run.csv' using 1:3 with lines lw 1.5 lc rgb pick(1) title 'here'
+set ytics 0.5
 set ylabel 'disc / ρgH'
 set yrange [0:1.6]
 plot 'seen.p' using 2:3 with lines lw 1 lc rgb grey title 'Zhou 1999', \
     'computed.p4' using 2:3 with lines lw 1 lc rgb pick(2) title 'De Courcy 2024', \
     'run.csv' using 1:2 with lines lw 1.5 lc rgb pick(1) title 'here'
+set ytics 0.3
 set ylabel 'heights / H'
 set xlabel 'T = t √(g/H)'
 set yrange [0:0.9]
