@@ -2,6 +2,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
+#include "plan/catalogue.h"
 #include "plan/kernels.h"
 #include "scene/scene.h"
 
@@ -38,6 +39,29 @@ static bool repeats(const struct plan *p)
         if (p->scales.period[d] > 0)
             return true;
     return false;
+}
+
+/* A drift across other fields than the weight is energy that nobody books. */
+static int check_drift(const struct plan *p, const struct scene *scene)
+{
+    const struct plan_part *drift = NULL, *pull = NULL;
+
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *part = p->part[i].part;
+        if (part->carry && drift)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s and %s both move particles beside their "
+                               "velocity; leave one of them out", scene_path(scene), drift->path,
+                               p->part[i].path);
+        if (part->carry)
+            drift = &p->part[i];
+        if (part->field && !catalogue_implied(part))
+            pull = &p->part[i];
+    }
+    if (drift && pull)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s does not go with %s, whose work on the drift "
+                           "would be in no book; leave one of them out", scene_path(scene),
+                           drift->path, pull->path);
+    return STATUS_DONE;
 }
 
 /* Every field that a part needs, some part must provide. */
@@ -140,6 +164,7 @@ int plan_agree(const struct plan *p, const struct scene *scene)
 {
     TRY(check_needs(p, scene));
     TRY(check_walls(p, scene));
+    TRY(check_drift(p, scene));
     doubt_tension(p);
     advise_side(p);
     return STATUS_DONE;

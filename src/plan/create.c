@@ -21,7 +21,7 @@ static int take_part(struct plan *p, const struct part *part, void **self, const
     to->self = self ? *self : NULL;
     if (self)
         *self = NULL;
-    to->slot = part->pairs ? p->slots++ : -1;
+    to->slot = part->pairs || part->carry ? p->slots++ : -1;
     snprintf(to->path, sizeof to->path, "%s", path);
     if (part->provides & FIELD_PRESSURE)
         p->pressure = to;
@@ -298,6 +298,10 @@ static int build(struct plan *p, struct scene *scene)
     TRY(plan_tables_make(p));
     make_list_def(p);
     TRY(plan_workspace_make(p, &p->main));
+    if (p->drifter
+        && !(p->drift = status_alloc(particles_count(p->particles, KIND_FLUID) + 1,
+                                     sizeof *p->drift)))
+        return STATUS_FAILED;
     return viscous_make(p);
 }
 
@@ -330,6 +334,7 @@ void plan_free(struct plan **plan)
         free(p->body[i].force);
         free(p->body[i].seen);
     }
+    free(p->drift);
     viscous_free(p);
     plan_workspace_free(p, &p->main);
     plan_observer_free(p);

@@ -49,6 +49,20 @@ static void settle_kind(struct plan *p, const struct plan_field *f, struct plan_
     v->stores[k] = (f->part->part->provides & FIELD_DENSITY) != 0;
 }
 
+/* Fluid that has left the domain does not drift. */
+static void carry(struct plan *p, const struct plan_field *f, struct plan_workspace *w,
+                  struct view *v)
+{
+    const int from = w->list->start[KIND_FLUID], n = particles_count(v->p, KIND_FLUID);
+    const struct settle job = {
+        .v = v, .kind = KIND_FLUID, .n = w->list->start[KIND_FLUID + 1] - from,
+        .owner = w->list->order + from, .sum = (const double (*)[PART_SUMS])(w->sum + from),
+    };
+
+    memset(p->drift, 0, (size_t)n * sizeof *p->drift);
+    f->part->part->carry(f->part->self, &job, p->drift);
+}
+
 static int sum_field(struct plan *p, const struct plan_field *f, struct plan_workspace *w,
                      struct view *v)
 {
@@ -60,6 +74,10 @@ static int sum_field(struct plan *p, const struct plan_field *f, struct plan_wor
     unsigned kinds = 0;
 
     p->engine->sum->field(&job);
+    if (f->part->part->carry) {
+        carry(p, f, w, v);
+        return STATUS_DONE;
+    }
     for (int k = 0; k < KINDS; k++)
         if (f->meets[k] && particles_count(v->p, k) > 0) {
             settle_kind(p, f, w, v, k);

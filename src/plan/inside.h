@@ -79,6 +79,8 @@ struct plan {
     struct plan_part part[PLAN_PARTS];
     const struct plan_part *pressure;  /* NULL: none                          */
     bool walls_as_fluid;               /* solids get their density as the fluid */
+    const struct plan_part *drifter;   /* whose carry() gives drift; NULL: none */
+    double (*drift)[DIM];              /* [fluid][DIM] [m/s]                  */
     int fields;
     struct plan_field field[PLAN_FIELDS]; /* in the order in which they are summed */
     int bodies, walls;

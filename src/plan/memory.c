@@ -17,6 +17,7 @@ struct count {
     int vectors;         /* of the size of y, of the method                     */
     bool fields;         /* densities are summed                                */
     bool viscous;        /* a viscosity is implicit                             */
+    bool drifts;         /* positions move with more than velocities            */
 };
 
 /* Neighbours of a particle of the fluid in the list, on a full lattice. */
@@ -76,7 +77,7 @@ static void estimate(const struct count *c, struct plan_memory *m)
         .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
-              + viscous(c),
+              + viscous(c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
         .outputs = outputs(c),
     };
@@ -91,6 +92,7 @@ void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
                        ? list_entries(p->main.list)
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
+        .drifts = p->drifter,
     };
 
     estimate(&c, out);

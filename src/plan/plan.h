@@ -48,6 +48,9 @@ const char *plan_refusal(const struct plan *plan);
 int plan_half(struct plan *plan, enum plan_which which, double t, const double *y, double later,
               double *ydot);
 
+/* NULL, or why rates of positions are not the velocities alone. */
+const char *plan_drifts(const struct plan *plan);
+
 /* NULL, or why this plan's explicit side has no two halves. */
 const char *plan_halves(const struct plan *plan);
 

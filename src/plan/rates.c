@@ -41,6 +41,27 @@ static void spread_fluid(const struct plan *p, const struct plan_workspace *w,
     }
 }
 
+/* Positions move with more than the velocity. */
+static void add_drift(const struct plan *p, const struct view *v, double *ydot)
+{
+    double (*xdot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_x));
+
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            xdot[i][d] += p->drift[i][d];
+}
+
+/* What a drift against the weight gives [W]. */
+static double drift_power(const struct plan *p, const struct view *v)
+{
+    double power = 0;
+
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            power -= v->p->m[i] * p->scales.g[d] * p->drift[i][d];
+    return power;
+}
+
 /* Rates of density of those that have one of their own. */
 static void spread_densities(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
@@ -156,6 +177,10 @@ static void push(struct plan *p, struct plan_workspace *w, const struct view *v,
 {
     if (p->row_x >= 0)
         add_fields(p, v, ydot);
+    if (p->drifter) {
+        add_drift(p, v, ydot);
+        w->power[p->drifter->slot] = drift_power(p, v);
+    }
     plan_solids_sum(p, w);
     load_bodies(p, w, v->t, y, ydot);
     plan_book_rates(p, w, ydot);

@@ -63,8 +63,15 @@ int plan_half(struct plan *p, enum plan_which which, double t, const double *y, 
     return status;
 }
 
+const char *plan_drifts(const struct plan *p)
+{
+    return p->drifter ? "an effect of this scene moves positions beside their velocities" : NULL;
+}
+
 const char *plan_halves(const struct plan *p)
 {
+    if (p->drifter)
+        return plan_drifts(p);
     if (p->viscous)
         return "its viscosity is implicit (side = \"implicit\")";
     return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;

@@ -92,6 +92,8 @@ static void add_field(struct plan *p, const struct plan_part *part)
     struct plan_field *f = &p->field[p->fields++];
 
     f->part = part;
+    if (part->part->carry)
+        p->drifter = part;
     for (int k = 0; k < KINDS; k++) {
         const bool solid = KIND_BIT(k) & KIND_SOLIDS;
         if (!(solid && (part->part->provides & FIELD_DENSITY) && !p->walls_as_fluid))

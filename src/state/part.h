@@ -105,6 +105,10 @@ struct part {
     part_gather *gather;
     void (*settle)(const void *self, const struct settle *s);
 
+    /* Instead of settle(): velocities that fluid moves with beside those in y, of the
+     * sums, added to drift [count of kind][DIM] [m/s]. */
+    void (*carry)(const void *self, const struct settle *s, double (*drift)[DIM]);
+
     /* Of a wall model: solids get their density by the part that gives the fluid
      * its own, and store energy by it; else the model settles it itself. */
     bool as_fluid;

@@ -33,6 +33,8 @@ const char *fixed_serves(const struct plan *plan)
 {
     if (plan_size(plan) == 0)
         return "nothing in this scene moves";
+    if (plan_drifts(plan))
+        return plan_drifts(plan);
     return paired(plan_layout(plan)) ? NULL
                                      : "its positions and velocities do not pair up one by one";
 }

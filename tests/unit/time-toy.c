@@ -150,6 +150,12 @@ int plan_half(struct plan *p, enum plan_which which, double t, const double *y, 
     return status;
 }
 
+const char *plan_drifts(const struct plan *p)
+{
+    (void)p;
+    return NULL;
+}
+
 const char *plan_halves(const struct plan *p)
 {
     return p->whole;
