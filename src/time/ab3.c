@@ -10,12 +10,12 @@
 /* The message of a run that cannot go on. */
 static int collapse(const struct ab3 *x, double h)
 {
-    const struct ab3_choice *c = &x->choice;
+    const struct choice *c = &x->choice;
     char where[96];
 
     if (x->def.seconds > 0)
         return ab3_constant_failed(x);
-    ab3_where(x, c, where);
+    choice_where(c, x->rates.plan, where);
     return status_fail(STATUS_FAILED,
                        "ab3 collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
                        "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
@@ -93,13 +93,13 @@ static int give_up(struct ab3 *x, double h)
 
 static void report(const struct ab3 *x, bool cut, struct method_step *out)
 {
-    struct ab3_choice made = x->choice;
+    struct choice made = x->choice;
 
     if (cut)
         made.limiter = METHOD_OUTPUT;
     *out = (struct method_step){ .t = x->t, .h = x->t - x->t_old, .limiter = made.limiter,
                                  .rejected = x->rejected };
-    ab3_where(x, &made, out->where);
+    choice_where(&made, x->rates.plan, out->where);
 }
 
 /* Rates of a step that was cut short take the place of the last ones: differences over

@@ -18,20 +18,12 @@
 
 #include "algebra/vector.h"
 #include "state/limit.h"
+#include "time/choice.h"
 #include "time/control.h"
 #include "time/method.h"
 #include "time/rates.h"
 
 enum { AB3_POINTS = 3 };
-
-/* What decided on the length of a step. */
-struct ab3_choice {
-    double h;                   /* the length decided on [s]                   */
-    enum method_limiter limiter;
-    long entry;                 /* of the largest error, -1: none known yet    */
-    struct limit limit;         /* of the stability bound                      */
-    char refusal[320];          /* "" unless f refused to answer               */
-};
 
 struct ab3 {
     struct method_def def;
@@ -50,7 +42,7 @@ struct ab3 {
     SUNContext context;
     N_Vector error, weight;
     struct control control;
-    struct ab3_choice choice;   /* for the step to come                        */
+    struct choice choice;       /* for the step to come                        */
     double h_min;               /* [s]                                         */
     long rejected;
 };
@@ -72,7 +64,6 @@ void ab3_remember(struct ab3 *x, bool replace); /* those rates; instead of the l
 /* ab3-length.c */
 void ab3_choose(struct ab3 *x, double h);    /* the next step: h where it is stable */
 void ab3_first(struct ab3 *x, double t_stop);
-void ab3_where(const struct ab3 *x, const struct ab3_choice *c, char where[96]);
 int ab3_constant_failed(const struct ab3 *x); /* STATUS_FAILED, with the bound it broke */
 
 /* ab3.c */

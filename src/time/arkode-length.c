@@ -36,14 +36,14 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
                  void *self)
 {
     struct arkode *a = self;
-    struct arkode_choice *c = &a->choice[0];
+    struct choice *c = &a->choice[0];
 
     (void)t, (void)h2, (void)h3, (void)e2, (void)e3, (void)q, (void)p;
     a->choice[1] = *c;
     a->accepted = e1 <= 1;
     a->rejected += !a->accepted;
     *next = control_next(&a->control, h1, e1 * a->row->control->accept);
-    *c = (struct arkode_choice){ .h = *next, .limiter = METHOD_ERROR,
+    *c = (struct choice){ .h = *next, .limiter = METHOD_ERROR,
                                  .entry = vector_largest(y) };
     if (!a->accepted)
         memcpy(c->refusal, a->refusal, sizeof c->refusal);
@@ -55,7 +55,7 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
 int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
 {
     struct arkode *a = self;
-    struct arkode_choice *c = &a->choice[0];
+    struct choice *c = &a->choice[0];
 
     if (a->accepted)
         arkode_bound(a, t, vector_read(y));
@@ -90,7 +90,7 @@ static int cautious(struct arkode *a, double t_stop, double *h)
 /* ARKStep asks nobody then, and every step is like the first. */
 static void choose_constant(struct arkode *a)
 {
-    a->choice[0] = (struct arkode_choice){ .h = a->def.seconds, .limiter = METHOD_STABILITY,
+    a->choice[0] = (struct choice){ .h = a->def.seconds, .limiter = METHOD_STABILITY,
                                            .entry = -1,
                                            .limit = { .where = -1, .part = CONSTANT_PART } };
     a->choice[1] = a->choice[0];
@@ -126,7 +126,7 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
         choose_constant(a);
         return STATUS_DONE;
     }
-    a->choice[0] = (struct arkode_choice){ .limiter = METHOD_ERROR, .entry = -1,
+    a->choice[0] = (struct choice){ .limiter = METHOD_ERROR, .entry = -1,
                                            .limit = a->bound_limit };
     if (a->def.h_first > 0)
         *h = a->def.h_first;
@@ -139,18 +139,4 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
         a->choice[0].limiter = METHOD_STABILITY;
     a->choice[0].h = *h;
     return STATUS_DONE;
-}
-
-void arkode_where(const struct arkode *a, const struct arkode_choice *c, char where[96])
-{
-    if (c->limiter == METHOD_OUTPUT)
-        snprintf(where, 96, "end of the segment");
-    else if (c->limiter == METHOD_STABILITY && c->limit.where >= 0)
-        snprintf(where, 96, "%s, particle %d", c->limit.part, c->limit.where);
-    else if (c->limiter == METHOD_STABILITY)
-        snprintf(where, 96, "%s", c->limit.part);
-    else if (c->refusal[0])
-        snprintf(where, 96, "refused: %.80s", c->refusal);
-    else
-        snprintf(where, 96, "%.95s", c->entry >= 0 ? plan_entry(a->plan, c->entry) : "first step");
 }

@@ -52,10 +52,10 @@ static const char *reason(int flag)
 /* The message of a run that cannot go on. */
 static int collapse(struct arkode *a, int flag)
 {
-    const struct arkode_choice *c = &a->choice[0];
+    const struct choice *c = &a->choice[0];
     char where[96] = "";
 
-    arkode_where(a, c, where);
+    choice_where(c, a->plan, where);
     return status_fail(STATUS_FAILED,
                        "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s. Things to "
                        "try: a smaller tol, the norm \"max\", more viscosity or density "
@@ -91,14 +91,14 @@ static void rotate(struct arkode *a, double t)
 
 static void report(struct arkode *a, bool stopped, struct method_step *out)
 {
-    struct arkode_choice made = a->choice[1];
+    struct choice made = a->choice[1];
     const double h = a->node[0].t - a->node[1].t;
 
     if (stopped && h < made.h * (1 - 1e-9))
         made.limiter = METHOD_OUTPUT;
     *out = (struct method_step){ .t = a->node[0].t, .h = h, .limiter = made.limiter,
                                  .rejected = a->rejected };
-    arkode_where(a, &made, out->where);
+    choice_where(&made, a->plan, out->where);
     if (made.limiter != METHOD_OUTPUT || a->choice[0].h > a->natural)
         a->natural = a->choice[0].h;
 }

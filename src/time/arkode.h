@@ -9,6 +9,7 @@
 
 #include "algebra/vector.h"
 #include "state/limit.h"
+#include "time/choice.h"
 #include "time/control.h"
 #include "time/method.h"
 #include "time/tableau.h"
@@ -34,15 +35,6 @@ extern const struct arkode_row arkode_imex3, arkode_imex4, arkode_imex5,
     arkode_dormand_prince_7_4_5, arkode_ark548l2sa_erk_8_4_5, arkode_ark548l2sab_erk_8_4_5,
     arkode_verner_8_5_6, arkode_fehlberg_13_7_8;
 
-/* What decided on the length of a step. */
-struct arkode_choice {
-    double h;                     /* the length decided on [s]                 */
-    enum method_limiter limiter;
-    long entry;                   /* of the largest error, -1: none known yet  */
-    struct limit limit;           /* of the stability bound                    */
-    char refusal[320];             /* "" unless f refused to answer             */
-};
-
 enum {
     ARKODE_NODES = 3,   /* ends of steps kept for dense output                 */
     ARKODE_PAST = 4,    /* the same for the stiff entries                      */
@@ -67,7 +59,7 @@ struct arkode {
     double *weight;              /* [n] of error tests                         */
     N_Vector weighted;           /* vector that holds them already             */
     struct control control;
-    struct arkode_choice choice[2]; /* for the step to come, for the last one  */
+    struct choice choice[2]; /* for the step to come, for the last one  */
     double bound;                /* largest stable step [s]                    */
     struct limit bound_limit;
     double natural;              /* last step that no t_stop cut short [s]     */
@@ -133,7 +125,6 @@ double arkode_bound(struct arkode *a, double t, const double *y);
 int arkode_first(struct arkode *a, double t_stop, double *h);
 int arkode_stretch(struct arkode *a, double t_stop); /* a constant step; 0 if it may be */
 int arkode_constant_failed(struct arkode *a); /* STATUS_FAILED, with the bound it broke */
-void arkode_where(const struct arkode *a, const struct arkode_choice *c, char where[96]);
 
 /* arkode-dense.c */
 void arkode_remember(struct arkode *a); /* node[0] into the past of stiff entries */

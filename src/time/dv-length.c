@@ -80,7 +80,7 @@ int dv_constant_failed(const struct dv *x)
 
 static void choose_constant(struct dv *x)
 {
-    x->choice = (struct dv_choice){ .h = x->def.seconds, .limiter = METHOD_STABILITY,
+    x->choice = (struct choice){ .h = x->def.seconds, .limiter = METHOD_STABILITY,
                                     .entry = -1,
                                     .limit = { .where = -1, .part = CONSTANT_PART } };
     x->h_min = HUGE_VAL; /* never shortened */
@@ -96,7 +96,7 @@ void dv_choose(struct dv *x, double h)
     struct limit limit;
     const double most = bound(x, &limit);
 
-    x->choice = (struct dv_choice){ .h = fmin(h, most), .limiter = METHOD_ERROR,
+    x->choice = (struct choice){ .h = fmin(h, most), .limiter = METHOD_ERROR,
                                     .entry = vector_largest(x->error), .limit = limit };
     if (most < h)
         x->choice.limiter = METHOD_STABILITY;
@@ -134,23 +134,9 @@ void dv_first(struct dv *x, double t_stop)
     if (!(h > 0))
         h = most < HUGE_VAL ? 0.3 * most : cautious(x, t_stop);
     h = fmin(h, most);
-    x->choice = (struct dv_choice){ .h = h, .limiter = METHOD_ERROR, .entry = -1,
+    x->choice = (struct choice){ .h = h, .limiter = METHOD_ERROR, .entry = -1,
                                     .limit = limit };
     if (most < HUGE_VAL && (x->def.h_first == 0 || h == most))
         x->choice.limiter = METHOD_STABILITY;
     x->h_min = x->def.h_min > 0 ? x->def.h_min : 1e-6 * h;
-}
-
-void dv_where(const struct dv *x, const struct dv_choice *c, char where[96])
-{
-    if (c->limiter == METHOD_OUTPUT)
-        snprintf(where, 96, "end of the segment");
-    else if (c->limiter == METHOD_STABILITY && c->limit.where >= 0)
-        snprintf(where, 96, "%s, particle %d", c->limit.part, c->limit.where);
-    else if (c->limiter == METHOD_STABILITY)
-        snprintf(where, 96, "%s", c->limit.part);
-    else if (c->refusal[0])
-        snprintf(where, 96, "refused: %.80s", c->refusal);
-    else
-        snprintf(where, 96, "%.95s", c->entry >= 0 ? plan_entry(x->plan, c->entry) : "first step");
 }

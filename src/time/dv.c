@@ -26,12 +26,12 @@ static int refuse_start(const struct dv *x)
 /* The message of a run that cannot go on. */
 static int collapse(const struct dv *x, double h)
 {
-    const struct dv_choice *c = &x->choice;
+    const struct choice *c = &x->choice;
     char where[96];
 
     if (x->def.seconds > 0)
         return dv_constant_failed(x);
-    dv_where(x, c, where);
+    choice_where(c, x->plan, where);
     return status_fail(STATUS_FAILED,
                        "dv collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
                        "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
@@ -112,13 +112,13 @@ static int give_up(struct dv *x, double h)
 
 static void report(const struct dv *x, bool cut, struct method_step *out)
 {
-    struct dv_choice made = x->choice;
+    struct choice made = x->choice;
 
     if (cut)
         made.limiter = METHOD_OUTPUT;
     *out = (struct method_step){ .t = x->t, .h = x->t - x->t_old, .limiter = made.limiter,
                                  .rejected = x->rejected };
-    dv_where(x, &made, out->where);
+    choice_where(&made, x->plan, out->where);
 }
 
 static int take(struct dv *x, double t_stop, struct method_step *out)

@@ -27,6 +27,7 @@
 
 #include "algebra/vector.h"
 #include "state/limit.h"
+#include "time/choice.h"
 #include "time/control.h"
 #include "time/method.h"
 
@@ -38,15 +39,6 @@ struct dv_past {
     double *f[DV_POINTS];       /* [n]                                         */
     int known;                  /* of [1] and [2]                              */
     const double *begun;        /* [n] those at the beginning of the last step */
-};
-
-/* What decided on the length of a step. */
-struct dv_choice {
-    double h;                   /* the length decided on [s]                   */
-    enum method_limiter limiter;
-    long entry;                 /* of the largest error, -1: none known yet    */
-    struct limit limit;         /* of the stability bound                      */
-    char refusal[320];          /* "" unless f refused to answer               */
 };
 
 struct dv {
@@ -69,7 +61,7 @@ struct dv {
     SUNContext context;
     N_Vector error, weight;
     struct control control;
-    struct dv_choice choice;    /* for the step to come                        */
+    struct choice choice;    /* for the step to come                        */
     double h_min;               /* [s]                                         */
     long rejected;
 };
@@ -96,7 +88,6 @@ double dv_error(struct dv *x, double h);     /* of the step tried, in units of t
 void dv_choose(struct dv *x, double h);      /* the next step: h where it is stable */
 void dv_first(struct dv *x, double t_stop);
 int dv_constant_failed(const struct dv *x);  /* STATUS_FAILED, with the bound it broke */
-void dv_where(const struct dv *x, const struct dv_choice *c, char where[96]);
 
 /* dv-dense.c */
 int dv_at(void *self, double t, double *y);
