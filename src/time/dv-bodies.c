@@ -39,7 +39,7 @@ static void keep_rates(struct dv *x, double h)
             x->load[i] = x->a.f[0][i];
             if (i < x->from[LAYOUT_VELOCITY])
                 continue;
-            x->a.f[0][i] = (x->y[i] - x->y_old[i]) / h;
+            x->a.f[0][i] = (x->frame.y[i] - x->frame.y_old[i]) / h;
             if (x->a.known == 1)
                 x->a.f[1][i] = x->a.f[0][i];
         }
@@ -47,27 +47,32 @@ static void keep_rates(struct dv *x, double h)
 
 int dv_bodies_half(struct dv *x, double h)
 {
+    const double *old = x->frame.y_old;
+
     if (x->ranges == 0)
         return STATUS_DONE;
-    mix(x, x->y_old, 0, x->y_old, h, x->load_old, x->right);
-    mix(x, x->y_old, 0, x->y_old, 0, x->load_old, x->half); /* a guess */
-    return plan_solve(x->plan, x->t_old + h, h, x->right, x->half);
+    mix(x, old, 0, old, h, x->load_old, x->right);
+    mix(x, old, 0, old, 0, x->load_old, x->half); /* a guess */
+    return plan_solve(x->frame.plan, x->frame.t_old + h, h, x->right, x->half);
 }
 
 int dv_bodies_step(struct dv *x, double h)
 {
-    const double g = 1 - sqrt(0.5), t = x->a.t[0], *load = x->a.f[0];
+    struct plan *plan = x->frame.plan;
+    const double g = 1 - sqrt(0.5), t = x->a.t[0], t_old = x->frame.t_old;
+    const double *old = x->frame.y_old, *load = x->a.f[0];
+    double *y = x->frame.y;
 
     if (x->ranges == 0)
         return STATUS_DONE;
-    plan_body_book(x->plan, t, x->half, -1, x->a.f[0]);
-    mix(x, x->y_old, 0, x->y_old, g * h, load, x->right);
-    mix(x, x->y_old, 0, x->y_old, 0, load, x->y);
-    TRY(plan_solve(x->plan, x->t_old + g * h, g * h, x->right, x->y));
-    plan_body_book(x->plan, t, x->y, 1 - g, x->a.f[0]);
-    mix(x, x->y_old, (1 - g) / g, x->y, g * h, load, x->right);
-    TRY(plan_solve(x->plan, x->t_old + h, g * h, x->right, x->y));
-    plan_body_book(x->plan, t, x->y, g, x->a.f[0]);
+    plan_body_book(plan, t, x->half, -1, x->a.f[0]);
+    mix(x, old, 0, old, g * h, load, x->right);
+    mix(x, old, 0, old, 0, load, y);
+    TRY(plan_solve(plan, t_old + g * h, g * h, x->right, y));
+    plan_body_book(plan, t, y, 1 - g, x->a.f[0]);
+    mix(x, old, (1 - g) / g, y, g * h, load, x->right);
+    TRY(plan_solve(plan, t_old + h, g * h, x->right, y));
+    plan_body_book(plan, t, y, g, x->a.f[0]);
     keep_rates(x, h);
     return STATUS_DONE;
 }

@@ -1,4 +1,4 @@
-/* dv-length.c -- the error of a step of "dv", and how long the next one may be.
+/* dv-length.c -- the error of a step of "dv", and the bound of stability.
  *
  * With A'' by divided differences of the last three A, and D'' likewise, the step
  * adds errors of the size
@@ -14,9 +14,7 @@
 #include "time/dv.h"
 
 #include "base/status.h"
-#include "time/constant.h"
 #include <math.h>
-#include <stdio.h>
 
 static const double safety = 0.95; /* of the stability bound */
 
@@ -35,30 +33,27 @@ static void bent(struct dv *x, enum layout_class what, const struct dv_past *p, 
     for (int k = 0; k < 3; k++)
         c[k] = factor / ((t[k] - t[(k + 1) % 3]) * (t[k] - t[(k + 2) % 3]));
     vector_combine(3, c, (const double *[]){ p->f[0] + i, p->f[1] + i, p->f[known ? 2 : 1] + i },
-                   x->from[what + 1] - i, vector_data(x->error) + i);
+                   x->from[what + 1] - i, vector_data(x->frame.error) + i);
 }
 
-double dv_error(struct dv *x, double h)
+double dv_error(struct paced *frame, double h)
 {
-    if (x->def.seconds > 0)
-        return 0; /* whatever it is, the step stays */
-
+    struct dv *x = (struct dv *)frame;
     const long v = x->from[LAYOUT_VELOCITY];
     const double cube = h * h * h, slope = cube / 24 / (x->a.t[0] - x->a.t[1]);
     const double c[2] = { slope, -slope };
 
     vector_combine(2, c, (const double *[]){ x->a.f[0] + v, x->a.f[1] + v }, v,
-                   vector_data(x->error));
+                   vector_data(frame->error));
     bent(x, LAYOUT_VELOCITY, &x->a, h, cube / 12);
     bent(x, LAYOUT_OTHER, &x->d, h, cube / 12);
-    return N_VWrmsNorm(x->error, x->weight);
+    return N_VWrmsNorm(frame->error, frame->weight);
 }
 
 /* --- the bound ----------------------------------------------------------- */
 
-/* Largest stable step at (t, y), bodies being implicit: HUGE_VAL if the plan knows
- * none. */
-static double bound(const struct dv *x, struct limit *of)
+/* Bodies are implicit. */
+double dv_bound(const struct paced *x, struct limit *of)
 {
     struct limit limit[2];
     double w, d;
@@ -70,73 +65,19 @@ static double bound(const struct dv *x, struct limit *of)
     return w > 0 || d > 0 ? safety * 4 / (d + sqrt(d * d + 4 * w * w)) : HUGE_VAL;
 }
 
-int dv_constant_failed(const struct dv *x)
+/* Of rates that begin() asked for, those of bodies left to themselves among them. */
+double dv_haste(struct paced *frame)
 {
-    struct limit limit;
-    const double most = bound(x, &limit);
-
-    return constant_fail("dv", x->def.seconds, x->t, x->choice.refusal, most, &limit);
-}
-
-static void choose_constant(struct dv *x)
-{
-    x->choice = (struct choice){ .h = x->def.seconds, .limiter = METHOD_STABILITY,
-                                    .entry = -1,
-                                    .limit = { .where = -1, .part = CONSTANT_PART } };
-    x->h_min = HUGE_VAL; /* never shortened */
-}
-
-void dv_choose(struct dv *x, double h)
-{
-    if (x->def.seconds > 0) {
-        choose_constant(x);
-        return;
-    }
-
-    struct limit limit;
-    const double most = bound(x, &limit);
-
-    x->choice = (struct choice){ .h = fmin(h, most), .limiter = METHOD_ERROR,
-                                    .entry = vector_largest(x->error), .limit = limit };
-    if (most < h)
-        x->choice.limiter = METHOD_STABILITY;
-}
-
-/* Without a bound: a step along the rates, those of bodies left to themselves among them,
- * that changes y by as much as an error may. */
-static double cautious(struct dv *x, double t_stop)
-{
-    const double *weight = vector_data(x->weight);
+    struct dv *x = (struct dv *)frame;
+    const double *weight = vector_data(frame->weight);
     const long v = x->from[LAYOUT_VELOCITY];
     double most = 0;
 
-    if (plan_rhs(x->plan, PLAN_IMPLICIT, x->t, x->y, x->right) != STATUS_DONE)
-        return (t_stop - x->t) / 100;
-    for (long i = 0; i < x->n; i++) {
-        const double f = i < v ? x->y[v + i] : x->a.f[1][i] + x->d.f[1][i] + x->right[i];
+    if (plan_rhs(frame->plan, PLAN_IMPLICIT, frame->t, frame->y, x->right) != STATUS_DONE)
+        return 0;
+    for (long i = 0; i < frame->n; i++) {
+        const double f = i < v ? frame->y[v + i] : x->a.f[1][i] + x->d.f[1][i] + x->right[i];
         most = fmax(most, fabs(f * weight[i]));
     }
-    return most > 0 ? fmin(1 / most, t_stop - x->t) : (t_stop - x->t) / 100;
-}
-
-/* The first step, 0.3 of the bound, as a controller of low gain wants it. */
-void dv_first(struct dv *x, double t_stop)
-{
-    if (x->def.seconds > 0) {
-        choose_constant(x);
-        return;
-    }
-
-    struct limit limit;
-    const double most = bound(x, &limit);
-    double h = x->def.h_first;
-
-    if (!(h > 0))
-        h = most < HUGE_VAL ? 0.3 * most : cautious(x, t_stop);
-    h = fmin(h, most);
-    x->choice = (struct choice){ .h = h, .limiter = METHOD_ERROR, .entry = -1,
-                                    .limit = limit };
-    if (most < HUGE_VAL && (x->def.h_first == 0 || h == most))
-        x->choice.limiter = METHOD_STABILITY;
-    x->h_min = x->def.h_min > 0 ? x->def.h_min : 1e-6 * h;
+    return most;
 }

@@ -25,11 +25,7 @@
 #ifndef TIME_DV_H
 #define TIME_DV_H
 
-#include "algebra/vector.h"
-#include "state/limit.h"
-#include "time/choice.h"
-#include "time/control.h"
-#include "time/method.h"
+#include "time/paced.h"
 
 enum { DV_POINTS = 3 };
 
@@ -42,57 +38,36 @@ struct dv_past {
 };
 
 struct dv {
-    struct method_def def;
-    struct plan *plan;
-    long n, from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c */
+    struct paced frame;         /* first                                       */
+    long from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c  */
     bool flows;                 /* densities are stepped                       */
     int ranges;                 /* entries of bodies: y[range[k][0]] up to     */
     long range[LAYOUT_ROWS][2]; /* y[range[k][1]]                              */
 
-    double t, t_old;
-    double *y, *y_old;          /* [n] at both                                 */
     double *half;               /* [n] x', v_n, rho'                           */
     double *load, *load_old;    /* [n] of bodies' entries: rates by the water
                                    alone, in this step and in the last         */
     double *right;              /* [n] of plan_solve()                         */
     struct dv_past a, d;        /* A at half steps, D at whole ones            */
-    bool ready, stepped;        /* a and d are known at t; there is a y_old    */
-
-    SUNContext context;
-    N_Vector error, weight;
-    struct control control;
-    struct choice choice;    /* for the step to come                        */
-    double h_min;               /* [s]                                         */
-    long rejected;
 };
 
-extern const struct method dv_method;
+extern const struct paced_kind dv_kind;
 
-/* dv-create.c */
-int dv_create(const struct method *m, const struct method_def *def, struct plan *plan, double t,
-              const double *y, void **out);
-int dv_restart(void *self, double t, const double *y);
-void dv_free(void **self);
-int dv_vectors(const struct method *m, const struct plan *plan);
-
-/* dv-advance.c.  A refusal is handed up. */
-int dv_begin(struct dv *x);               /* A and D where a run starts        */
-int dv_advance(struct dv *x, double h);   /* y_old at t_old -> y at t_old + h  */
+/* dv-advance.c: members of dv_kind. */
+int dv_begin(struct paced *frame);                /* A and D where a run starts */
+int dv_advance(struct paced *frame, double h);
+void dv_remember(struct paced *frame, bool replace);
 
 /* dv-bodies.c: entries of bodies; nothing is done when there are none. */
 int dv_bodies_half(struct dv *x, double h);  /* y_old -> half, h later         */
 int dv_bodies_step(struct dv *x, double h);  /* y_old -> y under the load in A */
 
-/* dv-length.c */
-double dv_error(struct dv *x, double h);     /* of the step tried, in units of tol */
-void dv_choose(struct dv *x, double h);      /* the next step: h where it is stable */
-void dv_first(struct dv *x, double t_stop);
-int dv_constant_failed(const struct dv *x);  /* STATUS_FAILED, with the bound it broke */
+/* dv-length.c: members of dv_kind. */
+double dv_error(struct paced *frame, double h);
+double dv_bound(const struct paced *frame, struct limit *of);
+double dv_haste(struct paced *frame);
 
-/* dv-dense.c */
-int dv_at(void *self, double t, double *y);
-
-/* dv.c */
-int dv_step(void *self, double t_stop, struct method_step *out);
+/* dv-dense.c: a member of dv_kind. */
+void dv_inside(const struct paced *frame, double t, double *y);
 
 #endif

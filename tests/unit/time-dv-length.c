@@ -12,7 +12,7 @@ void dv_estimates_its_error(void **state)
     toy_make(&p, 0, 0);
     p.plain = true;
     struct dv *x = toy_dv(&p, 1, 0);
-    assert_int_equal(dv_begin(x), STATUS_DONE);
+    assert_int_equal(dv_begin(&x->frame), STATUS_DONE);
     for (int k = 0; k < DV_POINTS; k++) { /* rates of the exact solution */
         x->a.t[k] = 1 + h * (0.5 - k);
         x->d.t[k] = 1 + h * (1 - k);
@@ -22,7 +22,8 @@ void dv_estimates_its_error(void **state)
         assert_int_equal(plan_rhs(&p, PLAN_DENSITY, x->d.t[k], exact, x->d.f[k]), STATUS_DONE);
     }
     x->a.known = x->d.known = 2;
-    const double e = dv_error(x, h), *each = vector_data(x->error), cube = h * h * h / 24;
+    const double e = dv_error(&x->frame, h), cube = h * h * h / 24;
+    const double *each = vector_data(x->frame.error);
     for (int i = 0; i < TOY_PARTICLES; i++) {
         near(each[p.layout.row[p.row_x].offset + i], -cube * cos(1 + i), 0.03 * cube);
         near(each[p.layout.row[p.row_u].offset + i], cube * sin(1 + i), 0.03 * cube);
@@ -37,7 +38,7 @@ void dv_estimates_its_error(void **state)
         p.plain = true;
         x = toy_dv(&p, tol, 0);
         assert_int_equal(toy_run(x, 5, &steps), STATUS_DONE);
-        const double error = toy_error(&p, 5, x->y);
+        const double error = toy_error(&p, 5, x->frame.y);
         if (!(error < 30 * pow(tol, 2.0 / 3) && error < last / 8 && steps < 30 / cbrt(tol)))
             fail_msg("tol %g: error %g, %d steps", tol, error, steps);
         last = error;
@@ -132,7 +133,7 @@ static void steps_after(bool cut, double h[3])
         assert_int_equal(step.limiter, METHOD_OUTPUT);
         assert_int_equal(toy_found()->at(x, step.t - 0.4 * step.h, y), STATUS_DONE);
         for (long i = 0; i < plan_size(&p); i++)
-            near(y[i], x->y[i], 1e-6);
+            near(y[i], x->frame.y[i], 1e-6);
     }
     for (int k = 0; k < 3; k++) {
         assert_int_equal(toy_found()->step(x, 100, &step), STATUS_DONE);
@@ -170,18 +171,18 @@ void dv_shortens_steps_without_an_answer(void **state)
     assert_int_equal(toy_found()->step(x, 1, &step), STATUS_DONE);
     near(step.h, 0.05 / 32, 1e-6); /* h/2 is the largest gamma */
     assert_int_equal(step.rejected, 5);
-    assert_true(toy_error(&p, step.t, x->y) < 1e-5);
+    assert_true(toy_error(&p, step.t, x->frame.y) < 1e-5);
     assert_string_equal(status_message(), "");
     p.solvable = 1e-12;
     assert_int_equal(toy_found()->step(x, 1, &step), STATUS_FAILED);
     assert_non_null(strstr(status_message(), "gamma is"));
-    assert_true(toy_error(&p, step.t, x->y) < 1e-5);
+    assert_true(toy_error(&p, step.t, x->frame.y) < 1e-5);
     toy_dv_free(x);
     toy_make(&p, 0, 0);
     p.refuse_after = 1e-9;
     x = toy_dv(&p, 1, 0);
     p.wave = 1e-3;
-    x->def.h_min = 1;
+    x->frame.def.h_min = 1;
     assert_int_equal(toy_found()->step(x, 1, &step), STATUS_FAILED);
     assert_non_null(strstr(status_message(), "density of particle 0"));
     toy_dv_free(x);

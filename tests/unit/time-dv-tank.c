@@ -1,8 +1,8 @@
 /* time-dv-tank.c -- the staggered Verlet method "dv" on the program's own water. */
 #include "../physics/tank.h"
+#include "time-dv.h"
 
 #include "base/status.h"
-#include "time/dv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -42,7 +42,7 @@ static void run_to(struct tank *t, const char *name, double tol, double h, doubl
         if (method->step(self, t_end, &step) != STATUS_DONE)
             fail_msg("%s", status_message());
         if (h > 0)
-            ((struct dv *)self)->choice.h = h;
+            ((struct paced *)self)->choice.h = h;
     }
     memcpy(y, method->state(self), (size_t)t->n * sizeof *y);
     method->free(&self);
@@ -97,20 +97,6 @@ static void water_moves_with_order_two(void **state)
     check(one > 0.85 && one < 1.9, "with dissipation: order %g, error %g", one, dissipating);
 }
 
-/* n steps of length h without the frame. */
-static void advance(struct dv *x, int n, double h)
-{
-    for (int k = 0; k < n; k++) {
-        double *const y = x->y, *const d = x->d.f[0];
-        x->y = x->y_old;
-        x->y_old = y;
-        assert_int_equal(dv_advance(x, h), STATUS_DONE);
-        x->t = x->t_old = x->t_old + h;
-        x->d.f[0] = x->d.f[1];
-        x->d.f[1] = d;
-    }
-}
-
 /* There and back again. */
 static double way_back(const char *effects)
 {
@@ -120,12 +106,13 @@ static double way_back(const char *effects)
     make(&t, effects);
     struct dv *x = run(&t, "dv", 1, 0);
     void *self = x;
-    assert_int_equal(dv_begin(x), STATUS_DONE);
-    advance(x, 40, 2e-4);
-    assert_true(far(&t, x->y, t.y) > 0.1);
-    assert_int_equal(plan_rhs(t.plan, PLAN_DENSITY, x->t, x->y, x->d.f[1]), STATUS_DONE);
-    advance(x, 40, -2e-4);
-    off = far(&t, x->y, t.y);
+    assert_int_equal(dv_begin(&x->frame), STATUS_DONE);
+    dv_steps(x, 40, 2e-4);
+    assert_true(far(&t, x->frame.y, t.y) > 0.1);
+    assert_int_equal(plan_rhs(t.plan, PLAN_DENSITY, x->frame.t, x->frame.y, x->d.f[1]),
+                     STATUS_DONE);
+    dv_steps(x, 40, -2e-4);
+    off = far(&t, x->frame.y, t.y);
     method->free(&self);
     tank_free(&t);
     return off;

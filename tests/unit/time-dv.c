@@ -1,4 +1,5 @@
 /* time-dv.c -- the staggered Verlet method "dv" on the toy: formulas and bodies. */
+#include "time-dv.h"
 #include "time-tests.h"
 
 struct dv *toy_dv(struct plan *p, double tol, double h)
@@ -29,8 +30,8 @@ static void final_errors(double stiffness, double drag, bool plain, double h, do
     assert_int_equal(toy_run(x, 2, &steps), STATUS_DONE);
     near(steps, 2 / h, 1.5);
     toy_exact(&p, 2, exact);
-    error[0] = toy_error(&p, 2, x->y);
-    error[1] = fabs(x->y[layout_at(&p.layout, p.row_book)]
+    error[0] = toy_error(&p, 2, x->frame.y);
+    error[1] = fabs(x->frame.y[layout_at(&p.layout, p.row_book)]
                     - exact[layout_at(&p.layout, p.row_book)]);
     toy_dv_free(x);
 }
@@ -71,26 +72,12 @@ void dv_books_the_work_of_a_kick(void **state)
     struct dv *x = toy_dv(&p, 1e6, 0.01);
     for (int k = 0; k < 40; k++)
         assert_int_equal(toy_found()->step(x, 1, &step), STATUS_DONE);
-    assert_int_equal(dv_at(x, step.t - 0.0025, y), STATUS_DONE);
+    assert_int_equal(paced_at(x, step.t - 0.0025, y), STATUS_DONE);
     toy_exact(&p, step.t - 0.0025, exact);
     toy_exact(&p, step.t, last);
     for (long i = 0; i < plan_size(&p); i++) /* a line may be 1e-5 off, that of the book is */
-        near(y[i] - x->y[i], exact[i] - last[i], i + 1 < plan_size(&p) ? 2e-7 : 1e-5);
+        near(y[i] - x->frame.y[i], exact[i] - last[i], i + 1 < plan_size(&p) ? 2e-7 : 1e-5);
     toy_dv_free(x);
-}
-
-/* n steps of length h without the frame. */
-static void advance(struct dv *x, int n, double h)
-{
-    for (int k = 0; k < n; k++) {
-        double *const y = x->y, *const d = x->d.f[0];
-        x->y = x->y_old;
-        x->y_old = y;
-        assert_int_equal(dv_advance(x, h), STATUS_DONE);
-        x->t = x->t_old = x->t_old + h;
-        x->d.f[0] = x->d.f[1];
-        x->d.f[1] = d;
-    }
 }
 
 static double way_back(double drag, bool plain)
@@ -103,13 +90,13 @@ static double way_back(double drag, bool plain)
     p.plain = plain;
     struct dv *x = toy_dv(&p, 1, 0);
     toy_exact(&p, 0, exact);
-    assert_int_equal(dv_begin(x), STATUS_DONE);
-    advance(x, 50, 0.04);
-    assert_true(fabs(x->y[0] - exact[0]) > 0.5);
-    assert_int_equal(plan_rhs(&p, PLAN_DENSITY, x->t, x->y, x->d.f[1]), STATUS_DONE);
-    advance(x, 50, -0.04);
+    assert_int_equal(dv_begin(&x->frame), STATUS_DONE);
+    dv_steps(x, 50, 0.04);
+    assert_true(fabs(x->frame.y[0] - exact[0]) > 0.5);
+    assert_int_equal(plan_rhs(&p, PLAN_DENSITY, x->frame.t, x->frame.y, x->d.f[1]), STATUS_DONE);
+    dv_steps(x, 50, -0.04);
     for (long i = 0; i < plan_size(&p) - 1; i++)
-        most = fmax(most, fabs(x->y[i] - exact[i]));
+        most = fmax(most, fabs(x->frame.y[i] - exact[i]));
     toy_dv_free(x);
     return most;
 }
@@ -160,7 +147,7 @@ void dv_estimates_the_error_of_bodies(void **state)
     for (int k = 0; k < 12; k++)
         assert_int_equal(toy_found()->step(x, 1, &step), STATUS_DONE);
     assert_true(fabs(step.h - h) < 1e-9);
-    const double *e = vector_data(x->error), t = step.t;
+    const double *e = vector_data(x->frame.error), t = step.t;
     near(e[layout_at(&p.layout, p.row_q)], cube * 0.5 * pow(w, 3) * sin(w * (t - h)),
          0.02 * cube * pow(w, 3));
     near(e[layout_at(&p.layout, p.row_v)], cube * 0.5 * pow(w, 4) * cos(w * (t - 1.5 * h)),
@@ -178,8 +165,8 @@ static int stiff_steps(double stiffness)
     p.wave = 0;
     struct dv *x = toy_dv(&p, 1e-5, 0);
     assert_int_equal(toy_run(x, 5, &steps), STATUS_DONE);
-    if (!(toy_error(&p, 5, x->y) < 5e-3))
-        fail_msg("stiffness %g: error %g", stiffness, toy_error(&p, 5, x->y));
+    if (!(toy_error(&p, 5, x->frame.y) < 5e-3))
+        fail_msg("stiffness %g: error %g", stiffness, toy_error(&p, 5, x->frame.y));
     assert_true(p.counts.solves >= 3 * steps);
     toy_dv_free(x);
     return steps;

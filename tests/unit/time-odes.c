@@ -22,7 +22,7 @@ enum { METHODS = 6, STATE = 64 };
 
 static const struct method *const methods[METHODS] = {
     &cvode_adams.method, &cvode_bdf.method, &gslode_rkf45.method, &gslode_rk8pd.method,
-    &gslode_msadams.method, &ab3_method
+    &gslode_msadams.method, &ab3_kind.method
 };
 
 /* With a beam where the method serves one. */
@@ -198,7 +198,7 @@ static void only_bdf_and_ab3_serve_beams(void **state)
     toy_make(&p, 1e6, 0);
     for (int i = 0; i < METHODS; i++) {
         const char *why = methods[i]->serves(&p);
-        if (methods[i] == &cvode_bdf.method || methods[i] == &ab3_method)
+        if (methods[i] == &cvode_bdf.method || methods[i] == &ab3_kind.method)
             assert_null(why);
         else
             assert_non_null(strstr(why, "imex3"));
@@ -216,15 +216,15 @@ static void ab3_asks_once_a_step(void **state)
 
     (void)state;
     toy_make(&p, 0, 0);
-    void *self = begin(&ab3_method, &p, 1e-4, 0.01);
+    void *self = begin(&ab3_kind.method, &p, 1e-4, 0.01);
     for (steps = 0; steps < 30; steps++)
-        assert_int_equal(ab3_method.step(self, 10, &step), STATUS_DONE);
+        assert_int_equal(ab3_kind.method.step(self, 10, &step), STATUS_DONE);
     assert_true(step.rejected == 0 && p.counts.rhs_explicit == 1 + 2 * 3 + (30 - 2));
     p.refuse_after = step.t;
-    assert_int_equal(ab3_method.step(self, 10, &step), STATUS_FAILED);
+    assert_int_equal(ab3_kind.method.step(self, 10, &step), STATUS_FAILED);
     assert_true(p.counts.refused > 10);
     assert_true(p.counts.rhs_explicit == 1 + 2 * 3 + (30 - 2) + p.counts.refused);
-    end(&ab3_method, &self);
+    end(&ab3_kind.method, &self);
 }
 
 /* A step of next to nothing on the way: differences over it would be noise. */
@@ -238,12 +238,13 @@ static void ab3_is_not_disturbed_by_a_short_step(void **state)
         struct plan p;
         const double stop[3] = { 1, 1 + 3e-15, 3 };
         toy_make(&p, 0, 0);
-        void *self = begin(&ab3_method, &p, 1e-5, 0);
+        void *self = begin(&ab3_kind.method, &p, 1e-5, 0);
         for (int i = 0; i < 3; i++)
             if (k == 1 || i == 2)
-                assert_int_equal(run(&ab3_method, self, 0, stop[i], &steps[k][i]), STATUS_DONE);
-        error[k] = toy_error(&p, 3, ab3_method.state(self));
-        end(&ab3_method, &self);
+                assert_int_equal(run(&ab3_kind.method, self, 0, stop[i], &steps[k][i]),
+                                 STATUS_DONE);
+        error[k] = toy_error(&p, 3, ab3_kind.method.state(self));
+        end(&ab3_kind.method, &self);
     }
     const int more = steps[1][0] + steps[1][1] + steps[1][2] - steps[0][2];
     if (!(error[1] < 1.5 * error[0] && steps[1][1] == 1 && more >= 1 && more <= 4))

@@ -25,8 +25,8 @@ void *toy_method(struct plan *p, const char *name, double tol, double h)
     toy_exact(p, 0, y);
     if (found->create(found, &def, p, 0, y, &self) != STATUS_DONE)
         fail_msg("%s", status_message());
-    if (h > 0 && found == &dv_method) {
-        ((struct dv *)self)->def.h_first = 1e9;
+    if (h > 0 && found == &dv_kind.method) {
+        ((struct paced *)self)->def.h_first = 1e9;
         p->wave = 0.95 * 2 / h;
     } else if (h > 0 && found->adaptive) {
         struct arkode *a = self;
@@ -128,7 +128,7 @@ static void all_methods_follow_the_tolerance(void **state)
         double error[2];
         int steps[2];
         struct plan p;
-        const bool asked = method_table[i]->adaptive && method_table[i] != &dv_method
+        const bool asked = method_table[i]->adaptive && method_table[i] != &dv_kind.method
                         && has_a_plan(method_table[i], &p);
         for (int k = 0; k < 2 && asked; k++) {
             void *self;

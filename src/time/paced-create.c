@@ -1,0 +1,77 @@
+/* paced-create.c -- memory of methods with error control. */
+#include "time/paced.h"
+
+#include "base/status.h"
+#include <stdlib.h>
+
+int paced_numbers(const struct paced *x, double **to)
+{
+    *to = status_alloc((unsigned long)x->n, sizeof(double));
+    return *to ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int take_memory(struct paced *x)
+{
+    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
+                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
+                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
+
+    TRY(paced_numbers(x, &x->y));
+    TRY(paced_numbers(x, &x->y_old));
+    TRY(sundials_open(&x->context));
+    x->error = vector_create(x->n, norms[x->def.norm], x->context);
+    x->weight = x->error ? N_VClone(x->error) : NULL;
+    if (!x->weight)
+        return STATUS_FAILED;
+    plan_weights(x->plan, x->def.tol, vector_data(x->weight));
+    return x->kind->take_memory(x);
+}
+
+int paced_create(const struct method *m, const struct method_def *def, struct plan *plan,
+                 double t, const double *y, void **out)
+{
+    const struct paced_kind *kind = (const struct paced_kind *)m; /* its first member */
+    struct paced *x = status_alloc(1, kind->size);
+
+    *out = x;
+    if (!x)
+        return STATUS_FAILED;
+    x->kind = kind;
+    x->def = *def;
+    x->plan = plan;
+    x->n = plan_size(plan);
+    if (take_memory(x) != STATUS_DONE) {
+        paced_free(out);
+        return STATUS_FAILED;
+    }
+    return paced_restart(x, t, y);
+}
+
+int paced_restart(void *self, double t, const double *y)
+{
+    struct paced *x = self;
+
+    vector_copy(x->n, y, x->y);
+    x->t = x->t_old = t;
+    x->ready = x->stepped = false;
+    control_start(&x->control, &x->kind->control, x->kind->method.order, x->kind->method.order);
+    return STATUS_DONE;
+}
+
+void paced_free(void **self)
+{
+    struct paced *x = *self;
+
+    if (!x)
+        return;
+    x->kind->free_memory(x);
+    free(x->y);
+    free(x->y_old);
+    if (x->weight)
+        N_VDestroy(x->weight);
+    if (x->error)
+        N_VDestroy(x->error);
+    sundials_close(&x->context);
+    free(x);
+    *self = NULL;
+}
