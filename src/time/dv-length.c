@@ -71,12 +71,15 @@ double dv_haste(struct paced *frame)
     struct dv *x = (struct dv *)frame;
     const double *weight = vector_data(frame->weight);
     const long v = x->from[LAYOUT_VELOCITY];
+    const bool bodies = x->ranges > 0;
     double most = 0;
 
-    if (plan_rhs(frame->plan, PLAN_IMPLICIT, frame->t, frame->y, x->right) != STATUS_DONE)
+    if (bodies
+        && plan_rhs(frame->plan, PLAN_IMPLICIT, frame->t, frame->y, x->right) != STATUS_DONE)
         return 0;
     for (long i = 0; i < frame->n; i++) {
-        const double f = i < v ? frame->y[v + i] : x->a.f[1][i] + x->d.f[1][i] + x->right[i];
+        const double own = bodies ? x->right[i] : 0;
+        const double f = i < v ? frame->y[v + i] : x->a.f[1][i] + x->d.f[1][i] + own;
         most = fmax(most, fabs(f * weight[i]));
     }
     return most;

@@ -70,6 +70,12 @@ void dv_starts_carefully(void **state)
     assert_int_equal(step.limiter, METHOD_ERROR);
     assert_true(step.h > 0.3 && strstr(step.where, "number"));
     toy_dv_free(x);
+    toy_make(&p, 0, 0); /* nor is there a body */
+    p.wave = 0;
+    x = toy_dv(&p, 1e-2, 0);
+    assert_int_equal(toy_found()->step(x, 10, &step), STATUS_DONE);
+    assert_true(step.h < 0.0101 && step.h > 0.002);
+    toy_dv_free(x);
 }
 
 static double bound(double wave, double decay, char where[96])
