@@ -159,6 +159,9 @@ bool beam_def_far(const struct beam_def *d)
 
 int beam_def_check(const struct beam_def *d, const char *path)
 {
+    if (DIM != 2)
+        return status_fail(STATUS_BAD_SCENE, "%s: a beam in three dimensions is not there yet; "
+                           "set dimension = 2, or leave the beam out", path);
     TRY(check_mass(d, path));
     TRY(check_ends(d, path));
     TRY(beam_def_far(d) ? check_elastica(d, path) : check_linear(d, path));
@@ -212,4 +215,29 @@ void beam_def_axes(const struct beam_def *d, double *along, double *across)
     along[1] = e[quarter][1];
     across[0] = -along[1];
     across[1] = along[0];
+}
+
+double beam_def_potential(const struct beam_def *d, const struct scales *s, double mass)
+{
+    double along[DIM] = { 0 }, across[DIM] = { 0 }, potential = 0;
+
+    beam_def_axes(d, along, across);
+    for (int i = 0; i < DIM; i++)
+        potential -= mass * s->g[i] * (d->at[i] + 0.5 * d->length * along[i] - s->low[i]);
+    return potential;
+}
+
+struct skin_def beam_def_skin(const struct beam_def *d, const struct scales *s, const char *path)
+{
+    const int needed = s->dx > 0 ? (int)ceil(s->support / s->dx - 1e-9) : 0;
+    struct skin_def skin = { .length = d->length, .spacing = s->dx, .elements = d->elements,
+                             .layers = d->layers > 0 ? d->layers : needed };
+
+    memcpy(skin.at, d->at, sizeof skin.at);
+    beam_def_axes(d, skin.along, skin.normal);
+    if (s->fluid && skin.layers < needed)
+        status_warn("%s: layers = %d is less than the %d that the kernel's support covers: water "
+                    "on one side feels water on the other through the beam", path, skin.layers,
+                    needed);
+    return skin;
 }

@@ -4,6 +4,8 @@
 
 #include "base/param.h"
 #include "bodies/bending.h"
+#include "bodies/skin.h"
+#include "state/scales.h"
 
 struct beam_def {
     const char *theory;        /* "linear", "elastica"                        */
@@ -45,5 +47,13 @@ double beam_def_axial(const struct beam_def *d);
 /* Unit vectors along the axis and across it (turned by +90 degrees), exact at
  * multiples of 90 degrees. */
 void beam_def_axes(const struct beam_def *d, double *along, double *across);
+
+/* Potential energy of the straight beam, all of whose nodes have mass [kg, 2D: kg/m]
+ * together [J, 2D: J/m]: nodes spread evenly have their centre in the middle, whichever
+ * mass matrix. */
+double beam_def_potential(const struct beam_def *d, const struct scales *s, double mass);
+
+/* Layers cover the kernel's support unless the scene says how many; warns of too few. */
+struct skin_def beam_def_skin(const struct beam_def *d, const struct scales *s, const char *path);
 
 #endif

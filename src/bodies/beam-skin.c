@@ -7,40 +7,37 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void place(const struct beam_skin_def *d, double along, double eta,
-                  struct beam_skin_point *p)
+static void place(const struct skin_def *d, int i, struct beam_skin_point *p)
 {
     const double l = d->length / d->elements;
-    double slope[4]; /* of no use here */
-    int e = (int)(along / l);
+    double along, eta, slope[4]; /* slope: of no use here */
+    int e;
 
+    skin_site(d, i, &along, &eta);
+    e = (int)(along / l);
     if (e > d->elements - 1)
         e = d->elements - 1;
     p->first = 2 * e;
     element_shape(along / l - e, l, p->shape, slope);
-    for (int i = 0; i < DIM; i++)
-        p->rest[i] = d->at[i] + along * d->along[i] + eta * d->normal[i];
+    for (int k = 0; k < DIM; k++)
+        p->rest[k] = d->at[k] + along * d->along[k] + eta * d->normal[k];
 }
 
-int beam_skin_create(const struct beam_skin_def *def, struct beam_skin **out)
+int beam_skin_create(const struct skin_def *def, struct beam_skin **out)
 {
-    const int rows = def->spacing > 0 ? (int)fmax(1, round(def->length / def->spacing)) : 0;
     struct beam_skin *s = status_alloc(1, sizeof *s);
-    int n = 0;
 
     if (!s)
         return STATUS_FAILED;
     s->def = *def;
-    s->points = rows * def->layers;
+    s->points = skin_points(def);
     s->point = status_alloc((unsigned long)s->points, sizeof *s->point);
     if (!s->point) {
         beam_skin_free(&s);
         return STATUS_FAILED;
     }
-    for (int j = 0; j < rows; j++)
-        for (int k = 0; k < def->layers; k++)
-            place(def, (j + 0.5) * def->length / rows,
-                  (k - (def->layers - 1) / 2.0) * def->spacing, &s->point[n++]);
+    for (int i = 0; i < s->points; i++)
+        place(def, i, &s->point[i]);
     *out = s;
     return STATUS_DONE;
 }

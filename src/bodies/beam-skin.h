@@ -13,14 +13,7 @@
 #ifndef BODIES_BEAM_SKIN_H
 #define BODIES_BEAM_SKIN_H
 
-#include "space/kinds.h"
-
-struct beam_skin_def {
-    double at[DIM], along[DIM], normal[DIM]; /* root [m], e, n               */
-    double length;                           /* [m]                          */
-    double spacing;                          /* dx; 0: no points      [m]    */
-    int elements, layers;
-};
+#include "bodies/skin.h"
 
 struct beam_skin_point {
     int first;        /* first of the element's degrees of freedom            */
@@ -29,14 +22,13 @@ struct beam_skin_point {
 };
 
 struct beam_skin {
-    struct beam_skin_def def;
+    struct skin_def def;
     int points;
     struct beam_skin_point *point;
 };
 
-/* Rows along the axis at (j + 1/2) spacings, the spacing fitted to the length;
- * layers centred on the axis.  Free with beam_skin_free(&s). */
-int beam_skin_create(const struct beam_skin_def *def, struct beam_skin **out);
+/* Free with beam_skin_free(&s). */
+int beam_skin_create(const struct skin_def *def, struct beam_skin **out);
 void beam_skin_free(struct beam_skin **s); /* NULL is welcome */
 
 /* x, u [points][DIM] from deflections and rotations q and their rates v. */

@@ -14,7 +14,9 @@
 #include "base/status.h"
 #include "bodies/beam-couple.h"
 #include "bodies/beam-state.h"
+#include "bodies/bending-rates.h"
 #include "bodies/element.h"
+#include "bodies/vectors.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -73,15 +75,6 @@ static void beam_move(const struct body *b, const struct layout *l, double t, co
     beam_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
 }
 
-static double dot(int n, const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 static bool is_pushed(const struct body *b, double t)
 {
     return t < b->load_until;
@@ -130,7 +123,7 @@ static void beam_load(struct body *b, const struct layout *l, double t, const do
         applied += is_pushed(b, t) ? w->pushed[i] : 0;
     }
     out->damping = bending_damping(b->bending, w->v);
-    out->driven = is_pushed(b, t) ? dot(n, w->pushed, w->v) : 0;
+    out->driven = is_pushed(b, t) ? vectors_dot(n, w->pushed, w->v) : 0;
     for (int d = 0; d < DIM; d++) {
         out->support[d] = across * b->normal[d] - (axial + b->gravity_along) * b->along[d];
         out->applied[d] = applied * b->normal[d];
@@ -176,20 +169,12 @@ static double beam_event(const struct body *b, double t)
     return b->load_until > t ? b->load_until : HUGE_VAL;
 }
 
-/* A mode of frequency omega and damping 2 d = alpha + beta omega^2 has eigenvalues of
- * size omega while it swings, and d + sqrt(d^2 - omega^2) when it only creeps back.
- * Drag may damp a slow mode most, so that 2 d is what is safe to say of it: from
- * lambda^2 + lambda v.Dv + v.Kv = 0 at v.Mv = 1 no |lambda| exceeds both omega and 2 d.
- * The fastest mode sits at the end that is held least. */
+/* The fastest mode sits at the end that is held least. */
 static void beam_limit(const struct body *b, struct limit *out)
 {
     const struct bending_def *s = &b->bending->def;
-    const double omega = b->bending->fastest, most_damped = s->drag > 0 ? 0 : omega;
-    const double d = 0.5 * b->bending->decay;
-    const double creep = d > most_damped ? d + sqrt(d * d - most_damped * most_damped) : 0;
 
-    out->decay = creep > omega;
-    out->rate = fmax(creep, omega);
+    bending_rates_limit(s, b->bending->fastest, b->bending->decay, out);
     if (s->root == s->tip)
         out->where = s->elements / 2;
     else
@@ -203,7 +188,7 @@ static void beam_energy(const struct body *b, const struct layout *l, const doub
     beam_state_read(b, l, y);
     to->kinetic += bending_kinetic(b->bending, b->vec.v);
     to->elastic += bending_elastic(b->bending, b->vec.q);
-    to->potential += b->rest_potential - dot(b->bending->dofs, b->vec.weight, b->vec.q);
+    to->potential += b->rest_potential - vectors_dot(b->bending->dofs, b->vec.weight, b->vec.q);
 }
 
 /* Adds to p [DIM]. */

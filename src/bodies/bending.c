@@ -16,12 +16,11 @@
  * one banded solve; factorizations are kept for the last few gamma.  Seed: Toth
  * 2012, section 4.  Checked in tests/unit/bending.c and beam-balance.c. */
 #include "bodies/bending.h"
-#include "base/status.h"
-#include "bodies/element.h"
 
-#include <math.h>
+#include "base/status.h"
+#include "bodies/bending-rates.h"
+#include "bodies/element.h"
 #include <stdlib.h>
-#include <string.h>
 
 enum { BANDWIDTH = 3 };
 
@@ -76,56 +75,6 @@ static int take_memory(struct bending *b)
     return b->work ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* Adds d I to the scratch matrix where degrees of freedom move. */
-static void add_drag(struct bending *b, double d)
-{
-    for (int i = 0; i < b->dofs; i++)
-        if (!bending_held(b, i))
-            band_add(b->sum, i, i, d);
-}
-
-/* Largest eigenvalue of k K + d I against M: `high`, which lies above it, is halved
- * towards the least lambda for which lambda M - k K - d I is positive definite. */
-static double largest(struct bending *b, double k, double d, double high)
-{
-    const double enough = 1e-9 * high;
-    double low = 0;
-
-    while (high - low > 0.01 * high && high > enough) {
-        const double middle = (low + high) / 2;
-        band_sum(b->sum, middle, b->mass_free, -k, b->stiffness_free);
-        add_drag(b, -d);
-        if (band_factor_definite(b->kept[0].factor, b->sum))
-            high = middle;
-        else
-            low = middle;
-    }
-    return high;
-}
-
-/* No frequency of the beam exceeds the largest of a single free element: lambda =
- * 8400 EI/(mu l^4) with its consistent mass (Irons and Treharne 1971).  With the lumped
- * one an element that bends evenly, (0, t, 0, -t), has 2 EI/l t = lambda mu l^3/24 t, so
- * 48; bent like an S, (w, t, -w, t), it has 0 and 24 / (1/2) + 6 / (1/24) = 192. */
-static double fastest(struct bending *b)
-{
-    const double unit = b->def.EI / (b->def.mu * pow(b->l, 4));
-
-    return sqrt(largest(b, 1, 0, unit * (b->def.inertia == BENDING_CONSISTENT ? 8400 : 192)));
-}
-
-/* Drag alone lies below 94 d over the least entry of a lumped end: against its lumped
- * mass, the consistent mass of an element is 1/93.1 and more. */
-static double decay(struct bending *b)
-{
-    const double slow = b->def.beta * b->fastest * b->fastest;
-    const double least = b->def.mu * b->l * fmin(1.0 / 2, b->l * b->l / 24);
-
-    if (!(b->def.drag > 0))
-        return b->def.alpha + slow;
-    return b->def.alpha + largest(b, b->def.beta, b->def.drag, slow + 94 * b->def.drag / least);
-}
-
 int bending_create(const struct bending_def *def, struct bending **out)
 {
     struct bending *b = status_alloc(1, sizeof *b);
@@ -139,8 +88,8 @@ int bending_create(const struct bending_def *def, struct bending **out)
     code = take_memory(b);
     if (code == STATUS_DONE) {
         assemble(b);
-        b->fastest = fastest(b);
-        b->decay = decay(b);
+        b->fastest = bending_rates_fastest(b);
+        b->decay = bending_rates_decay(b);
         code = band_factor_set(b->mass_factor, b->mass_free);
     }
     if (code != STATUS_DONE)
@@ -205,7 +154,7 @@ static void sum_up(struct bending *b, double gamma)
 {
     band_sum(b->sum, 1 + gamma * b->def.alpha, b->mass_free,
              gamma * (b->def.beta + gamma), b->stiffness_free);
-    add_drag(b, gamma * b->def.drag);
+    bending_rates_drag(b, gamma * b->def.drag);
 }
 
 static void hold(struct bending *b)
@@ -310,19 +259,4 @@ double bending_damping(const struct bending *b, const double *v)
         squares += v[i] * v[i];
     return -b->def.alpha * band_form(b->mass, v) - b->def.beta * band_form(b->stiffness, v)
          - b->def.drag * squares;
-}
-
-/* omega = (beta L)^2 / L^2 sqrt(EI/mu); beta L solves the frequency equation of the
- * two ends, for instance cos x cosh x = -1 for clamped and free.  Blevins, Formulas
- * for Natural Frequency and Mode Shape, 1979, table 8-1. */
-double bending_first(const struct bending_def *def)
-{
-    static const double beta_L[3][3] = { /* [root][tip]: clamped, pinned, free */
-        { 4.730040744862704, 3.926602312047919, 1.875104068711961 },
-        { 3.926602312047919, 3.141592653589793, 3.926602312047919 },
-        { 1.875104068711961, 3.926602312047919, 0 }
-    };
-    const double x = beta_L[def->root][def->tip] / def->length;
-
-    return x * x * sqrt(def->EI / def->mu);
 }

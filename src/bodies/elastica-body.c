@@ -10,7 +10,9 @@
  * v' = -M^-1 (dE/dq + D v) are stiff and implicit.
  * Checked in tests/unit/elastica*.c. */
 #include "base/status.h"
+#include "bodies/bending-rates.h"
 #include "bodies/elastica-make.h"
+#include "bodies/vectors.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,15 +84,6 @@ static void elastica_move(const struct body *b, const struct layout *l, double t
     follower_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
 }
 
-static double dot(int n, const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (int i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* Prescribed loads at (t, q). */
 static void give(const struct body *b, double t)
 {
@@ -154,7 +147,7 @@ static void elastica_load(struct body *b, const struct layout *l, double t, cons
         ydot[place(b, l, i, true)] = w->load[i];
     }
     out->damping = elastica_damping(b->beam, w->v);
-    out->driven = dot(n, w->given, w->v);
+    out->driven = vectors_dot(n, w->given, w->v);
     total(b, w->inertia, moved);
     total(b, w->force, loads);
     total(b, w->given, out->applied);
@@ -202,15 +195,12 @@ static double elastica_event(const struct body *b, double t)
     return b->load_until > t ? b->load_until : HUGE_VAL;
 }
 
-/* At rest: see beam.c for the two kinds of decay. */
+/* At rest. */
 static void elastica_limit(const struct body *b, struct limit *out)
 {
     const struct elastica *e = b->beam;
-    const double d = 0.5 * e->decay, most_damped = e->def.bending.drag > 0 ? 0 : e->fastest;
-    const double creep = d > most_damped ? d + sqrt(d * d - most_damped * most_damped) : 0;
 
-    out->decay = creep > e->fastest;
-    out->rate = fmax(creep, e->fastest);
+    bending_rates_limit(&e->def.bending, e->fastest, e->decay, out);
     out->where = e->def.bending.elements / 2;
     snprintf(out->part, sizeof out->part, "%s", b->path);
 }
@@ -221,7 +211,7 @@ static void elastica_energies(const struct body *b, const struct layout *l, cons
     gather(b, l, y);
     to->kinetic += elastica_kinetic(b->beam, b->vec.v);
     to->elastic += elastica_elastic(b->beam, b->vec.q);
-    to->potential += b->rest_potential - dot(b->beam->dofs, b->vec.weight, b->vec.q);
+    to->potential += b->rest_potential - vectors_dot(b->beam->dofs, b->vec.weight, b->vec.q);
 }
 
 /* Adds to p [DIM]. */

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "bodies/element.h"
+#include "bodies/vectors.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,14 +24,8 @@ static int take_vectors(struct body *b)
     struct elastica_vectors *w = &b->vec;
     double **vector[] = { &w->start, &w->start_rate, &w->weight, &w->pushed, &w->q, &w->v,
                           &w->given, &w->force, &w->resist, &w->load, &w->rate, &w->inertia };
-    const int n = sizeof vector / sizeof vector[0], dofs = b->beam->dofs;
 
-    b->memory = status_alloc((unsigned long)(n * dofs), sizeof *b->memory);
-    if (!b->memory)
-        return STATUS_FAILED;
-    for (int i = 0; i < n; i++)
-        *vector[i] = b->memory + i * dofs;
-    return STATUS_DONE;
+    return vectors_take(vector, sizeof vector / sizeof vector[0], b->beam->dofs, &b->memory);
 }
 
 static void add_uniform(const struct elastica *e, double load, double *f)
@@ -52,9 +47,8 @@ static void prepare_weight(struct body *b, const struct beam_def *d, const struc
     for (int i = 0; i < DIM; i++) {
         g[0] += s->g[i] * b->along[i];
         g[1] += s->g[i] * b->normal[i];
-        b->rest_potential -= b->mass * s->g[i] * (d->at[i] + 0.5 * d->length * b->along[i]
-                                                  - s->low[i]);
     }
+    b->rest_potential = beam_def_potential(d, s, b->mass);
     for (int i = 0; i < b->beam->dofs; i++)
         b->vec.weight[i] = g[i % 2] * shift[i / 2];
 }
@@ -116,29 +110,11 @@ static void prepare_start(struct body *b, const struct beam_def *d)
     }
 }
 
-static int make_skin(struct body *b, const struct beam_def *d, const struct scales *s)
-{
-    const int needed = s->dx > 0 ? (int)ceil(s->support / s->dx - 1e-9) : 0;
-    struct follower_skin_def skin = { .length = d->length, .spacing = s->dx,
-                                      .elements = d->elements,
-                                      .layers = d->layers > 0 ? d->layers : needed };
-
-    for (int i = 0; i < DIM; i++) {
-        skin.at[i] = d->at[i];
-        skin.along[i] = b->along[i];
-        skin.normal[i] = b->normal[i];
-    }
-    if (s->fluid && skin.layers < needed)
-        status_warn("%s: layers = %d is less than the %d that the kernel's support covers: water "
-                    "on one side feels water on the other through the beam", b->path,
-                    skin.layers, needed);
-    return follower_skin_create(&skin, &b->skin);
-}
-
 static int build(struct body *b, const struct beam_def *d, const struct scales *s)
 {
     struct elastica_def def = { .bending = beam_def_bending(d), .EA = beam_def_axial(d),
                                 .thickness = d->thickness, .path = b->path };
+    const struct skin_def skin = beam_def_skin(d, s, b->path);
 
     def.speed = s->fluid ? 10 * s->speed : bending_first(&def.bending) * d->thickness;
     beam_def_axes(d, b->along, b->normal);
@@ -148,7 +124,7 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     prepare_weight(b, d, s);
     prepare_loads(b, d);
     prepare_start(b, d);
-    return make_skin(b, d, s);
+    return follower_skin_create(&skin, &b->skin);
 }
 
 int elastica_make(const void *params, const struct scales *s, const char *name, const char *path,
@@ -158,9 +134,6 @@ int elastica_make(const void *params, const struct scales *s, const char *name, 
     int code;
 
     (void)name;
-    if (DIM != 2)
-        return status_fail(STATUS_BAD_SCENE, "%s: a beam in three dimensions is not there yet; "
-                           "set dimension = 2, or leave the beam out", path);
     TRY(beam_def_check(params, path));
     b = status_alloc(1, sizeof *b);
     if (!b)

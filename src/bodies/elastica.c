@@ -1,13 +1,5 @@
-/* elastica.c -- M q'' + D q' + dE/dq = F of a beam of equal elements that bends far.
- *
- * The implicit solve of z - gamma f_I(z) = r eliminates positions, z_q = r_q + gamma z_v;
- * what is left for v = z_v is
- *
- *   R(v) = M (v - r_v) + gamma [dE/dq(r_q + gamma v) + D v] = 0                   (BE5)
- *
- * and Newton's method solves it with dR/dv = M + gamma D + gamma^2 d2E/dq2: banded,
- * symmetric, by Cholesky, or by LU where a pressed beam makes it indefinite.
- * Checked in tests/unit/elastica*.c. */
+/* elastica.c -- M q'' + D q' + dE/dq = F of a beam of equal elements that bends far; its
+ * implicit solve is in elastica-solve.c.  Checked in tests/unit/elastica*.c. */
 #include "bodies/elastica.h"
 
 #include "base/status.h"
@@ -38,8 +30,7 @@ static void spread_mass(struct elastica *e)
                 band_add(e->mass, 2 * i + c, 2 * j + c, band_at(m, i, j));
 }
 
-/* Takes held degrees of freedom out of e->sum. */
-static void hold(struct elastica *e)
+void elastica_hold(struct elastica *e)
 {
     for (int i = 0; i < e->dofs; i++)
         if (elastica_held(e, i))
@@ -59,7 +50,7 @@ static int take_memory(struct elastica *e)
 }
 
 /* Largest frequency at rest: the least lambda for which lambda M - d2E/dq2 is positive
- * definite.  None exceeds the largest of a free element: of one that bends see bending.c,
+ * definite.  None exceeds the largest of a free element: of one that bends see bending-rates.c,
  * one that stretches has lambda mu l^2/EA = 379 with its consistent mass, 9.47 with the
  * lumped ones, where its ends move apart while its middle shrinks. */
 static double fastest(struct elastica *e)
@@ -74,7 +65,7 @@ static double fastest(struct elastica *e)
     while (high - low > 0.01 * high) {
         const double middle = (low + high) / 2;
         band_sum(e->sum, middle, e->mass, -1, e->tangent);
-        hold(e);
+        elastica_hold(e);
         *(band_factor_definite(e->factor, e->sum) ? &high : &low) = middle;
     }
     return sqrt(high);
@@ -91,7 +82,7 @@ static int build(struct elastica *e)
     spread_mass(e);
     e->fastest = fastest(e);
     band_sum(e->sum, 1, e->mass, 0, e->mass);
-    hold(e);
+    elastica_hold(e);
     return band_factor_set(e->mass_factor, e->sum);
 }
 
@@ -176,107 +167,6 @@ void elastica_follow(const struct elastica *e, double load, double tip, const do
     f[last + 1] += tip * a[0] / size;
     for (int i = 0; i < e->def.bending.elements; i++)
         elastica_element_press(&e->element, load, q + ELASTICA_NODE * i, f + ELASTICA_NODE * i);
-}
-
-/* --- solves --------------------------------------------------------------- */
-
-/* Size of a step of Newton's method in units of the scales: deflections and rates of a
- * node, slopes as the deflection over an element. */
-static double size_of(const struct elastica *e, double gamma, const double *dv)
-{
-    double most = 0;
-
-    for (int i = 0; i < e->dofs; i++) {
-        const double length = i % ELASTICA_NODE < 2 ? 1 : e->l;
-        const double s = length * fabs(dv[i])
-                       * fmax(fabs(gamma) / e->def.thickness, 1 / e->def.speed);
-        if (!(s <= most))
-            most = s;
-    }
-    return most;
-}
-
-/* The last step was below what Newton's method will square, or, when rounding keeps it
- * from shrinking, small enough. */
-static bool is_there(double size, double before)
-{
-    return size < 1e-8 || (size < 1e-5 && size > before / 3);
-}
-
-/* -R(v) into f. */
-static void lack(const struct elastica *e, double gamma, const double *rv, const double *q,
-                 const double *v, double *f)
-{
-    double *off = e->work + e->dofs, *push = e->work;
-
-    elastica_resist(e, q, v, f);
-    for (int i = 0; i < e->dofs; i++)
-        off[i] = v[i] - rv[i];
-    band_multiply(e->mass, off, push);
-    for (int i = 0; i < e->dofs; i++)
-        f[i] = elastica_held(e, i) ? 0 : -push[i] - gamma * f[i];
-}
-
-/* e->factor for M + gamma D + gamma^2 d2E/dq2 at q. */
-static int factorize(struct elastica *e, double gamma, const double *q)
-{
-    const struct bending_def *b = &e->def.bending;
-
-    elastica_tangent(e, q);
-    band_sum(e->sum, 1 + gamma * b->alpha, e->mass, gamma * gamma, e->tangent);
-    for (int i = 0; i < e->dofs; i++)
-        band_add(e->sum, i, i, gamma * b->drag);
-    hold(e);
-    return band_factor_set(e->factor, e->sum);
-}
-
-/* Held entries get those of r, and v what makes q the guess. */
-static void begin(const struct elastica *e, double gamma, const double *rq, const double *rv,
-                  double *q, double *v)
-{
-    for (int i = 0; i < e->dofs; i++)
-        if (elastica_held(e, i) || gamma == 0) {
-            q[i] = rq[i];
-            v[i] = rv[i];
-        } else {
-            v[i] = (q[i] - rq[i]) / gamma;
-        }
-}
-
-/* One step of Newton's method; its size goes to *size. */
-static int iterate(struct elastica *e, double gamma, const double *rq, const double *rv, double *q,
-                   double *v, double *size)
-{
-    double *dv = e->work + 2 * e->dofs;
-
-    lack(e, gamma, rv, q, v, dv);
-    TRY(factorize(e, gamma, q));
-    band_factor_solve(e->factor, dv);
-    for (int i = 0; i < e->dofs; i++)
-        if (!elastica_held(e, i)) {
-            v[i] += dv[i];
-            q[i] = rq[i] + gamma * v[i];
-        }
-    *size = size_of(e, gamma, dv);
-    return STATUS_DONE;
-}
-
-int elastica_solve(struct elastica *e, double gamma, const double *rq, const double *rv,
-                   double *q, double *v)
-{
-    double size = HUGE_VAL;
-
-    begin(e, gamma, rq, rv, q, v);
-    for (int k = 0; k < ELASTICA_ITERATIONS; k++) {
-        const double before = size;
-        TRY(iterate(e, gamma, rq, rv, q, v, &size));
-        if (is_there(size, before))
-            return STATUS_DONE;
-    }
-    return status_fail(STATUS_FAILED, "%s: Newton's method did not find how the beam bends within "
-                       "%d iterations (gamma = %g s, its last step %g of the scales): the step "
-                       "is too long for so large a turn, or the beam is crushed",
-                       e->def.path, ELASTICA_ITERATIONS, gamma, size);
 }
 
 /* --- energies ------------------------------------------------------------- */

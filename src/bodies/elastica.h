@@ -48,6 +48,9 @@ static inline int elastica_at(int element, int k, int c)
 /* to [dofs] = dE/dq + D v, rows of held degrees of freedom included. */
 void elastica_resist(const struct elastica *e, const double *q, const double *v, double *to);
 
+/* Takes held degrees of freedom out of e->sum. */
+void elastica_hold(struct elastica *e);
+
 /* d2E/dq2 at q into e->tangent, held ones included. */
 void elastica_tangent(struct elastica *e, const double *q);
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static struct follower_skin_place place(const struct follower_skin_def *d, double s)
+static struct follower_skin_place place(const struct skin_def *d, double s)
 {
     const double l = d->length / d->elements;
     struct follower_skin_place p = { .s = fmin(fmax(s, 0), d->length) };
@@ -21,29 +21,26 @@ static struct follower_skin_place place(const struct follower_skin_def *d, doubl
     return p;
 }
 
-int follower_skin_create(const struct follower_skin_def *def, struct follower_skin **out)
+int follower_skin_create(const struct skin_def *def, struct follower_skin **out)
 {
-    const int rows = def->spacing > 0 ? (int)fmax(1, round(def->length / def->spacing)) : 0;
     struct follower_skin *s = status_alloc(1, sizeof *s);
-    int n = 0;
 
     if (!s)
         return STATUS_FAILED;
     s->def = *def;
-    s->points = rows * def->layers;
+    s->points = skin_points(def);
     s->point = status_alloc((unsigned long)s->points, sizeof *s->point);
     if (!s->point) {
         follower_skin_free(&s);
         return STATUS_FAILED;
     }
-    for (int j = 0; j < rows; j++)
-        for (int k = 0; k < def->layers; k++) {
-            const double at = (j + 0.5) * def->length / rows;
-            s->point[n++] = (struct follower_skin_point){
-                .here = place(def, at), .back = place(def, at - def->spacing),
-                .front = place(def, at + def->spacing),
-                .eta = (k - (def->layers - 1) / 2.0) * def->spacing };
-        }
+    for (int i = 0; i < s->points; i++) {
+        double at, eta;
+        skin_site(def, i, &at, &eta);
+        s->point[i] = (struct follower_skin_point){
+            .here = place(def, at), .back = place(def, at - def->spacing),
+            .front = place(def, at + def->spacing), .eta = eta };
+    }
     *out = s;
     return STATUS_DONE;
 }
@@ -107,7 +104,7 @@ static void move_point(const struct follower_skin_point *p, const double *q, con
 void follower_skin_move(const struct follower_skin *s, const double *q, const double *v,
                         double (*x)[DIM], double (*u)[DIM])
 {
-    const struct follower_skin_def *f = &s->def;
+    const struct skin_def *f = &s->def;
 
     for (int i = 0; i < s->points; i++) {
         double at[2], rate[2];

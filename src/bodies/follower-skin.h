@@ -11,14 +11,7 @@
 #ifndef BODIES_FOLLOWER_SKIN_H
 #define BODIES_FOLLOWER_SKIN_H
 
-#include "space/kinds.h"
-
-struct follower_skin_def {
-    double at[DIM], along[DIM], normal[DIM]; /* root [m] and frame of the straight beam */
-    double length;                           /* [m]                          */
-    double spacing;                          /* dx; 0: no points      [m]    */
-    int elements, layers;
-};
+#include "bodies/skin.h"
 
 struct follower_skin_place { /* a point of the centre line */
     int element;
@@ -31,14 +24,13 @@ struct follower_skin_point {
 };
 
 struct follower_skin {
-    struct follower_skin_def def;
+    struct skin_def def;
     int points;
     struct follower_skin_point *point;
 };
 
-/* Rows along the beam at (j + 1/2) spacings, the spacing fitted to the length; layers
- * centred on it.  Free with follower_skin_free(&s). */
-int follower_skin_create(const struct follower_skin_def *def, struct follower_skin **out);
+/* Free with follower_skin_free(&s). */
+int follower_skin_create(const struct skin_def *def, struct follower_skin **out);
 void follower_skin_free(struct follower_skin **s); /* NULL is welcome */
 
 /* x, u [points][DIM] from degrees of freedom q (elastica.h) and their rates v; NULL u:

@@ -1,0 +1,20 @@
+/* skin.c -- where the points that the water meets stand beside a beam. */
+#include "bodies/skin.h"
+
+#include <math.h>
+
+static int rows(const struct skin_def *d)
+{
+    return d->spacing > 0 ? (int)fmax(1, round(d->length / d->spacing)) : 0;
+}
+
+int skin_points(const struct skin_def *d)
+{
+    return rows(d) * d->layers;
+}
+
+void skin_site(const struct skin_def *d, int i, double *s, double *eta)
+{
+    *s = (i / d->layers + 0.5) * d->length / rows(d);
+    *eta = (i % d->layers - (d->layers - 1) / 2.0) * d->spacing;
+}

@@ -1,0 +1,22 @@
+/* skin.h -- where the points that the water meets stand beside a beam.
+ *
+ * Rows along the axis at (j + 1/2) spacings, the spacing fitted to the length; layers
+ * centred on the axis.  Points go row by row. */
+#ifndef BODIES_SKIN_H
+#define BODIES_SKIN_H
+
+#include "space/kinds.h"
+
+struct skin_def {
+    double at[DIM], along[DIM], normal[DIM]; /* root [m]; axis, the same turned by +90 degrees */
+    double length;                           /* [m]                          */
+    double spacing;                          /* dx; 0: no points      [m]    */
+    int elements, layers;
+};
+
+int skin_points(const struct skin_def *d);
+
+/* Point i: s along the axis from the root, eta beside it [m]. */
+void skin_site(const struct skin_def *d, int i, double *s, double *eta);
+
+#endif
