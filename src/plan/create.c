@@ -5,9 +5,9 @@
 #include "plan/kernels.h"
 #include "plan/viscous.h"
 #include "scene/scene.h"
-#include "state/fill.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,130 +79,6 @@ static int find_stiff(struct plan *p, const struct scene *scene)
         p->stiff = one;
     }
     return STATUS_DONE;
-}
-
-/* A body knows its path in the scene, but not the line where it stands. */
-static int refuse_body(int status, const struct input_body *in)
-{
-    char text[1024];
-
-    snprintf(text, sizeof text, "%s", status_message());
-    status_clear();
-    return status_fail(status, "%s: %s", in->where, text);
-}
-
-static int make_bodies(struct plan *p)
-{
-    if (!(p->body = status_alloc(p->in.bodies + 1, sizeof *p->body)))
-        return STATUS_FAILED;
-    for (int i = 0; i < p->in.bodies; i++) {
-        const struct input_body *in = &p->in.body[i];
-        struct plan_body *b = &p->body[p->bodies];
-        int points;
-
-        b->kind = in->kind;
-        b->object = -1;
-        snprintf(b->name, sizeof b->name, "%s", in->name);
-        snprintf(b->path, sizeof b->path, "%s", in->path);
-        const int status = in->kind->create(in->params, &p->scales, in->name, in->path, &b->body);
-        if (status != STATUS_DONE)
-            return refuse_body(status, in);
-        p->bodies++;
-        points = in->kind->skin(b->body, NULL);
-        b->skin = p->scales.fluid ? points : 0; /* without water nobody presses */
-        b->force = status_alloc(points + 1, sizeof *b->force);
-        b->seen = status_alloc(points + 1, sizeof *b->seen);
-        if (!b->force || !b->seen)
-            return STATUS_FAILED;
-    }
-    return STATUS_DONE;
-}
-
-static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DIM])
-{
-    int n = 0, at = 0;
-
-    for (int i = 0; i < p->in.fluids; i++, n++) {
-        item[n] = (struct fill_item){ .group = "fluid", .where = p->in.fluid[i].where,
-                                      .kind = KIND_FLUID, .shape = &p->in.fluid[i].set.shape };
-        strcpy(item[n].name, p->in.fluid[i].name);
-    }
-    for (int i = 0; i < p->in.wall_count; i++, n++) {
-        const struct input_wall *w = &p->in.wall[i];
-        item[n] = (struct fill_item){ .group = "wall", .where = w->where,
-                                      .kind = w->set.slip ? KIND_WALL_SLIP : KIND_WALL,
-                                      .shape = &w->set.shape };
-        strcpy(item[n].name, w->name);
-    }
-    for (int i = 0; i < p->bodies; i++) {
-        const struct plan_body *b = &p->body[i];
-        if (b->skin == 0)
-            continue;
-        b->kind->skin(b->body, skin + at);
-        item[n] = (struct fill_item){ .group = b->kind->group, .where = p->in.body[i].where,
-                                      .kind = b->kind->skin_kind(b->body), .points = b->skin,
-                                      .point = (const double (*)[DIM])(skin + at) };
-        strcpy(item[n++].name, b->name);
-        at += b->skin;
-    }
-}
-
-static int find_object(const struct particles *p, const char *name, bool skin)
-{
-    for (int i = 0; i < p->objects; i++) {
-        const enum kind k = p->object[i].kind;
-        const bool is_skin = k == KIND_SKIN || k == KIND_SKIN_SLIP;
-        if (k != KIND_FLUID && is_skin == skin && strcmp(p->object[i].name, name) == 0)
-            return i;
-    }
-    return -1;
-}
-
-static int fill(struct plan *p)
-{
-    int items = p->in.fluids + p->in.wall_count, skins = 0, status;
-    struct fill_item *item;
-    double (*skin)[DIM];
-
-    for (int i = 0; i < p->bodies; i++) {
-        items += p->body[i].skin > 0;
-        skins += p->body[i].skin;
-    }
-    item = status_alloc(items + 1, sizeof *item);
-    skin = status_alloc(skins + 1, sizeof *skin);
-    status = item && skin ? STATUS_DONE : STATUS_FAILED;
-    if (status == STATUS_DONE) {
-        list_items(p, item, skin);
-        status = fill_particles(item, items, &p->scales, plan_memory_each(p, true),
-                                plan_memory_each(p, false), &p->particles);
-    }
-    free(item);
-    free(skin);
-    return status;
-}
-
-/* Objects of walls and skins, dye of fluids. */
-static int name_objects(struct plan *p)
-{
-    struct particles *all = p->particles;
-
-    if (!(p->wall = status_alloc(p->in.wall_count + 1, sizeof *p->wall)))
-        return STATUS_FAILED;
-    for (int i = 0; i < p->in.wall_count; i++) {
-        struct plan_wall *w = &p->wall[p->walls++];
-        w->motion = p->in.wall[i].motion;
-        w->moves = walls_motion_any(&w->motion);
-        w->object = find_object(all, p->in.wall[i].name, false);
-        p->moving_walls |= w->moves;
-    }
-    for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].skin > 0)
-            p->body[i].object = find_object(all, p->body[i].name, true);
-    for (int i = 0, f = 0; i < all->objects; i++)
-        if (all->object[i].kind == KIND_FLUID)
-            memset(all->dye + all->object[i].from, p->in.fluid[f++].set.dye, all->object[i].n);
-    p->force = status_alloc(all->objects + 1, sizeof *p->force);
-    return p->force ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int make_layout(struct plan *p)
@@ -286,14 +162,14 @@ static int build(struct plan *p, struct scene *scene)
                      p->kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
     p->walls_as_fluid = p->in.walls->as_fluid;
-    TRY(make_bodies(p));
-    TRY(fill(p));
+    TRY(plan_bodies_make(p));
+    TRY(plan_objects_fill(p));
     TRY(take_parts(p));
     TRY(prepare_parts(p, scene));
     TRY(plan_agree(p, scene));
     TRY(find_stiff(p, scene));
     plan_fields_make(p);
-    TRY(name_objects(p));
+    TRY(plan_objects_name(p));
     TRY(make_layout(p));
     TRY(plan_tables_make(p));
     make_list_def(p);

@@ -114,6 +114,12 @@ struct plan {
 /* scales.c: p->scales from what was read; the kernels' share comes later. */
 int plan_scales_make(struct plan *p, struct scene *scene);
 
+/* objects.c: bodies with their forces; then all particles; then which objects walls and
+ * skins are, and the dye of fluids. */
+int plan_bodies_make(struct plan *p);
+int plan_objects_fill(struct plan *p);
+int plan_objects_name(struct plan *p);
+
 /* agree.c: refuses parts that do not go together. */
 int plan_agree(const struct plan *p, const struct scene *scene);
 
