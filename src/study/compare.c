@@ -12,6 +12,7 @@
 #include "study/tabulate.h"
 #include "study/tell.h"
 #include "study/trial.h"
+#include "study/trials.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,7 +102,7 @@ static int prepare(struct study *s)
     TRY(point_all(s));
     TRY(find_program(s));
     TRY(choose_reference(s));
-    return trial_all(s);
+    return trials_make(s);
 }
 
 /* A list of runs at work. */

@@ -1,13 +1,10 @@
-/* trial.h -- one run of a comparison: its name, its command line, whether it is there already. */
+/* trial.h -- one run of a comparison: its command line, whether it is there already. */
 #ifndef STUDY_TRIAL_H
 #define STUDY_TRIAL_H
 
 #include "study/inside.h"
 
 #define TRIAL_DISTURBANCE 1e-6 /* [rad] that gravity is tilted by */
-
-/* Makes s->reference and s->trial from methods, tolerances, points and repeats. */
-int trial_all(struct study *s);
 
 /* What the run's child is called with, NULL-ended; the texts live in one piece of memory
  * behind the array: free() it.  NULL: no memory. */
