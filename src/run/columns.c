@@ -51,3 +51,11 @@ int columns_none(const char *dir, const char *file)
     remove(path);
     return STATUS_DONE;
 }
+
+void columns_close(struct series **s, int *status)
+{
+    const int closed = series_close(s);
+
+    if (*status == STATUS_DONE)
+        *status = closed;
+}

@@ -22,6 +22,9 @@ void columns_add(struct columns *c, const char *unit, const char *format, ...)
 /* Makes DIR/FILE with its header lines; a table of t alone is none. */
 int columns_open(const struct columns *c, struct series **out, const char *dir, const char *file);
 
+/* Closes what columns_open() opened; *status becomes the first error. */
+void columns_close(struct series **s, int *status);
+
 /* Removes DIR/FILE: what an earlier run left would be taken for one of this run, which
  * has none (yet). */
 int columns_none(const char *dir, const char *file);

@@ -2,14 +2,9 @@
 #include "run/tables.h"
 
 #include "base/status.h"
-#include "measure/crowd.h"
-#include "measure/front.h"
-#include "measure/pairing.h"
-#include "measure/probe.h"
 #include "output/series.h"
-#include "run/columns.h"
+#include "run/tables-water.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 static const char axes[] = "xyz";
@@ -22,10 +17,8 @@ static const char axes[] = "xyz";
 #endif
 
 struct tables {
-    struct series *book, *front, *pairs, *forces, *beam, *probes, *steps;
-    struct crowd *crowd;     /* NULL: no fluid          */
-    struct pairing *pairing; /* NULL: no fluid          */
-    double *p;               /* of the fluid, for probes [Pa] */
+    struct series *book, *forces, *beam, *steps;
+    struct tables_water *water; /* front, pairing, probes */
 };
 
 static int open_book(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
@@ -85,44 +78,6 @@ static int open_beam(struct tables *o, struct plan *plan, const char *dir, struc
     return columns_open(h, &o->beam, dir, "beam.csv");
 }
 
-static int open_probes(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
-{
-    columns_start(h);
-    for (int i = 0; i < plan_probes(plan); i++) {
-        const char *name;
-        const struct settings_probe *p = plan_probe(plan, i, &name);
-        columns_add(h, p->what[0] == 'p' ? "Pa" : p->what[0] == 'h' ? "m" : "m/s", "%s", name);
-    }
-    return columns_open(h, &o->probes, dir, "probes.csv");
-}
-
-static int open_front(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
-{
-    const struct scales *s = plan_scales(plan);
-
-    if (particles_count(plan_particles(plan), KIND_FLUID) == 0)
-        return columns_none(dir, "front.csv");
-    TRY(crowd_create(plan_particles(plan), &o->crowd));
-    if (s->period[0] > 0 || s->period[DIM - 1] > 0) /* no foremost, no highest */
-        return columns_none(dir, "front.csv");
-    columns_start(h);
-    columns_add(h, "m", "x");
-    columns_add(h, "m", "height");
-    return columns_open(h, &o->front, dir, "front.csv");
-}
-
-static int open_pairing(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
-{
-    if (!o->crowd)
-        return columns_none(dir, "pairing.csv");
-    TRY(pairing_create(plan_particles(plan), &o->pairing));
-    columns_start(h);
-    columns_add(h, "", "pairing");
-    columns_add(h, "", "nearest_mean");
-    columns_add(h, "", "nearest_least");
-    return columns_open(h, &o->pairs, dir, "pairing.csv");
-}
-
 static int open_steps(struct tables *o, const char *dir, struct columns *h)
 {
     columns_start(h);
@@ -135,16 +90,10 @@ static int open_steps(struct tables *o, const char *dir, struct columns *h)
 
 static int open_all(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
 {
-    o->p = status_alloc((size_t)particles_count(plan_particles(plan), KIND_FLUID) + 1,
-                        sizeof *o->p);
-    if (!o->p)
-        return STATUS_FAILED;
     TRY(open_book(o, plan, dir, h));
-    TRY(open_front(o, plan, dir, h));
-    TRY(open_pairing(o, plan, dir, h));
+    TRY(tables_water_open(&o->water, plan, dir, h));
     TRY(open_forces(o, plan, dir, h));
     TRY(open_beam(o, plan, dir, h));
-    TRY(open_probes(o, plan, dir, h));
     return open_steps(o, dir, h);
 }
 
@@ -218,75 +167,9 @@ static int row_beam(struct tables *o, struct plan *plan, double t, const double 
     return o->beam ? series_row(o->beam, v) : STATUS_DONE;
 }
 
-static double probe_speed(const struct tables *o, const struct settings_probe *p)
-{
-    double u[DIM], u2 = 0;
-
-    probe_velocity(o->crowd, p->at, u);
-    for (int d = 0; d < DIM; d++)
-        u2 += u[d] * u[d];
-    return sqrt(u2);
-}
-
-static double probe_value(const struct tables *o, const struct settings_probe *p)
-{
-    if (p->what[0] == 'h')
-        return probe_height(o->crowd, p->at, DIM - 1);
-    if (p->what[0] == 'v')
-        return probe_speed(o, p);
-    return probe_pressure(o->crowd, o->p, p->at);
-}
-
-static int row_front(struct tables *o, double t)
-{
-    struct front front;
-
-    if (!o->front)
-        return STATUS_DONE;
-    front_find(o->crowd, &front);
-    return series_row(o->front, (double[]){ t, front.x, front.height });
-}
-
-static int row_probes(struct tables *o, struct plan *plan, double t)
-{
-    double v[COLUMNS_MOST];
-    int n = 0;
-
-    if (!o->probes)
-        return STATUS_DONE;
-    plan_pressures(plan, particles_count(plan_particles(plan), KIND_FLUID),
-                   crowd_view(o->crowd)->rho[KIND_FLUID], o->p);
-    v[n++] = t;
-    for (int i = 0; i < plan_probes(plan); i++) {
-        const char *name;
-        const struct settings_probe *p = plan_probe(plan, i, &name);
-        v[n++] = probe_value(o, p);
-    }
-    return series_row(o->probes, v);
-}
-
-static int row_water(struct tables *o, struct plan *plan, double t, const double *y)
-{
-    struct view view;
-
-    if (!o->crowd)
-        return STATUS_DONE;
-    plan_view(plan, t, y, &view);
-    crowd_update(o->crowd, &view);
-    TRY(row_front(o, t));
-    return row_probes(o, plan, t);
-}
-
 int tables_pairing(struct tables *o, struct plan *plan, double t, const double *y)
 {
-    struct pairing_index found;
-    struct view view;
-
-    if (!o->pairing)
-        return STATUS_DONE;
-    plan_view(plan, t, y, &view);
-    pairing_find(o->pairing, &view, &found);
-    return series_row(o->pairs, (double[]){ t, found.share, found.mean, found.least });
+    return tables_water_pairing(o->water, plan, t, y);
 }
 
 int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
@@ -296,7 +179,7 @@ int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
     TRY(plan_observe(plan, t, y));
     TRY(row_forces(o, plan, t, y));
     TRY(row_beam(o, plan, t, y));
-    return row_water(o, plan, t, y);
+    return tables_water_row(o->water, plan, t, y);
 }
 
 int tables_step(struct tables *o, const struct method_step *step)
@@ -308,12 +191,6 @@ int tables_step(struct tables *o, const struct method_step *step)
     return series_text_row(o->steps, v, text);
 }
 
-static void keep_first(int *first, int status)
-{
-    if (*first == STATUS_DONE)
-        *first = status;
-}
-
 int tables_close(struct tables **tables)
 {
     struct tables *o = *tables;
@@ -321,16 +198,11 @@ int tables_close(struct tables **tables)
 
     if (!o)
         return STATUS_DONE;
-    keep_first(&status, series_close(&o->book));
-    keep_first(&status, series_close(&o->front));
-    keep_first(&status, series_close(&o->pairs));
-    keep_first(&status, series_close(&o->forces));
-    keep_first(&status, series_close(&o->beam));
-    keep_first(&status, series_close(&o->probes));
-    keep_first(&status, series_close(&o->steps));
-    crowd_free(&o->crowd);
-    pairing_free(&o->pairing);
-    free(o->p);
+    columns_close(&o->book, &status);
+    tables_water_close(&o->water, &status);
+    columns_close(&o->forces, &status);
+    columns_close(&o->beam, &status);
+    columns_close(&o->steps, &status);
     free(o);
     *tables = NULL;
     return status;

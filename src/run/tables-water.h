@@ -1,0 +1,21 @@
+/* tables-water.h -- the CSV tables of the water: front, pairing, probes. */
+#ifndef RUN_TABLES_WATER_H
+#define RUN_TABLES_WATER_H
+
+#include "plan/observe.h"
+#include "run/columns.h"
+
+struct tables_water;
+
+/* Makes the files in DIR, or removes them; see tables_open(). */
+int tables_water_open(struct tables_water **out, struct plan *plan, const char *dir,
+                      struct columns *scratch);
+
+/* A row in pairing.csv; in the others. */
+int tables_water_pairing(struct tables_water *o, struct plan *plan, double t, const double *y);
+int tables_water_row(struct tables_water *o, struct plan *plan, double t, const double *y);
+
+/* NULL is welcome; *status becomes the first error. */
+void tables_water_close(struct tables_water **tables, int *status);
+
+#endif
