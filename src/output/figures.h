@@ -7,8 +7,9 @@
  *
  * A script whose needs are there (a .csv: with at least one row) is copied to
  * RUN/figures/ together with its reference data and drawn there, NAME.gp making
- * NAME.png, NAME-*.png or, when it finds nothing to show, none; scripts without `needs` (style.gp) are for others to load.  So each
- * figure can be changed and redrawn by hand: cd RUN/figures && gnuplot front.gp */
+ * NAME.png, NAME-*.png or, when it finds nothing to show, none; scripts without `needs`
+ * (style.gp) are for others to load.  So each figure can be changed and redrawn by hand:
+ * cd RUN/figures && gnuplot front.gp */
 #ifndef OUTPUT_FIGURES_H
 #define OUTPUT_FIGURES_H
 

@@ -7,7 +7,8 @@
 enum { WORDS = 32 };
 
 /* Words that tables of other rooms bring; see settings_prepare(). */
-static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS], *wall_words[WORDS];
+static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS],
+                  *wall_words[WORDS];
 
 static const char *const norm_words[] = { "max", "p8", "wrms", NULL };
 static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
@@ -57,7 +58,8 @@ const struct param settings_kernel_params[] = {
     { .key = "support", .unit = "spacings", AT(settings_kernel, support), .fallback = 3,
       .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
     { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.05, .min = 0.001,
-      .max = 1, .about = "extra radius of the pair list; changes speed, and only the last bits of results" },
+      .max = 1,
+      .about = "extra radius of the pair list; changes speed, and only the last bits of results" },
     { 0 },
 };
 

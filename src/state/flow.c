@@ -119,8 +119,8 @@ const struct param flow_params[] = {
     { .key = "flow_speed", .unit = "m/s", AT(speed), .fallback = NAN, .min = -1e5, .max = 1e5,
       .about = "largest speed, needed by taylor-green" },
     { .key = "flow_size", .unit = "m", AT(size), .fallback = NAN, .min = 1e-9, .max = 1e6,
-      .about = "length of a standing-wave or of a pair of taylor-green vortices, needed by them; radius of a "
-      "drop in strain" },
+      .about = "length of a standing-wave or of a pair of taylor-green vortices, needed by them; "
+               "radius of a drop in strain" },
     { .key = "flow_amplitude", .unit = "m", AT(amplitude), .fallback = NAN, .min = -1e3,
       .max = 1e3, .about = "height above the level, needed by standing-wave" },
     { .key = "flow_pressure", .unit = "Pa", AT(pressure), .fallback = NAN, .min = -1e12,

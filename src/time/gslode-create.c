@@ -150,7 +150,8 @@ static int vectors(const struct method *m, const struct plan *plan)
 
 #define METHOD(NAME, ORDER, ABOUT, SOURCE)                                               \
     .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
-                .order = ORDER, .serves = serves, .create = gslode_create, .step = gslode_step,          \
+                .order = ORDER, .serves = serves, .create = gslode_create,               \
+                .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
                 .table = table, .free = gslode_free, .vectors = vectors }
 

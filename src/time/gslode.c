@@ -189,8 +189,9 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
     rotate(x, h == left ? t_stop : t + h);
     x->h = cut ? asked : next;
     *out = (struct method_step){ .t = x->node[0].t, .h = x->node[0].t - t,
-                                 .limiter = cut ? METHOD_OUTPUT : x->def.seconds > 0 ? METHOD_STABILITY
-                                                                          : METHOD_ERROR,
+                                 .limiter = cut                ? METHOD_OUTPUT
+                                          : x->def.seconds > 0 ? METHOD_STABILITY
+                                                               : METHOD_ERROR,
                                  .rejected = x->rejected };
     snprintf(out->where, sizeof out->where, "%.95s", cut ? "end of the segment" : culprit(x));
     return STATUS_DONE;

@@ -40,8 +40,8 @@ static void acceleration_is_the_slope_of_the_potential(void **state)
         after = potential(&t, t.y);
         *entry -= h;
         slope = -(after - before) / (2 * h) / plan_scales(t.plan)->mass;
-        check(fabs(t.ydot[u + k] - slope) < 1e-6 * 9.81, "entry %d: acceleration %.10g, slope %.10g",
-              k, t.ydot[u + k], slope);
+        check(fabs(t.ydot[u + k] - slope) < 1e-6 * 9.81,
+              "entry %d: acceleration %.10g, slope %.10g", k, t.ydot[u + k], slope);
     }
     tank_free(&t);
 }
