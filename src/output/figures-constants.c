@@ -51,6 +51,7 @@ int figures_constants(const char *run, const struct figures_constants *c)
     constant(a.to, "until", c->until);
     constant_points(a.to, "low", c->low, c->dim);
     constant_points(a.to, "high", c->high, c->dim);
+    constant(a.to, "beam_x", c->beam_x);
     constant(a.to, "dx", c->dx);
     constant(a.to, "rho0", c->rho0);
     constant(a.to, "c0", c->c0);

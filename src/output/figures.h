@@ -22,6 +22,8 @@ struct figures_constants {
     double g;            /* size of gravity                              [m/s^2] */
     double until;        /* [s]                                                  */
     double low[3], high[3]; /* domain: low_x, low_y, low_z, high_x, ...  [m]     */
+    double beam_x;       /* left face of the first beam in the water at t = 0 [m];
+                            NAN: there is none                                   */
     double dx;           /* spacing                                      [m]     */
     double rho0, c0;     /* [kg/m^3], [m/s]                                      */
     double E0;           /* energy at t = 0                     [J, 2D: J/m]     */

@@ -164,6 +164,16 @@ static double extent(const struct particles *all, int axis)
     return high >= low ? high - low + all->scales->dx : NAN;
 }
 
+/* Left face of the first skin at the start [m], NAN without any. */
+static double first_skin(const struct particles *all)
+{
+    double low = HUGE_VAL;
+
+    for (int i = all->from[KIND_SKIN]; i < all->from[KIND_SKIN_SLIP + 1]; i++)
+        low = fmin(low, all->x0[i][0] - all->scales->dx / 2);
+    return low < HUGE_VAL ? low : NAN;
+}
+
 static int write_constants(const struct run *r)
 {
     const struct particles *all = plan_particles(r->plan);
@@ -172,7 +182,7 @@ static int write_constants(const struct run *r)
         .title = plan_settings(r->plan)->title, .dim = DIM,
         .a = extent(all, 0), .n2 = extent(all, DIM - 1) / extent(all, 0),
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
-        .until = r->until, .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
+        .until = r->until, .beam_x = first_skin(all), .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
         .E0 = outputs_energy_initial(r->outputs),
     };
 

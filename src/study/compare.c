@@ -246,7 +246,8 @@ static int all_runs(struct study *s)
 static int draw(const struct study *s)
 {
     struct figures_constants c = { .title = s->point[0].title, .dim = s->point[0].dimension,
-                                   .until = s->point[0].until, .dx = s->point[0].dx };
+                                   .until = s->point[0].until, .beam_x = NAN,
+                                   .dx = s->point[0].dx };
     char path[INSIDE_PATH];
 
     trial_path(s, &s->reference[0], "run.json", path);

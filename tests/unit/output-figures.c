@@ -60,7 +60,8 @@ void test_figures(void **state)
 void test_constants(void **state)
 {
     const struct figures_constants c = {
-        .title = "Tóth's \"dam\"\n", .dim = 2, .a = NAN, .g = 9.81, .high = { 0.5, 0.25 }
+        .title = "Tóth's \"dam\"\n", .dim = 2, .a = NAN, .g = 9.81, .high = { 0.5, 0.25 },
+        .beam_x = 0.3
     };
 
     (void)state;
@@ -69,5 +70,6 @@ void test_constants(void **state)
         strstr(output_contents("figures/constants.gp"), "title = 'Tóth''s \"dam\" '\n"));
     assert_non_null(strstr(output_contents("figures/constants.gp"), "\na = NaN\n"));
     assert_non_null(strstr(output_contents("figures/constants.gp"), "\nhigh_y = 0.25\n"));
+    assert_non_null(strstr(output_contents("figures/constants.gp"), "\nbeam_x = 0.2999"));
     assert_null(strstr(output_contents("figures/constants.gp"), "high_z"));
 }
