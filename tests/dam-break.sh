@@ -5,20 +5,14 @@
 # Marks: with one shift of time |dT| <= 0.2 (the gate of the experiment) the
 # front is within 10 % of every measured point with 1.8 < Z < 3.8, and the slope
 # dZ/dT of a straight line through that range within 7 % of the measured one.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
+scratch
 data=$top_srcdir/data
 scene=$data/scenes/dam-break.scene
 [ -n "${STIFFWATER_LONG-}" ] && until=1.0 || until=0.25
 
 "$STIFFWATER" run "$scene" "until=$until" output.interval=1e-3 output.snapshots=0 \
     "output.fields=$until" -q -o "$out/run"
-
-# number KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$1\": \(.*[0-9]\),*\$/\1/p" "$out/run/run.json"
-}
 
 awk -v dx=2e-3 -v a=0.1 -v g=9.81 -F, '
     function z_at(T,   i) {
@@ -50,8 +44,8 @@ awk -v dx=2e-3 -v a=0.1 -v g=9.81 -F, '
         exit !(m > 10 && best < 0.10 && ratio < 0.07 && ratio > -0.07)
     }' "$data/reference/B01a_martin_moyce_1952_front_n2_2.csv" "$out/run/front.csv"
 
-awk -v e0="$(number energy_initial)" -v defect="$(number energy_defect_max)" \
-    -v low="$(number density_min)" -v high="$(number density_max)" -v out="$(number escaped)" '
+awk -v e0="$(number run energy_initial)" -v defect="$(number run energy_defect_max)" \
+    -v low="$(number run density_min)" -v high="$(number run density_max)" -v out="$(number run escaped)" '
     BEGIN {
         printf "energy defect %.2g of E0, density %.0f to %.0f, %d escaped\n", defect / e0, low, high, out
         exit !(defect < 1e-3 * e0 && low > 880 && high < 1120 && out == 0)

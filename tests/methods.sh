@@ -4,15 +4,9 @@
 # Marks: every run ends, no energy appears or gets lost but 0.2 % of the initial energy
 # (cks43: 0.012 %), nobody asks for one and a half times the right-hand sides that were
 # measured, and with a beam bdf needs few times those of imex3.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
+scratch
 scenes=$top_srcdir/data/scenes
-
-# number KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$1\": \(.*[0-9]\),*\$/\1/p" "$out/run/run.json"
-}
 
 # run SCENE KEY=VALUE...
 run() {
@@ -24,8 +18,8 @@ run() {
 for pair in adams:600 bdf:1500 gsl-rkf45:650 gsl-rk8pd:900 gsl-msadams:1200 ab3:550; do
     method=${pair%:*}
     run dam-break.scene spacing=0.025 until=0.3 method=$method
-    awk -v method=$method -v e0="$(number energy_initial)" -v steps="$(number steps)" \
-        -v defect="$(number energy_defect_max)" -v rhs="$(number rhs_explicit)" \
+    awk -v method=$method -v e0="$(number run energy_initial)" -v steps="$(number run steps)" \
+        -v defect="$(number run energy_defect_max)" -v rhs="$(number run rhs_explicit)" \
         -v most="${pair#*:}" 'BEGIN {
             printf "%s: %d steps, %d right-hand sides, defect %.2g\n", method, steps, rhs,
                 defect / e0
@@ -36,27 +30,27 @@ done
 # at this tol the norm of the Krylov solver decides how often a step of bdf is thrown away:
 # 4 times in 468, and 30 times with the norm of CVODE's own
 run dam-break.scene spacing=3.3333333333333333e-3 until=0.07 tol=1e-4 method=bdf
-awk -v rejected="$(number rejected)" 'BEGIN {
+awk -v rejected="$(number run rejected)" 'BEGIN {
     printf "bdf at 1e-4: %d steps thrown away\n", rejected
     exit !(rejected <= 15)
 }'
 run toth-beam.scene spacing=0.01 until=0.25 method=bdf
-awk -v rhs="$(number rhs_explicit)" -v defect="$(number energy_defect_max)" 'BEGIN {
+awk -v rhs="$(number run rhs_explicit)" -v defect="$(number run energy_defect_max)" 'BEGIN {
     printf "bdf with a beam: %d right-hand sides, defect %.2g J\n", rhs, defect
     exit !(rhs < 6000 && defect < 0.1)
 }'
 
 # beams in steps of their own: what was measured is 2146, 3.2e-3 J and rounding
 run toth-beam.scene spacing=0.01 until=0.25 method=mri
-awk -v rhs="$(number rhs_explicit)" -v defect="$(number energy_defect_max)" \
-    -v momentum="$(number momentum_defect)" 'BEGIN {
+awk -v rhs="$(number run rhs_explicit)" -v defect="$(number run energy_defect_max)" \
+    -v momentum="$(number run momentum_defect)" 'BEGIN {
     printf "mri: %d right-hand sides, defects %.2g J, %.2g N s\n", rhs, defect, momentum
     exit !(rhs < 2300 && defect < 5e-3 && momentum < 1e-10)
 }'
 
 # beams alone, all implicit: 231 steps, 1.2e-4 J
 run beam-alone.scene method=dirk4
-awk -v steps="$(number steps)" -v defect="$(number energy_defect_max)" 'BEGIN {
+awk -v steps="$(number run steps)" -v defect="$(number run energy_defect_max)" 'BEGIN {
     printf "dirk4: %d steps, defect %.2g J\n", steps, defect
     exit !(steps < 300 && defect < 2e-4)
 }'

@@ -2,43 +2,15 @@
 # seed.sh -- the first seed told honestly (doc/seed-000.md), with 800 and 400 particles: what its
 # printed equations do and which of them does it, its two models against each other, what
 # tension does to a summed density, which kernels let particles pair.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
+scratch
 scenes=$top_srcdir/data/scenes
 coarse=spacing=5e-3
 one='kernel.density=wendland-c2 kernel.pressure=wendland-c2 kernel.support=3'
 
-# go NAME FILE KEY=VALUE...; its exit status goes to $code
-go() {
-    name=$1
-    file=$2
-    shift 2
-    code=0
-    "$STIFFWATER" run "$file" output.fields=0.05 output.snapshots=0 -q -o "$out/$name" "$@" \
-        >"$out/$name.said" 2>&1 || code=$?
-}
-
-# number RUN KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$out/$1/run.json"
-}
-
-# last RUN FILE COLUMN: of the last row
-last() {
-    awk -F, -v name="$3" '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == name) c = i }
-        { x = $c } END { print x }' "$out/$1/$2.csv"
-}
-
 # arrival RUN: when the front is at the right wall
 arrival() {
     awk -F, '!/^[#t]/ && $2 > 0.385 { print $1; exit }' "$out/$1/front.csv"
-}
-
-# claim WORDS EXPRESSION: an awk expression that must be true
-claim() {
-    if awk "BEGIN { exit !($2) }"; then echo "ok      $1: $2"
-    else echo "NOT SO  $1: $2"; bad=1; fi
 }
 
 # says RUN WORDS: its message has them
@@ -46,8 +18,6 @@ says() {
     if grep '"message"' "$out/$1/run.json" | grep -q -F -e "$2"; then echo "ok      $1 says: $2"
     else echo "NOT SO  $1 says: $2"; cat "$out/$1.said"; bad=1; fi
 }
-
-bad=0
 
 # --- as printed, and one fault after the other put right ---------------------------------
 literal=$scenes/toth-dam-break-literal.scene

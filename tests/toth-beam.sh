@@ -1,23 +1,9 @@
 #!/bin/sh
 # toth-beam.sh -- the flagship: what a dam break does to an elastic beam, and what
 # the stiffness and the mesh of the beam cost (nothing).
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
+scratch
 scene=$top_srcdir/data/scenes/toth-beam.scene
-
-# go NAME SCENE KEY=VALUE...
-go() {
-    name=$1
-    file=$2
-    shift 2
-    "$STIFFWATER" run "$file" output.fields=1 output.snapshots=0 -q -o "$out/$name" "$@"
-}
-
-# number RUN KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$out/$1/run.json"
-}
 
 # peak RUN: largest tip displacement [mm] and its time
 peak() {
@@ -25,19 +11,12 @@ peak() {
              END { print 1000 * m, t }' "$out/$1/beam.csv"
 }
 
-# claim WORDS EXPRESSION: an awk expression that must be true
-claim() {
-    if awk "BEGIN { exit !($2) }"; then echo "ok      $1: $2"
-    else echo "NOT SO  $1: $2"; bad=1; fi
-}
-
-bad=0
 awk '/^beam = /{ skip = 1 } !skip { print } skip && /^};/ { skip = 0 }' "$scene" >"$out/alone.scene"
-go alone "$out/alone.scene"
-go beam "$scene"
-go coarse "$scene" beam.elements=10
-go fine "$scene" beam.elements=100
-go steel "$scene" beam.E=210e9
+well alone "$out/alone.scene"
+well beam "$scene"
+well coarse "$scene" beam.elements=10
+well fine "$scene" beam.elements=100
+well steel "$scene" beam.E=210e9
 
 contact=$(awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == "plate.fx") c = i; next }
                    $c > 1 || $c < -1 { print $1; exit }' "$out/beam/forces.csv")

@@ -5,20 +5,14 @@
 # Marks: height of the first harmonic, mean of two places (the beach throws a little back),
 # within 10 % of the theory (-7 % at 10 spacings of depth, -5 % at 15); energy to 3e-4 of
 # what there was, momentum to 1e-8 of weight x time.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
+scratch
 scenes=$top_srcdir/data/scenes
-
-# number KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$1\": \(.*[0-9]\),*\$/\1/p" "$out/run/run.json"
-}
 
 # books MASS: of the run that has ended, MASS kg
 books() {
-    awk -v e="$(number energy_defect_max)" -v e0="$(number energy_initial)" -v mass="$1" \
-        -v p="$(number momentum_defect)" -v t="$(number t_end)" 'BEGIN {
+    awk -v e="$(number run energy_defect_max)" -v e0="$(number run energy_initial)" -v mass="$1" \
+        -v p="$(number run momentum_defect)" -v t="$(number run t_end)" 'BEGIN {
             printf "energy %.2g of %.4g J, momentum %.2g N s\n", e, e0, p
             exit !(e < 3e-4 * e0 && p < 1e-8 * mass * 9.81 * t)
         }'

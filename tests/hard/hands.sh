@@ -1,42 +1,7 @@
-# hands.sh -- what the scripts of tests/hard share; they read it with `.`.  It leaves a new
-# directory $out, removed at the end, and $bad, the exit status to end with.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-bad=0
-
-# go NAME FILE KEY=VALUE...; its exit status goes to $code, what it says to $out/NAME.said
-go() {
-    name=$1
-    file=$2
-    shift 2
-    code=0
-    "$STIFFWATER" run "$file" output.fields=100 output.snapshots=0 -q -o "$out/$name" "$@" \
-        >"$out/$name.said" 2>&1 || code=$?
-}
-
-# number RUN KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$out/$1/run.json"
-}
-
-# last RUN FILE COLUMN: of the last row
-last() {
-    awk -F, -v name="$3" '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == name) c = i }
-        { x = $c } END { print x }' "$out/$1/$2.csv"
-}
-
-# most RUN FILE COLUMN: largest number in it, whatever its sign
-most() {
-    awk -F, -v name="$3" '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == name) c = i; next }
-        { x = $c < 0 ? -$c : $c } x > m { m = x } END { print m + 0 }' "$out/$1/$2.csv"
-}
-
-# claim WORDS EXPRESSION: an awk expression that must be true
-claim() {
-    if awk "BEGIN { exit !($2) }"; then echo "ok      $1: $2"
-    else echo "NOT SO  $1: $2"; bad=1; fi
-}
+# hands.sh -- what the scripts of tests/hard share beside ../lib.sh; they read it with `.`.  It
+# leaves a new directory $out, removed at the end.
+. "$top_srcdir/tests/lib.sh"
+scratch
 
 # says RUN WORDS...: it printed each of them
 says() {

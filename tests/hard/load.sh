@@ -4,10 +4,6 @@
 . "$top_srcdir/tests/hard/hands.sh"
 tank=$top_srcdir/tests/hard/tank.scene
 
-hash() {
-    sed -n 's/^ *"state_hash": "\(.*\)",*$/\1/p' "$out/$1/run.json"
-}
-
 # --- threads -----------------------------------------------------------------------------
 # The flagship coarsely, so that beams and tables of all kinds take part.
 beam="$top_srcdir/data/scenes/toth-beam.scene"

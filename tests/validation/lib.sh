@@ -21,7 +21,8 @@ else
 fi
 cd "$VALIDATION_OUT"
 : >rows
-bad=0
+out=.
+. "$top/tests/lib.sh" # what is there under the name of a function below is replaced
 
 # go NAME SCENE KEY=VALUE...: a run into the directory NAME
 go() {
@@ -31,11 +32,6 @@ go() {
     rm -rf "$name"
     "$stiffwater" run "$file" -q -o "$name" "$@" 2>"$name.said" ||
         { echo "$case: the run $name ends with $?"; cat "$name.said"; return 1; }
-}
-
-# number RUN KEY: a number of run.json
-number() {
-    sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$1/run.json"
 }
 
 # column RUN/FILE COLUMN...: time and these columns, with blanks between
