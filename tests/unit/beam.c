@@ -226,19 +226,6 @@ static void limit_names_the_beam(void **state)
     bench_free(&b);
 }
 
-static void check_refusal(const struct bench *b, const char *word)
-{
-    struct body *body = NULL;
-
-    status_clear();
-    assert_int_equal(bodies_beam.create(&b->def, &b->scales, "it", "beam.it", &body),
-                     STATUS_BAD_SCENE);
-    assert_null(body);
-    if (!strstr(status_message(), "beam.it") || !strstr(status_message(), word))
-        fail_msg("\"%s\" does not name beam.it and %s", status_message(), word);
-    status_clear();
-}
-
 static void refuses_what_cannot_stand(void **state)
 {
     struct bench b;
@@ -246,26 +233,26 @@ static void refuses_what_cannot_stand(void **state)
     (void)state;
     bench_defaults(&b);
     b.def.root = b.def.tip = "free";
-    check_refusal(&b, "both free");
+    bench_refuses(&b, "both free");
     bench_defaults(&b);
     b.def.root = b.def.tip = "clamped";
     b.def.elements = 1;
-    check_refusal(&b, "elements");
+    bench_refuses(&b, "elements");
     bench_defaults(&b);
     b.def.mass = 2;
-    check_refusal(&b, "both density");
+    bench_refuses(&b, "both density");
     b.def.mass = b.def.density = 0;
-    check_refusal(&b, "neither density nor mass");
+    bench_refuses(&b, "neither density nor mass");
     bench_defaults(&b);
     b.def.tip = "pinned";
     b.def.tip_force = 1;
-    check_refusal(&b, "tip_force");
+    bench_refuses(&b, "tip_force");
     bench_defaults(&b);
     b.def.thickness = 0.3;
-    check_refusal(&b, "thickness");
+    bench_refuses(&b, "thickness");
     bench_defaults(&b);
     b.def.load_until = 1;
-    check_refusal(&b, "load_until");
+    bench_refuses(&b, "load_until");
 }
 
 /* The mass of the seed: 0.165 kg, EI 2.667 N m: omega_1 = 624.7 rad/s. */

@@ -2,40 +2,12 @@
 #ifndef TESTS_UNIT_BEAM_H
 #define TESTS_UNIT_BEAM_H
 
-#include "bending.h"
+#include "bench.h"
 #include "bodies/beam-make.h"
-#include "defaults.h"
 
-#include <string.h>
-
-enum { BENCH_DOFS = 256, BENCH_Y = 2 * BENCH_DOFS + 16, BENCH_SKIN = 600 };
-
-struct bench {
-    struct beam_def def;
-    struct scales scales;
-    struct body *body;
-    struct layout layout;
-    int skin;
-    long size;
-    double y[BENCH_Y], ydot[BENCH_Y];
-    double force[BENCH_SKIN][DIM];
-    struct body_load load;
-};
-
-/* A plain cantilever in a world with water and no gravity. */
 static inline void bench_defaults(struct bench *b)
 {
-    memset(b, 0, sizeof *b);
-    fill_defaults(bodies_beam.params, &b->def);
-    b->def.at[0] = 0.3;
-    b->def.at[1] = 0.1;
-    b->def.length = 0.2;
-    b->def.thickness = 0.01;
-    b->def.E = 2e6;
-    b->def.density = 1200;
-    b->def.elements = 8;
-    b->scales = (struct scales){ .dimension = DIM, .dx = 0.01, .support = 0.03, .hs = 0.015,
-                                 .rho0 = 1000, .c0 = 20, .speed = 2, .fluid = true };
+    bench_of(b, &bodies_beam);
 }
 
 /* What a scene may ask for of (44) and (45). */
@@ -60,27 +32,6 @@ static inline double bench_mass(const struct bench *b)
     return strcmp(b->def.inertia, "lumped") ? mass : mass * (1 + 1.0 / b->def.elements);
 }
 
-static inline void bench_make(struct bench *b)
-{
-    status_clear();
-    if (bodies_beam.create(&b->def, &b->scales, "it", "beam.it", &b->body))
-        fail_msg("%s", status_message());
-    layout_add(&b->layout, LAYOUT_POSITION, "others", "m", 3, 1, 1);
-    assert_int_equal(bodies_beam.rows(b->body, &b->layout), STATUS_DONE);
-    layout_add(&b->layout, LAYOUT_VELOCITY, "others", "m/s", 3, 1, 1);
-    layout_done(&b->layout);
-    b->size = layout_size(&b->layout);
-    b->skin = bodies_beam.skin(b->body, NULL);
-    assert_true(b->size <= BENCH_Y && b->skin <= BENCH_SKIN);
-    bodies_beam.start(b->body, &b->layout, b->y);
-}
-
-static inline void bench_free(struct bench *b)
-{
-    bodies_beam.free(&b->body);
-    assert_null(b->body);
-}
-
 static inline int bench_dofs(const struct bench *b)
 {
     return 2 * (b->def.elements + 1);
@@ -101,36 +52,7 @@ static inline void bench_shake(struct bench *b, unsigned seed)
             b->y[bench_at(b, i, false)] = size * noise(&seed);
             b->y[bench_at(b, i, true)] = 10 * size * noise(&seed);
         }
-    for (int i = 0; i < b->skin; i++)
-        for (int d = 0; d < DIM; d++)
-            b->force[i][d] = 5 * noise(&seed);
-}
-
-static inline void bench_load(struct bench *b, double t)
-{
-    bodies_beam.load(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, b->ydot,
-                     &b->load);
-}
-
-static inline double bench_energy(const struct bench *b, const double *y)
-{
-    struct energies e = {0};
-
-    bodies_beam.energy(b->body, &b->layout, y, &e);
-    return e.kinetic + e.potential + e.internal + e.elastic;
-}
-
-/* ydot of both sides. */
-static inline void bench_rates(struct bench *b, double t)
-{
-    memset(b->ydot, 0, sizeof b->ydot);
-    bench_load(b, t);
-    bodies_beam.stiff(b->body, &b->layout, t, b->y, b->ydot);
-}
-
-static inline void bench_show(struct bench *b, double t, struct body_view *view)
-{
-    bodies_beam.show(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, view);
+    bench_push(b, &seed);
 }
 
 /* Puts the beam where its loads hold it at rest: one implicit step so long that

@@ -172,27 +172,14 @@ static void supports_close_the_momentum(void **state)
 /* dE/dt = damping + prescribed loads + water, by central differences along ydot. */
 static void energy_changes_by_the_named_powers(void **state)
 {
-    static double x[BENCH_SKIN][DIM], u[BENCH_SKIN][DIM], up[BENCH_Y], down[BENCH_Y];
-
     (void)state;
     for (int k = 0; k < OPTIONS; k++) {
-        const double h = 1e-7;
         struct bench b;
-        double power = 0, size = 0;
         choose(&b, k);
         bench_rates(&b, 0);
-        bodies_elastica.move(b.body, &b.layout, 0, b.y, x, u);
-        for (int i = 0; i < b.skin; i++)
-            for (int d = 0; d < DIM; d++)
-                power += b.force[i][d] * u[i][d];
-        for (int i = 0; i < b.size; i++) {
-            up[i] = b.y[i] + h * b.ydot[i];
-            down[i] = b.y[i] - h * b.ydot[i];
-        }
-        power += b.load.damping + b.load.driven;
-        size = fabs(b.load.damping) + fabs(b.load.driven);
-        check_close((bench_energy(&b, up) - bench_energy(&b, down)) / (2 * h), power,
-                    2e-5 * size, "dE/dt");
+        const double power = bench_power(&b) + b.load.damping + b.load.driven;
+        const double size = fabs(b.load.damping) + fabs(b.load.driven);
+        check_close(bench_energy_rate(&b, 1e-7), power, 2e-5 * size, "dE/dt");
         assert_true(b.load.damping < 0);
         bench_free(&b);
     }
@@ -320,19 +307,6 @@ static void loads_end_when_told(void **state)
     bench_free(&b);
 }
 
-static void check_refusal(const struct bench *b, const char *word)
-{
-    struct body *body = NULL;
-
-    status_clear();
-    assert_int_equal(bodies_elastica.create(&b->def, &b->scales, "it", "beam.it", &body),
-                     STATUS_BAD_SCENE);
-    assert_null(body);
-    if (!strstr(status_message(), "beam.it") || !strstr(status_message(), word))
-        fail_msg("\"%s\" does not name beam.it and %s", status_message(), word);
-    status_clear();
-}
-
 static void refuses_what_cannot_stand(void **state)
 {
     struct bench b;
@@ -340,15 +314,15 @@ static void refuses_what_cannot_stand(void **state)
     (void)state;
     bench_defaults(&b);
     b.def.beta = 1e-3;
-    check_refusal(&b, "damping_ratio");
+    bench_refuses(&b, "damping_ratio");
     bench_defaults(&b);
     b.def.bent = 10;
     b.def.tip = "pinned";
-    check_refusal(&b, "tip");
+    bench_refuses(&b, "tip");
     bench_defaults(&b);
     b.def.theory = "linear";
     b.def.follower = true;
-    check_refusal(&b, "elastica");
+    bench_refuses(&b, "elastica");
 }
 
 /* "linear" and "elastica" are two kinds with the same parameters. */
