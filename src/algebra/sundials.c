@@ -88,6 +88,14 @@ int sundials_listen_cvode(void *cvode)
 
 #endif
 
+int sundials_control(void *arkode, ARKAdaptFn adapt, void *data)
+{
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+    return ARKStepSetAdaptivityFn(arkode, adapt, data);
+#pragma GCC diagnostic pop
+}
+
 int sundials_open(SUNContext *out)
 {
     *out = NULL;

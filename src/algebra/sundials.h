@@ -1,4 +1,5 @@
-/* sundials.h -- the one place that knows which SUNDIALS this is (6.4.1 to 7.x).
+/* sundials.h -- the one place that knows which SUNDIALS this is: 6.4.1 and 7.1.1 are
+ * tested, what lies between and later 7.x should do.
  *
  * The rest of the program is written against the common names of 7.1 and later
  * (ARKodeEvolve ...); for older ones they are mapped to ARKStep's here.  SUNDIALS
@@ -72,6 +73,10 @@ void sundials_close(SUNContext *context); /* NULL is welcome */
 int sundials_listen(void *arkode);
 int sundials_listen_mri(void *mri);
 int sundials_listen_cvode(void *cvode);
+
+/* The controller of an ARKStep.  7.x calls the function deprecated, but what takes its place
+ * hears of an error's size alone, not of the state. */
+int sundials_control(void *arkode, ARKAdaptFn adapt, void *data);
 
 /* The last complaint of any integrator since sundials_forget(), "" if none. */
 const char *sundials_complaint(void);

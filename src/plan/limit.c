@@ -12,7 +12,7 @@ static void keep_fastest(const struct limit *one, const char *name, struct limit
     if (!(one->rate > best->rate))
         return;
     *best = *one;
-    snprintf(best->part, sizeof best->part, "%s", name);
+    snprintf(best->part, sizeof best->part, "%.63s", name);
 }
 
 void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct limit limit[2])

@@ -35,7 +35,7 @@ static int set_control(struct arkode *a)
     const double nearly = 1 - 1e-10;
     int bad = 0;
 
-    bad |= ARKStepSetAdaptivityFn(a->ark, arkode_adapt, a);
+    bad |= sundials_control(a->ark, arkode_adapt, a);
     bad |= ARKodeSetStabilityFn(a->ark, arkode_stable, a);
     bad |= ARKodeSetCFLFraction(a->ark, nearly);
     bad |= ARKodeSetSafetyFactor(a->ark, nearly);

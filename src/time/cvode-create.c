@@ -103,7 +103,6 @@ static int set_control(struct cvode *c)
 {
     int bad = CVodeSetMaxOrd(c->cvode, c->row->order[plan_stiff(c->rates.plan)]);
 
-
     bad |= CVodeSetMaxNonlinIters(c->cvode, 3);
     bad |= CVodeSetNonlinConvCoef(c->cvode, 0.1);
     bad |= CVodeSetMaxErrTestFails(c->cvode, 30); /* 7 are too few at impacts */
