@@ -24,16 +24,6 @@
 
 enum { BANDWIDTH = 3 };
 
-bool bending_held(const struct bending *b, int dof)
-{
-    const int last = b->dofs - 2;
-
-    if (dof >= 2 && dof < last)
-        return false;
-    const enum bending_end end = dof < 2 ? b->def.root : b->def.tip;
-    return end == BENDING_CLAMPED || (end == BENDING_PINNED && dof % 2 == 0);
-}
-
 static void assemble(struct bending *b)
 {
     double k[4][4], m[4][4];

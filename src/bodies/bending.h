@@ -58,7 +58,15 @@ struct bending {
 int bending_create(const struct bending_def *def, struct bending **out);
 void bending_free(struct bending **b); /* NULL is welcome */
 
-bool bending_held(const struct bending *b, int dof);
+static inline bool bending_held(const struct bending *b, int dof)
+{
+    const int last = b->dofs - 2;
+
+    if (dof >= 2 && dof < last)
+        return false;
+    const enum bending_end end = dof < 2 ? b->def.root : b->def.tip;
+    return end == BENDING_CLAMPED || (end == BENDING_PINNED && dof % 2 == 0);
+}
 
 /* to [dofs] = M 1, inertia against a shift of the whole beam: times g it is weight.
  * Returns the mass, what all nodes have together [kg, 2D: kg/m]. */
