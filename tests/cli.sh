@@ -2,41 +2,8 @@
 # cli.sh -- the command line keeps its word: help, tables, exit status, and what is left
 # behind when a run is stopped or cannot write.  Run by `make check`.
 scenes=${top_srcdir:-.}/tests/scenes
-stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
-case $scenes in /*) ;; *) scenes=$(pwd)/$scenes ;; esac
-case $stiffwater in /*) ;; *) stiffwater=$(pwd)/$stiffwater ;; esac
-directory=$(mktemp -d) || exit 99
-trap 'chmod -R u+w "$directory"; rm -rf "$directory"' EXIT
-cd "$directory" || exit 99
-failed=0
-tried=0
-
-complain()
-{
-    failed=$((failed + 1))
-    echo "cli: $*"
-    sed 's/^/    /' said
-}
-
-# expect STATUS WORD ...: runs the words; what they say is in the file `said'.
-expect()
-{
-    wanted=$1
-    shift
-    "$stiffwater" "$@" >said 2>&1 </dev/null
-    found=$?
-    what=$*
-    tried=$((tried + 1))
-    [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
-}
-
-# says PATTERN ...: the last answer holds each of them.
-says()
-{
-    for pattern in "$@"; do
-        grep -q -F -e "$pattern" said || complain "$what: \"$pattern\" is not said"
-    done
-}
+script=cli ask=
+. "${top_srcdir:-.}/tests/ask.sh"
 
 # --- help and versions --------------------------------------------------------------------
 commands='run check plot list explain resume compare'

@@ -3,41 +3,8 @@
 # refused or stopped included; errors that shrink with the tolerance; what is there is not run
 # again; a signal leaves a table.  Run by `make check'.
 scenes=${top_srcdir:-.}/data/scenes
-stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
-case $scenes in /*) ;; *) scenes=$(pwd)/$scenes ;; esac
-case $stiffwater in /*) ;; *) stiffwater=$(pwd)/$stiffwater ;; esac
-directory=$(mktemp -d) || exit 99
-trap 'rm -rf "$directory"' EXIT
-cd "$directory" || exit 99
-failed=0
-tried=0
-
-complain()
-{
-    failed=$((failed + 1))
-    echo "compare: $*"
-    sed 's/^/    /' said
-}
-
-# expect STATUS WORD ...: compares; what is said is in the file `said'.
-expect()
-{
-    wanted=$1
-    shift
-    timeout 300 "$stiffwater" compare "$@" >said 2>&1 </dev/null
-    found=$?
-    what=$*
-    tried=$((tried + 1))
-    [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
-}
-
-# says PATTERN ...: the last answer holds each of them.
-says()
-{
-    for pattern in "$@"; do
-        grep -q -F -e "$pattern" said || complain "$what: \"$pattern\" is not said"
-    done
-}
+script=compare ask=compare
+. "${top_srcdir:-.}/tests/ask.sh"
 
 # field DIR METHOD TOL COLUMN [MORE]: of the row, whose end holds MORE
 field()
