@@ -37,4 +37,23 @@ claim 'at most 1.3 times the right-hand sides of the water alone' "$rhs <= 1.3 *
 for run in coarse fine steel; do
     claim "right-hand sides within 30 % ($run)" "$(number $run rhs_explicit) > 0.7 * $rhs && $(number $run rhs_explicit) < 1.3 * $rhs"
 done
+# Right-hand sides of an explicit method are as many in each millisecond of a run: its
+# step is that of the beam. 166 of them follow the contact, at 0.134 s, until 0.3 s.
+explicit() {
+    well "$1" "$scene" until=0.001 method=cks43 beam.elements=10 $2
+}
+explicit soft ''
+explicit stiff beam.E=5e9
+explicit finer beam.elements=20
+well before "$scene" until=0.134 method=imex4 beam.elements=10
+well after "$scene" until=0.3 method=imex4 beam.elements=10
+implicit=$(($(number after rhs_explicit) - $(number before rhs_explicit)))
+soft=$(number soft rhs_explicit)
+claim 'after the contact explicit needs 50 times the right-hand sides' "166 * $soft > 50 * $implicit"
+claim 'and 3.16 times those with 10 times E' \
+    "$(number stiff rhs_explicit) > 2.8 * $soft && $(number stiff rhs_explicit) < 3.5 * $soft"
+claim 'and 4 times those with twice the elements' \
+    "$(number finer rhs_explicit) > 3.6 * $soft && $(number finer rhs_explicit) < 4.4 * $soft"
+well exact "$scene" until=0.3 method=imex4 tol=5e-4
+claim 'imex4 closes energy to 1e-4 J' "$(number exact energy_defect_max) < 1e-4"
 exit $bad
