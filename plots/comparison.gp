@@ -24,7 +24,8 @@ place(i) = sweeps < 1 ? 'all' : named(1).named(2).named(3).named(4)
 # Families: colour; their members: mark and dashes.
 families = 'fixed dv erk arkode imex multistep gsl other'
 array family_name[8] = ['fixed steps', 'staggered Verlet', 'explicit Runge-Kutta', \
-    'explicit, by ARKODE', 'implicit beam', 'multistep', 'explicit, by GSL', 'other implicit, multirate']
+    'explicit, by ARKODE', 'implicit beam', 'multistep', 'explicit, by GSL', \
+    'other implicit, multirate']
 array family_colour[8] = ['#000000', '#d55e00', '#0072b2', '#56b4e9', '#009e73', '#cc79a7', \
     '#e69f00', '#7b5ea7']
 is_one_of(w, list) = strstrt(' '.list.' ', ' '.w.' ') > 0
@@ -70,7 +71,8 @@ first(w) = n_reasons < most_reasons ? (n_reasons = n_reasons + 1, why[n_reasons]
     who[n_reasons] = asked(0), 0) : (others = others + 1, 0)
 again(k) = (who[k] = who[k].', '.asked(0), 0)
 reason(w) = known(w) ? again(known(w)) : first(w)
-stats table using (strcol(3) ne 'done' ? reason(strcol(3).': '.cut(strcol(c_why))) : 0) skip 2 nooutput
+stats table using (strcol(3) ne 'done' ? reason(strcol(3).': '.cut(strcol(c_why))) : 0) skip 2 \
+    nooutput
 reasons = ''
 do for [k = 1:n_reasons] {
     reasons = reasons.one_line(one_line(who[k], 60).' '.why[k], 160)."\n"

@@ -65,7 +65,8 @@ panel = "set lmargin at screen (gap + (w - 1) * (panel_wide + gap)) / wide; \
         with vectors head size screen 0.006, 20 filled lw 1.5 lc rgb look(of(i)) notitle"
 legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at screen 0.999; \
     set tmargin at screen 1 - head / tall; set bmargin at screen 0.01; eval empty; \
-    set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 noenhanced; \
+    set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 \
+        noenhanced; \
     set label 1 reasons at screen 20 / wide, (22 * reason_lines - 5) / tall left noenhanced \
         font ',13' tc rgb '#404040'; \
     plot for [i = 1:words(cases)] NaN with linespoints lw 2 ps 1.4 pt mark(member(of(i))) \

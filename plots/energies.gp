@@ -25,7 +25,8 @@ set size 1, 0.42
 set ylabel 'stored energy'.unit
 plot for [k = 1:words(stored)] table using 1:(column(column_of(word(stored, k)))) skip 2 \
     with lines lw 2.5 lc rgb pick(k) title word(stored, k), \
-    table using 1:(column(column_of('total'))) skip 2 with lines lw 2 dt '-' lc rgb colour[7] title 'total'
+    table using 1:(column(column_of('total'))) skip 2 with lines lw 2 dt '-' lc rgb colour[7] \
+    title 'total'
 
 set origin 0, 0.27
 set size 1, 0.28

@@ -25,10 +25,12 @@ last = 1.6 * arrival_min < T(until) ? 1.6 * arrival_min : T(until)
 top = reach_max > 0.9 * far ? 1.12 * far : 1.25 * reach_max
 
 run = "table using (T($1)):(Z($2)) skip 2 with lines lw 3 lc rgb pick(1) title 'this run' "
-low = "table using (T($1)):(($3 + dx / 2) / (n2 * a)) skip 2 with lines lw 3 lc rgb pick(1) title 'this run' "
+low = "table using (T($1)):(($3 + dx / 2) / (n2 * a)) skip 2 " \
+    ."with lines lw 3 lc rgb pick(1) title 'this run' "
 seen = "with points ps 1.6 lw 2 "
 if (abs(n2 - 2) < 0.05) {
-    run = run.", 'B01a_martin_moyce_1952_front_n2_2.csv' using (is('a1.125in_pysph')):(free($3)) skip 4 ".seen \
+    run = run.", 'B01a_martin_moyce_1952_front_n2_2.csv' " \
+        ."using (is('a1.125in_pysph')):(free($3)) skip 4 ".seen \
         ."pt 6 lc rgb pick(2) title 'Martin, Moyce 1952, a = 28.6 mm', " \
         ."'' using (is('a2.25in_pysph')):(free($3)) skip 4 ".seen \
         ."pt 4 lc rgb pick(3) title 'Martin, Moyce 1952, a = 57.2 mm'"

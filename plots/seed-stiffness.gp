@@ -15,7 +15,8 @@ array dash[4] = ['1', '1', '(8,6)', '1']
 
 set terminal pngcairo size 1700, 800 font 'Sans,18'
 set output '../seed-stiffness.png'
-set multiplot layout 1, 2 title "the seed's dam break, 5,000 particles: standard SPH (linear) and WCSPH (Tait)"
+set multiplot layout 1, 2 \
+    title "the seed's dam break, 5,000 particles: standard SPH (linear) and WCSPH (Tait)"
 set lmargin 10
 set rmargin 3
 
@@ -24,9 +25,11 @@ set ylabel 'front  Z = x / a'
 set xrange [0:3.6]
 set yrange [0.8:5]
 set key top left Left reverse samplen 3 spacing 1.2
-line(i) = sprintf("'%s/front.csv' using (T($1)):(Z($2)) skip 2 with lines lw %g dt %s lc rgb pick(%d) title label[%d]", \
+as = 'with lines lw %g dt %s lc rgb pick(%d) title label[%d]'
+line(i) = sprintf("'%s/front.csv' using (T($1)):(Z($2)) skip 2 ".as, \
     word(runs, i), i == 3 ? 4 : 3, dash[i], i, i)
-made(i) = sprintf("'%s/book.csv' using 1:(column('pressure_defect') > 0 ? column('pressure_defect') : NaN) skip 1 with lines lw %g dt %s lc rgb pick(%d) title label[%d]", \
+above(e) = e > 0 ? e : NaN
+made(i) = sprintf("'%s/book.csv' using 1:(above(column('pressure_defect'))) skip 1 ".as, \
     word(runs, i), i == 3 ? 4 : 3, dash[i], i, i)
 lines = ''
 works = ''
@@ -34,7 +37,8 @@ do for [i = 1:4] {
     lines = lines.', '.line(i)
     works = works.', '.made(i)
 }
-eval "plot 'B01a_martin_moyce_1952_front_n2_2.csv' using (is('a2.25in_pysph')):3 skip 4 with points ps 1.6 lw 2 pt 4 lc rgb grey title 'Martin, Moyce 1952, a = 57.2 mm'".lines
+eval "plot 'B01a_martin_moyce_1952_front_n2_2.csv' using (is('a2.25in_pysph')):3 skip 4 " \
+    ."with points ps 1.6 lw 2 pt 4 lc rgb grey title 'Martin, Moyce 1952, a = 57.2 mm'".lines
 
 set xlabel 't [s]'
 set ylabel 'energy out of nothing [J/m]'

@@ -15,8 +15,8 @@ do for [l in lines] {
     seen = 0
     run = ''
     stats table using (ended(0) ? (all = all + 1) : 0) skip 2 nooutput
-    stats table using (all > 0 ? (ended(0) ? (seen = seen + 1, seen == (all + 1) / 2 ? take(0) : 0) \
-        : 0) : here(0) ? take(0) : 0) skip 2 nooutput
+    stats table using (all > 0 ? (ended(0) ? (seen = seen + 1, \
+        seen == (all + 1) / 2 ? take(0) : 0) : 0) : here(0) ? take(0) : 0) skip 2 nooutput
     if (strlen(run)) {
         runs = runs.' '.run
         labels = labels.' '.name
@@ -64,10 +64,12 @@ do for [i = 1:words(runs)] {
     set title sprintf('%s: %d steps', cut ? at[1:cut - 1].' '.at[cut + 1:*] : at, steps[i]) \
         noenhanced offset 0, -0.5
     set size 1.0 / across, body / down
-    set origin ((i - 1) % across) / real(across), below + body * (down - 1 - (i - 1) / across) / down
+    set origin ((i - 1) % across) / real(across), \
+        below + body * (down - 1 - (i - 1) / across) / down
     set label 1 sprintf('%.0f / %.0f / %.0f %%', share[3 * i - 2], share[3 * i - 1], share[3 * i]) \
         at graph 0.97, 0.08 right tc rgb '#404040' noenhanced
-    plot for [j = 1:words(runs)] steps_of(j) using 1:2 skip 2 with points pt 7 ps 0.15 lc rgb '#d4d4d4', \
+    plot for [j = 1:words(runs)] steps_of(j) using 1:2 skip 2 \
+        with points pt 7 ps 0.15 lc rgb '#d4d4d4', \
         for [k = 1:3] steps_of(i) using 1:(limited(k) ? $2 : NaN) skip 2 \
         with points pt 7 ps 0.4 lc rgb faint(k)
 }
@@ -76,6 +78,7 @@ set origin 0, 0
 set size 1, below
 set lmargin 2
 eval empty
-set key center center horizontal samplen 1.5 title 'limited by (shares at the right of each panel in this order):'
+set key center center horizontal samplen 1.5 \
+    title 'limited by (shares at the right of each panel in this order):'
 plot for [k = 1:3] NaN with points pt 7 ps 1.6 lc rgb pick(k) title word(limiters, k)
 unset multiplot

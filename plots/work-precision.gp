@@ -33,10 +33,13 @@ panel = "set lmargin at screen (gap + side * (panel_wide + gap)) / wide; \
     set bmargin at screen 1 - (head + n * high - foot) / tall; \
     set xrange [least[w]:largest[w]]; \
     plot for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(good(q)) skip 2 \
-        with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) notitle, \
-    for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) skip 2 \
-        axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; unset label 9"
-axes = "set logscale xy; set format y '10^{%T}'; set ytics autofreq; set y2range [0:1]; unset y2tics; unset key; \
+        with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) \
+        notitle, \
+    for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) \
+        skip 2 axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; \
+    unset label 9"
+axes = "set logscale xy; set format y '10^{%T}'; set ytics autofreq; set y2range [0:1]; \
+    unset y2tics; unset key; \
     set yrange [*:*]; set xtics autofreq format (largest[w] / least[w] < 50 ? '%g' : '10^{%T}'); \
     if (largest[w] / least[w] < 50) { set xtics (); \
         do for [e = -6:12] { do for [d in '1 2 5'] { set xtics add (d * 10.0**e) } } }"
@@ -48,7 +51,8 @@ both_panels = "do for [side = 0:1] { w = side + 1; eval axes; \
 has_places = 0
 legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at screen 0.999; \
     set tmargin at screen 1 - head / tall; set bmargin at screen 0.01; eval empty; \
-    set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 noenhanced; \
+    set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 \
+        noenhanced; \
     set label 1 reasons at screen 20 / wide, (22 * reason_lines - 5) / tall left noenhanced \
         font ',13' tc rgb '#404040'; \
     plot for [i = 1:words(lines)] NaN with linespoints lw 2.2 ps 1.4 pt mark(member(i)) \
