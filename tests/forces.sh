@@ -69,8 +69,8 @@ balances held body
 go bends data/scenes/elastic-obstacle.scene until=0.25 spacing=6.0833333333333333e-3 \
     beam.obstacle.layers=3 output.snapshots=11
 balances bends obstacle
-go rests tests/validation/sunk-beam.scene until=3 output.interval=0.01 output.snapshots=0 spacing=0.01 \
-    beam.body.layers=5
+go rests tests/validation/sunk-beam.scene until=3 output.interval=0.01 output.snapshots=0 \
+    spacing=0.01 beam.body.layers=5
 lift=$(column rests/forces body.fy | awk '$1 >= 2 { s += $2; n++ } END { print s / n }')
 claim 'a beam under water is lifted by 24.525 N/m' "$lift / 24.525 > 0.97 && $lift / 24.525 < 1.03"
 exit $bad

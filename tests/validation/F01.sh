@@ -15,7 +15,8 @@
 # point: they get the skin's force and moment, to rounding.
 . "$(dirname "$0")/lib.sh"
 go dam "$scenes/dam-break.scene" spacing=5e-3 output.snapshots=1
-go stiff "$cases/sunk-beam.scene" until=0.5 'fluid.above.velocity=[0.3,0.0]' output.snapshots=21
+go stiff "$cases/sunk-beam.scene" until=0.5 'fluid.above.velocity=[0.3,0.0]' \
+    output.interval=0.025 output.snapshots=21
 go bends "$scenes/elastic-obstacle.scene" until=0.4 output.interval=0.02 output.snapshots=21
 go held "$cases/sunk-box.scene" walls=adami until=0.5 'fluid.above.velocity=[0.3,0.0]'
 # balance RUN WALLS: largest |P(t) - P(0) - m g t + impulses|, over m g t of the end
