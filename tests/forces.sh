@@ -4,25 +4,8 @@
 #
 # Marks: 1e-9 of m g t for the balance of the water alone, from its particles' eight digits and the
 # impulses of forces.csv; 3 % for the lift, 20 spacings deep.  tests/validation/F01.sh has more.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-bad=0
-
-# claim WORDS EXPRESSION: an awk expression that must be true
-claim() {
-    if awk "BEGIN { exit !($2) }"; then echo "ok      $1: $2"
-    else echo "NOT SO  $1: $2"; bad=1; fi
-}
-
-# go NAME SCENE KEY=VALUE...
-go() {
-    name=$1
-    file=$2
-    shift 2
-    "$STIFFWATER" run "$top_srcdir/$file" output.interval=0.025 output.fields=9 -q -o "$out/$name" \
-        "$@" 2>"$out/$name.said"
-}
+. "$top_srcdir/tests/lib.sh"
+scratch
 
 # column RUN/FILE COLUMN...: time and these columns
 column() {
@@ -63,13 +46,16 @@ balances() {
     claim "$1: at many moments" "${off#*, } >= 9"
 }
 
-go held tests/validation/sunk-beam.scene until=0.25 'fluid.above.velocity=[0.3,0.0]' \
-    output.snapshots=11 spacing=0.01 beam.body.layers=5
+cadence='output.interval=0.025 output.snapshots=11 until=0.25'
+# shellcheck disable=SC2086 # words
+well held "$top_srcdir/tests/validation/sunk-beam.scene" $cadence \
+    'fluid.above.velocity=[0.3,0.0]' spacing=0.01 beam.body.layers=5
 balances held body
-go bends data/scenes/elastic-obstacle.scene until=0.25 spacing=6.0833333333333333e-3 \
-    beam.obstacle.layers=3 output.snapshots=11
+# shellcheck disable=SC2086
+well bends "$top_srcdir/data/scenes/elastic-obstacle.scene" $cadence \
+    spacing=6.0833333333333333e-3 beam.obstacle.layers=3
 balances bends obstacle
-go rests tests/validation/sunk-beam.scene until=3 output.interval=0.01 output.snapshots=0 \
+well rests "$top_srcdir/tests/validation/sunk-beam.scene" until=3 output.interval=0.01 \
     spacing=0.01 beam.body.layers=5
 lift=$(column rests/forces body.fy | awk '$1 >= 2 { s += $2; n++ } END { print s / n }')
 claim 'a beam under water is lifted by 24.525 N/m' "$lift / 24.525 > 0.97 && $lift / 24.525 < 1.03"
