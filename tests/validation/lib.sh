@@ -90,8 +90,11 @@ cost() {
 # row WHAT REFERENCE GOT MARK EXPRESSION COST [WHY]: EXPRESSION (awk) is the mark; WHY is the
 # reason found for missing it
 row() {
-    case $5 in *nan* | *inf*) echo "$case: $1: no number in $5"; bad=1 ;; esac
-    if awk "BEGIN { exit !($5) }"; then verdict=pass; else verdict=missed; fi
+    verdict=missed
+    case $5 in
+    *nan* | *inf*) echo "$case: $1: no number in $5"; bad=1 ;;
+    *) awk "BEGIN { exit !($5) }" && verdict=pass ;;
+    esac
     case $verdict${7:+ with reason} in
     pass | 'missed with reason') ;;
     *) bad=1; echo "$case: $1: $verdict ${7:+, although a reason is given}" ;;
