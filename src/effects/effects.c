@@ -5,6 +5,7 @@ extern const struct part LANE_NAME(effects_continuity);
 extern const struct part LANE_NAME(effects_summation);
 extern const struct part LANE_NAME(effects_pressure_force);
 extern const struct part LANE_NAME(effects_pressure_printed);
+extern const struct part LANE_NAME(effects_artificial_stress);
 extern const struct part LANE_NAME(effects_artificial_viscosity);
 extern const struct part LANE_NAME(effects_laminar_viscosity);
 extern const struct part LANE_NAME(effects_laplacian_viscosity);
@@ -19,6 +20,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_summation),
     &LANE_NAME(effects_pressure_force),
     &LANE_NAME(effects_pressure_printed),
+    &LANE_NAME(effects_artificial_stress),
     &LANE_NAME(effects_artificial_viscosity),
     &LANE_NAME(effects_laminar_viscosity),
     &LANE_NAME(effects_laplacian_viscosity),

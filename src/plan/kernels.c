@@ -158,6 +158,7 @@ void kernels_scales(const struct engine *engine, struct kernel_use *const use[PA
     s->laplace_viscosity = largest(laplace_term, use[PART_VISCOSITY], s->dx) / laplace;
     s->laplacian = largest(laplacian_term, use[PART_VISCOSITY], s->dx);
     s->centre = kernel_w(use[PART_DENSITY], 0);
+    s->nearby = kernel_w(use[PART_PRESSURE], s->dx);
 }
 
 const char *kernels_forbid(struct kernel_use *const use[PART_KERNELS], const struct part *part,

@@ -34,6 +34,7 @@ struct scales {
     double laplacian;       /* largest eigenvalue of the Laplacian of the
                                viscosity kernel                      [1/m^2]  */
     double centre;          /* density kernel at its centre          [1/m^D]  */
+    double nearby;          /* pressure kernel at dx                [1/m^D]  */
 };
 
 #endif

@@ -102,6 +102,20 @@ static void density_diffusion(const struct pair_particle *a, const struct pair_p
              * p.r * p.r * p.g / softened(p.r);
 }
 
+/* (P3) F = -m_a m_b (R_a + R_b) (W(r)/W(dx))^4 gradW, R = strength max(0, -p)/rho^2 */
+static void artificial_stress(const struct pair_particle *a, const struct pair_particle *b,
+                              struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double H = effects_scales.support, q = p.r / H;
+    const double sigma = DIM == 2 ? 7 / M_PI : 21 / (2 * M_PI);
+    const double W = q < 1 ? sigma / pow(H, DIM) * pow(1 - q, 4) * (1 + 4 * q) : 0;
+    const double R = EFFECTS_STRENGTH * (fmax(0, -a->p2) + fmax(0, -b->p2));
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = -a->m * b->m * R * pow(W / effects_scales.nearby, 4) * p.g * p.x[d];
+}
+
 /* The seed's (24) is a force density; by (33), with a = F/rho, the force on a is
  * m_a/rho_a times
  *   -rho_a (p_a/rho_a + p_b/rho_b) m_b gradW                             (24) */
@@ -158,6 +172,7 @@ pair_formula *effects_formula(const char *name)
         { "laplacian-viscosity", laplacian_viscosity },
         { "viscosity-printed", viscosity_printed },
         { "density-diffusion", density_diffusion },
+        { "artificial-stress", artificial_stress },
     };
 
     for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++)

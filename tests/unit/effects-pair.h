@@ -43,5 +43,6 @@ pair_formula *effects_formula(const char *name); /* NULL: not known here */
 #define EFFECTS_ALPHA 0.37
 #define EFFECTS_MU 1.9
 #define EFFECTS_DELTA 0.13
+#define EFFECTS_STRENGTH 0.23
 
 #endif

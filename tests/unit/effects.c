@@ -15,6 +15,7 @@ const struct scales effects_scales = {
     .dimension = DIM, .dx = 0.1, .support = 0.3, .hs = 0.15, .rho0 = 1000, .c0 = 20,
     .gamma = 7, .speed = 2, .g = { 1.1, -9.81, 0.7 }, .fluid = true,
     .wave = 1, .laplace_density = 1, .laplace_viscosity = 1, .laplacian = 300, .centre = 25,
+    .nearby = 11,
 };
 
 enum { TRIES = 2000 };
@@ -83,6 +84,7 @@ static struct pair_law law_make(const struct part *part, const struct scales *sc
     set(&law, "alpha", EFFECTS_ALPHA);
     set(&law, "mu", EFFECTS_MU);
     set(&law, "delta", EFFECTS_DELTA);
+    set(&law, "strength", EFFECTS_STRENGTH);
     set(&law, "only_approaching", only_approaching);
     if (part->prepare)
         assert_int_equal(part->prepare(law.self, scales), 0);
