@@ -41,9 +41,9 @@ void plan_body_view(struct plan *plan, int body, double t, const double *y,
                     struct body_view *out);
 const double *plan_impulse(const struct plan *plan, const double *y, int object); /* [DIM] [N s] */
 
-/* For the message of a run that failed: which fluid particle is pushed hardest at
- * (t, y), by which part, how hard, and what may be wrong; "" when there is nothing
- * to say. */
+/* For the message of a run that failed after the state (t, y): for whom -- the particle
+ * that the last refusal named, or the one that is pushed hardest --, where, and which
+ * part does most to it there; "" when there are no particles. */
 void plan_blame(struct plan *plan, double t, const double *y, char *text, size_t room);
 
 /* NULL, or why no run should go on from here: fluid that moves faster than
