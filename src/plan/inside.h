@@ -4,6 +4,7 @@
 
 #include "plan/engine.h"
 #include "plan/input.h"
+#include "plan/observe.h"
 #include "plan/plan.h"
 
 enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
@@ -170,7 +171,6 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
 void plan_view_make(struct plan *p, double t, const double *y, struct view *v);
 
 /* Where particle c (creation index) is in the domain: "(x, y)" in metres. */
-enum { PLAN_PLACE = 64 };
 void plan_place(const struct plan *p, const struct view *v, int c, char text[PLAN_PLACE]);
 
 /* book.c */

@@ -60,6 +60,18 @@ const struct settings_output *plan_output(const struct plan *plan);
 int plan_probes(const struct plan *plan);
 const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
 int plan_escaped(struct plan *plan, double t, const double *y); /* fluid outside the box */
+
+/* Fluid in solids, more than half a spacing deep: how many, and the first of them. */
+enum { PLAN_PLACE = 64 };
+struct plan_sunk {
+    int n;
+    double t;               /* [s]                                            */
+    int who;                /* particle, -1: nobody                           */
+    const char *solid;      /* name of the wall or beam                       */
+    char place[PLAN_PLACE]; /* "(x, y)" [m]                                   */
+};
+void plan_sunk(struct plan *plan, double t, const double *y, struct plan_sunk *out);
+
 int plan_lanes(const struct plan *plan);
 
 /* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a

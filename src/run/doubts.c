@@ -15,13 +15,15 @@ static const double energy_share = 0.01; /* of the energy there is: a defect tha
 
 static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
-/* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside. */
+/* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside.
+ * Where the domain repeats there is no outside. */
 static double outside(const struct scales *s, const double *x, int axes)
 {
     double most = -HUGE_VAL;
 
     for (int d = 0; d < axes; d++)
-        most = fmax(most, fmax(s->low[d] - x[d], x[d] - s->high[d]));
+        if (!(s->period[d] > 0))
+            most = fmax(most, fmax(s->low[d] - x[d], x[d] - s->high[d]));
     return most;
 }
 
@@ -140,6 +142,18 @@ static void doubt_energy(const struct run *r)
                 100 * defect / there, there, advice);
 }
 
+/* Where walls are hollow or thin, fluid may be inside. */
+static void doubt_solids(const struct run *r)
+{
+    const struct plan_sunk *s = outputs_sunk(r->outputs);
+
+    if (s->n > 0)
+        status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
+                    "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
+                    "and levels means nothing: take a higher eos.c0, walls = \"adami\", a smaller "
+                    "tol or thicker walls", s->n, s->t, s->who, s->solid, s->place);
+}
+
 void run_doubt_end(const struct run *r)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
@@ -148,6 +162,7 @@ void run_doubt_end(const struct run *r)
     if (out > 0)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
                     "the book count them", out);
+    doubt_solids(r);
     if (r->tally.density[1] > 1.2 * rho0)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
                     "the largest speed)", r->tally.density[1],

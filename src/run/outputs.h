@@ -30,6 +30,9 @@ double outputs_defect_max(const struct outputs *o);
 double outputs_energy_most(const struct outputs *o);
 double outputs_momentum_defect(const struct outputs *o);
 
+/* The row that had most fluid in solids. */
+const struct plan_sunk *outputs_sunk(const struct outputs *o);
+
 /* Closes and frees, NULL is welcome; the first error is told. */
 int outputs_close(struct outputs **outputs);
 
