@@ -12,6 +12,7 @@
 
 static const double near_solids = 0.7;   /* nearer than this two fill one place [dx]    */
 static const double energy_share = 0.01; /* of the energy there is: a defect that matters */
+static const double energy_made = 0.5;   /* and one that makes a run a failure   */
 
 static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
@@ -128,18 +129,25 @@ static void advise_step(const struct run *r, char *to, size_t room)
 }
 
 /* The defect of the book is the error of time integration; energy made so may drive what
- * a figure shows. */
-static void doubt_energy(const struct run *r)
+ * a figure shows.  Methods that brake by design lose, and are not failures for it. */
+static int doubt_energy(const struct run *r)
 {
     const double defect = outputs_defect_max(r->outputs), there = outputs_energy_most(r->outputs);
     char advice[120];
 
     if (!(defect > energy_share * there))
-        return;
+        return STATUS_DONE;
     advise_step(r, advice, sizeof advice);
+    if (outputs_energy_made(r->outputs) > energy_made * there)
+        return status_fail(STATUS_FAILED, "energy out of nothing: by t = %g s time integration made "
+                           "%.3g J, %.3g %% of the %.3g J there were, and nothing in this run can "
+                           "be trusted, though it came to its end; take %s", r->tally.t,
+                           outputs_energy_made(r->outputs),
+                           100 * outputs_energy_made(r->outputs) / there, there, advice);
     status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "
                 "that is the error of time integration, so take %s", defect,
                 100 * defect / there, there, advice);
+    return STATUS_DONE;
 }
 
 /* Where walls are hollow or thin, fluid may be inside. */
@@ -154,7 +162,7 @@ static void doubt_solids(const struct run *r)
                     "tol or thicker walls", s->n, s->t, s->who, s->solid, s->place);
 }
 
-void run_doubt_end(const struct run *r)
+int run_doubt_end(const struct run *r)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
     const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
@@ -167,5 +175,5 @@ void run_doubt_end(const struct run *r)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
                     "the largest speed)", r->tally.density[1],
                     100 * (r->tally.density[1] / rho0 - 1));
-    doubt_energy(r);
+    return doubt_energy(r);
 }

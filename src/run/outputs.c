@@ -25,7 +25,7 @@ struct outputs {
     struct snapshot *snapshot;
     struct plan_sheet first, last;
     bool begun;
-    double defect_max, most; /* of energy, see the header [J] */
+    double defect_max, made, most; /* of energy, see the header [J] */
     struct plan_sunk sunk;   /* at its worst */
     double *rho, *p, *x, *u; /* of everybody, for particle files */
     unsigned char *kind;
@@ -118,6 +118,7 @@ int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y
         o->first = o->last;
     o->begun = true;
     o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
+    o->made = fmax(o->made, outputs_defect(o));
     o->most = fmax(o->most, energy_there(o, plan));
     look_for_sunk(o, plan, t, y);
     return tables_rows(o->tables, plan, t, y, &o->last, outputs_defect(o));
@@ -190,6 +191,11 @@ double outputs_defect(const struct outputs *o)
 double outputs_defect_max(const struct outputs *o)
 {
     return o->defect_max;
+}
+
+double outputs_energy_made(const struct outputs *o)
+{
+    return o->made;
 }
 
 double outputs_energy_most(const struct outputs *o)

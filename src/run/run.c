@@ -34,7 +34,7 @@ static void make_ticks(const struct run *r, struct ticks tick[TICKS])
 
     tick[0] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval, 0, outputs_rows };
     tick[1] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields, 0, outputs_field };
-    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : HUGE_VAL, 0,
+    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, 0,
                               outputs_snapshot };
     if (o->snapshots == 0)
         tick[2].next = 1;
@@ -285,8 +285,8 @@ int run_scene(const struct run_order *order)
         explain(&r, status, message);
         write_end(&r);
     }
-    if (status == STATUS_DONE)
-        run_doubt_end(&r);
+    if (status == STATUS_DONE && (status = run_doubt_end(&r)) != STATUS_DONE)
+        snprintf(message, sizeof message, "%s", status_message());
     last = write_constants(&r);
     if (status == STATUS_DONE)
         status = last;

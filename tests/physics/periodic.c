@@ -480,8 +480,9 @@ static void check_refused(const char *text, const char *sentence)
 #if DIM == 2 /* two drops that are near each other over a corner only */
 #define CORNERS                                                                          \
     "domain = { from = [0.0, 0.0]; to = [0.1, 0.1]; periodic = [\"x\", \"y\"]; };"        \
-    "fluid = { a = { type = \"disc\"; centre = [0.00709, 0.09291]; radius = 0.00708; };"  \
-    "          b = { type = \"disc\"; centre = [0.09291, 0.00709]; radius = 0.00708; }; };"
+    "fluid = { a = { type = \"disc\"; centre = [0.0027, 0.0027]; radius = 0.0026; };"     \
+    "          b = { type = \"polygon\"; points = [[0.0948, 0.0948], [0.1, 0.0948], [0.1, 0.1]," \
+    "                                            [0.0948, 0.1]]; }; };"
 #endif
 #define EFFECTS "effects = { continuity = { }; pressure = { }; };"
 #define PLAIN START "eos = { c0 = 20.0; };" EFFECTS
@@ -498,7 +499,7 @@ static void what_cannot_repeat_is_refused(void **state)
                   "wall.block reaches over a periodic side");
     check_refused(PLAIN BALL, "fluid.drop overlaps fluid.drop");
 #if DIM == 2
-    check_refused(PLAIN CORNERS, "two of their particles are 0.00591 m apart");
+    check_refused(PLAIN CORNERS, "two of their particles are 0.0041 m apart");
 #endif
     check_refused(START "eos = { c0 = 20.0; };"
                   "effects = { continuity = { }; central-force = { }; };"
