@@ -109,8 +109,22 @@ static int doubt_skins(const struct run *r)
     return STATUS_DONE;
 }
 
+/* A tolerance that no step obeys.  Solves of the implicit side do obey it. */
+static void doubt_tol(const struct run *r)
+{
+    const struct scene_node *node = scene_child(scene_root(r->scene), "tol");
+    const double usual = method_def_default().tol;
+
+    if ((r->method->adaptive && !(r->def.seconds > 0)) || plan_stiff(r->plan) || r->def.tol == usual)
+        return;
+    status_warn("%s: tol = %g does nothing with %s, whose steps do not follow their errors",
+                node ? scene_where(node) : scene_path(r->scene), r->def.tol,
+                r->def.seconds > 0 ? "steps of a constant length" : r->method->name);
+}
+
 int run_doubt_scene(const struct run *r)
 {
+    doubt_tol(r);
     if (!plan_scales(r->plan)->fluid)
         return STATUS_DONE;
     doubt_probes(r);
