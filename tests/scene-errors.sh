@@ -197,6 +197,45 @@ bad small-3d 'beam in 3D' \
     's/^wall =/beam = { b = { at = [0.15, 0.05, 0.0]; length = 0.05; thickness = 4e-3; E = 1e8; density = 1200.0; }; };\n&/' \
     bad.scene:10 beam.b dimension
 
+# keys that do nothing without another
+gate='type = "box"; from = [0.12, 0.02]; to = [0.13, 0.05];'
+idle() { # idle NAME KEYS KEY NEEDS: of a wall
+    bad small-2d "$1" "s/tank = { type = \"frame\"; };/&\n gate = { $gate $2 };/" bad.scene:17 \
+        "wall.gate.$3 does nothing without $4" "leave $3 out"
+}
+idle 'amplitude alone' 'amplitude = [0.01, 0.0];' amplitude frequency
+idle 'swing alone' 'swing = 5.0;' swing frequency
+idle 'frequency alone' 'frequency = 5.0;' frequency 'amplitude or swing'
+idle 'phase alone' 'velocity = [1.0, 0.0]; phase = 90.0;' phase frequency
+idle 'direction alone' 'direction = [0.0, 1.0];' direction path
+idle 'pivot of a wall that does not turn' 'velocity = [1.0, 0.0]; pivot = [0.1, 0.0];' pivot \
+    'spin or swing or turn'
+idle 'start of nothing' 'start = 1.0;' start 'velocity or amplitude or path or spin or swing or turn'
+idle 'stop of nothing' 'stop = 1.0;' stop 'velocity or amplitude'
+flow() { # flow NAME KEYS KEY: of a fluid
+    bad small-2d "$1" "s/dye = 1;/$2/" bad.scene:13 "fluid.right.$3 does nothing" "leave $3 out"
+}
+flow 'rate of no flow' 'flow_rate = 3.0;' flow_rate
+flow 'speed of a rotation' 'flow = "rotation"; flow_rate = 3.0; flow_speed = 1.0;' flow_speed
+flow 'size of a shear' 'flow = "shear"; flow_rate = 3.0; flow_size = 1.0;' flow_size
+flow 'amplitude of vortices' \
+    'flow = "taylor-green"; flow_speed = 1.0; flow_size = 0.1; flow_amplitude = 0.1;' flow_amplitude
+flow 'pressure of a rotation' 'flow = "rotation"; flow_rate = 3.0; flow_pressure = 9.0;' flow_pressure
+flow 'pressure of a drop without a size' 'flow = "strain"; flow_rate = 3.0; flow_pressure = 9.0;' \
+    flow_pressure
+flow 'size of a drop without a pressure' 'flow = "strain"; flow_rate = 3.0; flow_size = 0.1;' flow_size
+flow 'centre of no flow' 'flow_centre = [0.1, 0.0];' flow_centre
+bad small-2d 'surface of a fluid at rest' 's/dye = 1;/initial = "rest"; surface = 0.1;/' bad.scene:13 \
+    fluid.right.surface initial
+bad small-2d 'follower without a force' 's/density = 1200.0;/& theory = "elastica"; follower = true;/' \
+    bad.scene:19 beam.plate.follower 'tip_force or load'
+bad small-2d 'bow of a linear beam' 's/density = 1200.0;/& bent = 20.0;/' bad.scene:19 beam.plate bent
+bad small-2d 'end of no load' 's/density = 1200.0;/& load_until = 0.1;/' bad.scene:19 beam.plate \
+    load_until
+bad small-2d 'probe without fluid' '/^fluid = {/,/^};/d;/^effects = {/,/^};/d' bad.scene probe.bed \
+    'no fluid'
+bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' fluid.right.flow_rate
+
 # the command line
 bad_key 'override without a key' '=3' '=3'
 bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'
@@ -222,4 +261,4 @@ status=$?
 judge 'empty file' bad.scene empty
 
 echo "scene-errors: $tried mistakes, $failed complaints"
-[ "$tried" -ge 60 ] && [ "$failed" = 0 ]
+[ "$tried" -ge 100 ] && [ "$failed" = 0 ]

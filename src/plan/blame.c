@@ -1,9 +1,12 @@
-/* blame.c -- when a run fails: who is pushed hardest, and by which part. */
+/* blame.c -- when a run fails: whom it failed for, and which part did most to them in the
+ * last accepted state.
+ *
+ * That is the particle that the last refusal named, if it was of a moment not before that
+ * state; else the one of the fluid that is pushed hardest. */
 #include "plan/inside.h"
 #include "plan/observe.h"
 
 #include "base/status.h"
-#include "state/period.h"
 #define LANES 2 /* only sizes without lanes are used here */
 #include "space/pairs.h"
 
@@ -11,6 +14,23 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* What is being looked at. */
+struct blame {
+    struct plan *p;
+    struct plan_workspace *w;
+    const struct view *v;
+    struct pairs_table *table; /* [KINDS][KINDS] laws of one slot              */
+    double (*rate)[DIM];       /* [fluid] of one field [m/s^2]                 */
+    int who;                   /* creation index                               */
+    bool density;              /* its density counts, else its acceleration    */
+};
+
+/* What a part does to it: [m/s^2], [kg/m^D/s]. */
+struct deed {
+    const struct plan_part *part; /* NULL: nobody                              */
+    double rate;                  /* NAN: it has no rate, it makes the density */
+};
 
 static double size_of(const double *v)
 {
@@ -38,35 +58,97 @@ static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
     }
 }
 
-/* Accelerations of the fluid by the laws of one slot (-1: by all). */
-static int forces_of(struct plan *p, struct plan_workspace *w, int slot,
-                     struct pairs_table *table)
+/* Sums over pairs by the laws of one slot (-1: by all). */
+static int sum_of(const struct blame *b, int slot)
 {
+    struct plan *p = b->p;
+    struct plan_workspace *w = b->w;
     struct sum_job job = {
         .list = w->list, .record = w->record, .table = p->table, .slots = p->slots,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 
     if (slot >= 0) {
-        keep_slot(p, slot, table);
-        job.table = table;
+        keep_slot(p, slot, b->table);
+        job.table = b->table;
     }
     return p->engine->sum->pairs(&job, &w->scratch);
 }
 
-static int hardest(const struct plan *p, const struct plan_workspace *w)
+static double force_on(const struct blame *b, int s)
 {
+    return size_of(b->w->f + (size_t)s * DIM) / b->p->particles->m[b->w->list->order[s]];
+}
+
+static int hardest(const struct blame *b)
+{
+    const struct list *l = b->w->list;
     double most = -1;
     int where = -1;
 
-    for (int s = w->list->start[KIND_FLUID]; s < w->list->start[KIND_FLUID + 1]; s++) {
-        const double a = size_of(w->f + (size_t)s * DIM) / p->particles->m[w->list->order[s]];
-        if (a > most) {
-            most = a;
-            where = s;
+    for (int s = l->start[KIND_FLUID]; s < l->start[KIND_FLUID + 1]; s++)
+        if (force_on(b, s) > most) {
+            most = force_on(b, s);
+            where = l->order[s];
         }
-    }
     return where;
+}
+
+/* By the sums that are there. */
+static double rate_now(const struct blame *b)
+{
+    const int s = b->w->list->slot[b->who];
+
+    if (s < 0) /* has left the domain */
+        return 0;
+    return b->density ? fabs(b->w->drho[s]) : force_on(b, s);
+}
+
+static double field_rate(const struct blame *b, const struct plan_part *part)
+{
+    if (b->density || b->who >= b->p->particles->from[KIND_FLUID + 1])
+        return 0;
+    memset(b->rate, 0, (size_t)particles_count(b->p->particles, KIND_FLUID) * sizeof *b->rate);
+    part->part->field(part->self, b->v, b->rate);
+    return size_of(b->rate[b->who]);
+}
+
+static int part_rate(const struct blame *b, const struct plan_part *part, double *rate)
+{
+    *rate = 0;
+    if (part->part->pairs) {
+        TRY(sum_of(b, part->slot));
+        *rate = rate_now(b);
+    }
+    if (part->part->field)
+        *rate += field_rate(b, part);
+    return STATUS_DONE;
+}
+
+/* The part that does most; nobody, if nobody does anything or what is done has no size. */
+static int find_worst(const struct blame *b, struct deed *worst)
+{
+    *worst = (struct deed){ 0 };
+    for (int i = 0; i < b->p->parts; i++) {
+        double rate;
+        TRY(part_rate(b, &b->p->part[i], &rate));
+        if (!isfinite(rate)) {
+            *worst = (struct deed){ NULL, rate };
+            return STATUS_DONE;
+        }
+        if (rate > worst->rate)
+            *worst = (struct deed){ &b->p->part[i], rate };
+    }
+    return STATUS_DONE;
+}
+
+/* Whose density is no state has it from a part that sums. */
+static const struct plan_part *summer(const struct plan *p, enum kind k)
+{
+    for (int i = p->fields - 1; i >= 0; i--)
+        if (p->field[i].meets[k] && !p->field[i].part->part->carry)
+            return p->field[i].part;
+    return NULL;
 }
 
 /* A mass that does not fill its site presses everybody from the start. */
@@ -79,63 +161,108 @@ static void doubt_mass(const struct plan *p, char *text, size_t room)
                  p->scales.mass, site);
 }
 
-static void tell(const struct plan *p, const struct view *v, const struct plan_workspace *w,
-                 int slot, const struct plan_part *part, double a, char *text, size_t room)
+/* What the worst part does to it, in words. */
+static void name_deed(const struct blame *b, const struct deed *d, char *text, size_t room)
 {
-    const int c = w->list->order[slot];
-    const double *u = v->u[KIND_FLUID] + (size_t)c * DIM;
-    char z[32] = "", mass[160] = "";
-    double x[DIM];
-
-    period_home(&p->scales, v->x[KIND_FLUID] + (size_t)c * DIM, x);
-    if (DIM == 3)
-        snprintf(z, sizeof z, ", %g", x[DIM - 1]);
-    doubt_mass(p, mass, sizeof mass);
-    snprintf(text, room, "at t = %g s particle %d (%s) at (%g, %g%s) m is pushed hardest: %s (%s) "
-             "alone gives it %.3g m/s^2; its density is %.4g kg/m^3, its speed %.3g m/s, the sound "
-             "speed %g m/s%s", v->t, c, p->particles->object[p->particles->object_of[c]].name,
-             x[0], x[1], z, part->path, part->part->about, a,
-             v->rho[KIND_FLUID] ? v->rho[KIND_FLUID][c] : p->scales.rho0, size_of(u),
-             p->scales.c0, mass);
+    if (!d->part)
+        snprintf(text, room, "no single part is to blame: %s", d->rate == 0
+                 ? "it has left the domain, or nothing acts on it" : "rates are not finite");
+    else if (isnan(d->rate))
+        snprintf(text, room, "%s (%s) gives it its density", d->part->path, d->part->part->about);
+    else if (b->density)
+        snprintf(text, room, "%s (%s) changes its density most, by %.3g kg/m^3 a second",
+                 d->part->path, d->part->part->about, d->rate);
+    else
+        snprintf(text, room, "%s (%s) pushes it most, by %.3g m/s^2", d->part->path,
+                 d->part->part->about, d->rate);
 }
 
-static int blame(struct plan *p, struct plan_workspace *w, const struct view *v,
-                 struct pairs_table *table, char *text, size_t room)
+static void tell(const struct blame *b, const struct deed *d, char *text, size_t room)
 {
-    const struct plan_part *worst = NULL;
-    double most = -1;
-    int slot;
+    static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
+    const struct particles *all = b->p->particles;
+    const struct object *o = &all->object[all->object_of[b->who]];
+    const int i = b->who - all->from[o->kind];
+    char place[PLAN_PLACE], deed[240], mass[160] = "";
 
-    TRY(forces_of(p, w, -1, table));
-    slot = hardest(p, w);
-    for (int i = 0; i < p->parts && slot >= 0; i++) {
-        double a;
-        if (p->part[i].slot < 0)
-            continue;
-        TRY(forces_of(p, w, p->part[i].slot, table));
-        a = size_of(w->f + (size_t)slot * DIM) / p->particles->m[w->list->order[slot]];
-        if (a > most) {
-            most = a;
-            worst = &p->part[i];
+    plan_place(b->p, b->v, b->who, place);
+    name_deed(b, d, deed, sizeof deed);
+    doubt_mass(b->p, mass, sizeof mass);
+    snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: %s;"
+             " its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s", b->v->t,
+             kinds[o->kind], b->who, o->name, place, deed,
+             b->v->rho[o->kind] ? b->v->rho[o->kind][i] : b->p->scales.rho0,
+             size_of(b->v->u[o->kind] + (size_t)i * DIM), b->p->scales.c0, mass);
+}
+
+/* Whom, and what of it: the culprit of the future of this state, or the hardest pushed.
+ * Stages after one without an answer have lost their places, so densities come first. */
+static int choose(struct blame *b, const struct plan_culprit *culprit)
+{
+    TRY(sum_of(b, -1));
+    b->who = hardest(b);
+    for (int i = PLAN_COMPLAINTS - 1; i >= 0; i--)
+        if (culprit[i].known && culprit[i].t >= b->v->t) {
+            b->who = culprit[i].who;
+            b->density = i == PLAN_DENSITY_OUT;
         }
-    }
-    if (worst)
-        tell(p, v, w, slot, worst, most, text, room);
     return STATUS_DONE;
+}
+
+static int blame(struct blame *b, const struct plan_culprit *culprit, char *text, size_t room)
+{
+    const struct particles *all = b->p->particles;
+    struct deed worst = { 0 };
+
+    TRY(choose(b, culprit));
+    if (b->who < 0)
+        return STATUS_DONE;
+    const enum kind k = all->object[all->object_of[b->who]].kind;
+    if (b->density && b->p->density_row[k] < 0)
+        worst = (struct deed){ summer(b->p, k), NAN };
+    else
+        TRY(find_worst(b, &worst));
+    tell(b, &worst, text, room);
+    return STATUS_DONE;
+}
+
+/* Sums of the state as it is, though its densities be out of bounds. */
+static int look(struct plan *p, struct plan_workspace *w, struct view *v)
+{
+    const double lowest = p->in.eos.lowest, highest = p->in.eos.highest;
+    int status;
+
+    p->in.eos.lowest = -HUGE_VAL;
+    p->in.eos.highest = HUGE_VAL;
+    status = plan_fields(p, w, v);
+    p->in.eos.lowest = lowest;
+    p->in.eos.highest = highest;
+    return status;
 }
 
 void plan_blame(struct plan *p, double t, const double *y, char *text, size_t room)
 {
-    struct pairs_table *table = calloc(KINDS * KINDS, sizeof *table);
+    struct plan_culprit culprit[PLAN_COMPLAINTS]; /* looking may refuse, too */
     struct plan_workspace w = { 0 };
     struct view v;
+    struct blame b = { .p = p, .w = &w, .v = &v };
 
     text[0] = '\0';
+    if (p->row_x < 0)
+        return;
+    memcpy(culprit, p->culprit, sizeof culprit);
     plan_view_make(p, t, y, &v);
-    if (table && p->row_x >= 0 && plan_workspace_make(p, &w) == STATUS_DONE
-        && plan_fields(p, &w, &v) == STATUS_DONE)
-        blame(p, &w, &v, table, text, room);
+    b.table = calloc(KINDS * KINDS, sizeof *b.table);
+    b.rate = calloc((size_t)particles_count(p->particles, KIND_FLUID) + 1, sizeof *b.rate);
+    if (b.table && b.rate && plan_workspace_make(p, &w) == STATUS_DONE) {
+        if (look(p, &w, &v) == STATUS_DONE)
+            blame(&b, culprit, text, room);
+        else
+            snprintf(text, room, "no single part: the last accepted state, at t = %g s, is not "
+                     "finite; %s", t, p->refusal);
+    }
     plan_workspace_free(p, &w);
-    free(table);
+    free(b.table);
+    free(b.rate);
     status_clear();
 }

@@ -17,6 +17,7 @@ static int refuse_position(struct plan *p, const struct list *l, double t)
     o = &p->particles->object[p->particles->object_of[l->bad]];
     snprintf(p->refusal, sizeof p->refusal, "the position of particle %d (%s) is not finite at "
              "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
+    p->culprit[PLAN_PLACE_LOST] = (struct plan_culprit){ true, l->bad, t };
     return STATUS_FAILED;
 }
 

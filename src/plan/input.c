@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "plan/catalogue.h"
+#include "plan/idle.h"
 #include "pressure/pressure.h"
 #include "scene/scene.h"
 
@@ -224,6 +225,7 @@ static int read_fluids(struct scene *scene, struct input *in)
             return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame is a shape for walls, not "
                                "for a fluid", f->where, path);
         TRY(shape_check(&f->set.shape, path, f->where));
+        TRY(idle_fluid(node, path, f));
         TRY(read_flow(in, f, path));
     }
     return STATUS_DONE;
@@ -262,6 +264,7 @@ static int read_walls(struct scene *scene, struct input *in)
                                           { walls_motion_params, &w->motion } }, 3));
         frame_of(in, &w->set.shape);
         TRY(shape_check(&w->set.shape, path, w->where));
+        TRY(idle_wall(node, path, &w->motion));
         TRY(walls_motion_prepare(&w->motion, path, w->where));
     }
     return STATUS_DONE;
@@ -305,6 +308,7 @@ static int read_bodies_of(struct scene *scene, const struct body_kind *kind, str
         if (!(b->params = status_alloc(1, kind->size)))
             return STATUS_FAILED;
         TRY(scene_fill(scene, node, b->path, kind->params, NULL, DIM, b->params));
+        TRY(idle_body(node, b->path, b));
         b->kind = kind->choose ? kind->choose(b->params) : kind;
     }
     return STATUS_DONE;
@@ -340,7 +344,8 @@ int input_read(struct scene *scene, const struct engine *engine, struct input *i
     TRY(read_effects(scene, engine, in));
     TRY(read_walls(scene, in));
     TRY(read_bodies(scene, in));
-    return read_probes(scene, in);
+    TRY(read_probes(scene, in));
+    return idle_scene(scene, in);
 }
 
 void input_free(struct input *in)

@@ -4,6 +4,7 @@
 
 #include "plan/engine.h"
 #include "plan/input.h"
+#include "plan/observe.h"
 #include "plan/plan.h"
 
 enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
@@ -70,6 +71,14 @@ struct plan_workspace {
     struct sum_scratch scratch;
 };
 
+/* Whom refusals, and looks for runaways, named last. */
+enum plan_complaint { PLAN_TOO_FAST, PLAN_DENSITY_OUT, PLAN_PLACE_LOST, PLAN_COMPLAINTS };
+struct plan_culprit {
+    bool known;
+    int who;   /* creation index                                             */
+    double t;  /* [s]                                                        */
+};
+
 struct plan {
     struct input in;
     struct scales scales;
@@ -107,7 +116,8 @@ struct plan {
     double wall_power;                 /* v . f of moving walls [W]           */
     double pull[DIM];                  /* of fields beside the weight [N]     */
     bool moving_walls;
-    char refusal[320];
+    char refusal[400];
+    struct plan_culprit culprit[PLAN_COMPLAINTS];
     struct plan_counts counts;
 };
 
@@ -159,6 +169,9 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
 /* view.c: moves solids to (t, y) and says where everything is, but for densities
  * that are summed. */
 void plan_view_make(struct plan *p, double t, const double *y, struct view *v);
+
+/* Where particle c (creation index) is in the domain: "(x, y)" in metres. */
+void plan_place(const struct plan *p, const struct view *v, int c, char text[PLAN_PLACE]);
 
 /* book.c */
 int plan_book_rows(struct plan *p);

@@ -140,28 +140,44 @@ int plan_escaped(struct plan *p, double t, const double *y)
     return n;
 }
 
-const char *plan_runaway(struct plan *p, double t, const double *y)
+/* The fluid particle that moves fastest, and its speed [m/s]. */
+static int fastest(const struct view *v, double *speed)
 {
-    static char text[320];
-    const double most = p->in.eos.fastest * p->scales.c0;
-    struct view v;
+    int who = -1;
 
-    plan_view_make(p, t, y, &v);
-    for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++) {
-        const double *u = v.u[KIND_FLUID] + (size_t)i * DIM;
+    *speed = 0;
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        const double *u = v->u[KIND_FLUID] + (size_t)i * DIM;
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
             u2 += u[d] * u[d];
-        if (!(u2 > most * most))
+        if (!(u2 > *speed * *speed))
             continue;
-        snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) moves at "
-                 "%.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
-                 "higher eos.c0 if that speed is real", t, i,
-                 v.p->object[v.p->object_of[i]].name, sqrt(u2), sqrt(u2) / p->scales.c0,
-                 p->scales.c0, p->in.eos.fastest);
-        return text;
+        *speed = sqrt(u2);
+        who = i;
     }
-    return NULL;
+    return who;
+}
+
+const char *plan_runaway(struct plan *p, double t, const double *y)
+{
+    static char text[400];
+    char place[PLAN_PLACE];
+    struct view v;
+    double speed;
+    int i;
+
+    plan_view_make(p, t, y, &v);
+    i = fastest(&v, &speed);
+    if (!(speed > p->in.eos.fastest * p->scales.c0))
+        return NULL;
+    plan_place(p, &v, i, place);
+    p->culprit[PLAN_TOO_FAST] = (struct plan_culprit){ true, i, t };
+    snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) at %s m moves "
+             "at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a higher "
+             "eos.c0 if that speed is real", t, i, v.p->object[v.p->object_of[i]].name, place,
+             speed, speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
+    return text;
 }
 
 int plan_lanes(const struct plan *p)

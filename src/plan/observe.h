@@ -41,9 +41,9 @@ void plan_body_view(struct plan *plan, int body, double t, const double *y,
                     struct body_view *out);
 const double *plan_impulse(const struct plan *plan, const double *y, int object); /* [DIM] [N s] */
 
-/* For the message of a run that failed: which fluid particle is pushed hardest at
- * (t, y), by which part, how hard, and what may be wrong; "" when there is nothing
- * to say. */
+/* For the message of a run that failed after the state (t, y): for whom -- the particle
+ * that the last refusal named, or the one that is pushed hardest --, where, and which
+ * part does most to it there; "" when there are no particles. */
 void plan_blame(struct plan *plan, double t, const double *y, char *text, size_t room);
 
 /* NULL, or why no run should go on from here: fluid that moves faster than
@@ -60,6 +60,18 @@ const struct settings_output *plan_output(const struct plan *plan);
 int plan_probes(const struct plan *plan);
 const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
 int plan_escaped(struct plan *plan, double t, const double *y); /* fluid outside the box */
+
+/* Fluid in solids, more than half a spacing deep: how many, and the first of them. */
+enum { PLAN_PLACE = 64 };
+struct plan_sunk {
+    int n;
+    double t;               /* [s]                                            */
+    int who;                /* particle, -1: nobody                           */
+    const char *solid;      /* name of the wall or beam                       */
+    char place[PLAN_PLACE]; /* "(x, y)" [m]                                   */
+};
+void plan_sunk(struct plan *plan, double t, const double *y, struct plan_sunk *out);
+
 int plan_lanes(const struct plan *plan);
 
 /* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a

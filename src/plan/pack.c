@@ -4,7 +4,6 @@
 
 #include "base/status.h"
 #include "space/record.h"
-#include "state/period.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -122,19 +121,15 @@ static int refuse_density(struct plan *p, const struct plan_workspace *w, const 
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
     const int c = w->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
-    const int i = c - v->p->from[o->kind];
-    double x[DIM];
-    char z[32] = "";
+    char place[PLAN_PLACE];
 
-    period_home(&p->scales, v->x[o->kind] + (size_t)i * DIM, x);
-    if (DIM == 3)
-        snprintf(z, sizeof z, ", %g", x[DIM - 1]);
+    plan_place(p, v, c, place);
     snprintf(p->refusal, sizeof p->refusal,
-             "density %g kg/m^3 of %s particle %d (%s) at (%g, %g%s) m at t = %g s lies outside "
-             "%g to %g; particles were pushed together or torn apart faster than the step could "
-             "follow", v->rho[o->kind][i], kinds[o->kind], c, o->name, x[0], x[1],
-             z, v->t,
+             "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
+             "particles were pushed together or torn apart faster than the step could follow",
+             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], c, o->name, place, v->t,
              p->in.eos.lowest * p->scales.rho0, p->in.eos.highest * p->scales.rho0);
+    p->culprit[PLAN_DENSITY_OUT] = (struct plan_culprit){ true, c, v->t };
     return STATUS_FAILED;
 }
 

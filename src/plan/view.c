@@ -2,6 +2,10 @@
 #include "plan/inside.h"
 #include "plan/observe.h"
 
+#include "state/period.h"
+
+#include <stdio.h>
+
 static void move_wall(struct particles *all, const struct plan_wall *w, double t)
 {
     struct object *o = &all->object[w->object];
@@ -49,4 +53,17 @@ void plan_view_make(struct plan *p, double t, const double *y, struct view *v)
             v->rho[k] = y + layout_at(&p->layout, p->density_row[k]);
         v->stores[k] = v->rho[k] != NULL;
     }
+}
+
+void plan_place(const struct plan *p, const struct view *v, int c, char text[PLAN_PLACE])
+{
+    const enum kind k = v->p->object[v->p->object_of[c]].kind;
+    double x[DIM];
+    int n;
+
+    period_home(&p->scales, v->x[k] + (size_t)(c - v->p->from[k]) * DIM, x);
+    n = snprintf(text, PLAN_PLACE, "(%g", x[0]);
+    for (int d = 1; d < DIM; d++)
+        n += snprintf(text + n, PLAN_PLACE - n, ", %g", x[d]);
+    snprintf(text + n, PLAN_PLACE - n, ")");
 }

@@ -12,16 +12,19 @@
 
 static const double near_solids = 0.7;   /* nearer than this two fill one place [dx]    */
 static const double energy_share = 0.01; /* of the energy there is: a defect that matters */
+static const double energy_made = 0.5;   /* and one that makes a run a failure   */
 
 static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
-/* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside. */
+/* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside.
+ * Where the domain repeats there is no outside. */
 static double outside(const struct scales *s, const double *x, int axes)
 {
     double most = -HUGE_VAL;
 
     for (int d = 0; d < axes; d++)
-        most = fmax(most, fmax(s->low[d] - x[d], x[d] - s->high[d]));
+        if (!(s->period[d] > 0))
+            most = fmax(most, fmax(s->low[d] - x[d], x[d] - s->high[d]));
     return most;
 }
 
@@ -106,8 +109,22 @@ static int doubt_skins(const struct run *r)
     return STATUS_DONE;
 }
 
+/* A tolerance that no step obeys.  Solves of the implicit side do obey it. */
+static void doubt_tol(const struct run *r)
+{
+    const struct scene_node *node = scene_child(scene_root(r->scene), "tol");
+    const double usual = method_def_default().tol;
+
+    if ((r->method->adaptive && !(r->def.seconds > 0)) || plan_stiff(r->plan) || r->def.tol == usual)
+        return;
+    status_warn("%s: tol = %g does nothing with %s, whose steps do not follow their errors",
+                node ? scene_where(node) : scene_path(r->scene), r->def.tol,
+                r->def.seconds > 0 ? "steps of a constant length" : r->method->name);
+}
+
 int run_doubt_scene(const struct run *r)
 {
+    doubt_tol(r);
     if (!plan_scales(r->plan)->fluid)
         return STATUS_DONE;
     doubt_probes(r);
@@ -126,21 +143,40 @@ static void advise_step(const struct run *r, char *to, size_t room)
 }
 
 /* The defect of the book is the error of time integration; energy made so may drive what
- * a figure shows. */
-static void doubt_energy(const struct run *r)
+ * a figure shows.  Methods that brake by design lose, and are not failures for it. */
+static int doubt_energy(const struct run *r)
 {
     const double defect = outputs_defect_max(r->outputs), there = outputs_energy_most(r->outputs);
     char advice[120];
 
     if (!(defect > energy_share * there))
-        return;
+        return STATUS_DONE;
     advise_step(r, advice, sizeof advice);
+    if (outputs_energy_made(r->outputs) > energy_made * there)
+        return status_fail(STATUS_FAILED, "energy out of nothing: by t = %g s time integration made "
+                           "%.3g J, %.3g %% of the %.3g J there were, and nothing in this run can "
+                           "be trusted, though it came to its end; take %s", r->tally.t,
+                           outputs_energy_made(r->outputs),
+                           100 * outputs_energy_made(r->outputs) / there, there, advice);
     status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "
                 "that is the error of time integration, so take %s", defect,
                 100 * defect / there, there, advice);
+    return STATUS_DONE;
 }
 
-void run_doubt_end(const struct run *r)
+/* Where walls are hollow or thin, fluid may be inside. */
+static void doubt_solids(const struct run *r)
+{
+    const struct plan_sunk *s = outputs_sunk(r->outputs);
+
+    if (s->n > 0)
+        status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
+                    "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
+                    "and levels means nothing: take a higher eos.c0, walls = \"adami\", a smaller "
+                    "tol or thicker walls", s->n, s->t, s->who, s->solid, s->place);
+}
+
+int run_doubt_end(const struct run *r)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
     const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
@@ -148,9 +184,10 @@ void run_doubt_end(const struct run *r)
     if (out > 0)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
                     "the book count them", out);
+    doubt_solids(r);
     if (r->tally.density[1] > 1.2 * rho0)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
                     "the largest speed)", r->tally.density[1],
                     100 * (r->tally.density[1] / rho0 - 1));
-    doubt_energy(r);
+    return doubt_energy(r);
 }

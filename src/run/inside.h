@@ -40,9 +40,10 @@ void run_release(struct run *r);
 /* run.json; status as in base/status.h. */
 int run_report(const struct run *r, int status, const char *message, const double *y);
 
-/* Warnings: of a scene that can be run, of a run that came to its end. */
+/* Warnings: of a scene that can be run, of a run that came to its end.  STATUS_FAILED: its
+ * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);
-void run_doubt_end(const struct run *r);
+int run_doubt_end(const struct run *r);
 
 double run_clock(void);     /* [s] wall                                       */
 double run_cpu(void);       /* [s] user and system, this process              */

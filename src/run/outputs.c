@@ -25,7 +25,8 @@ struct outputs {
     struct snapshot *snapshot;
     struct plan_sheet first, last;
     bool begun;
-    double defect_max, most; /* of energy, see the header [J] */
+    double defect_max, made, most; /* of energy, see the header [J] */
+    struct plan_sunk sunk;   /* at its worst */
     double *rho, *p, *x, *u; /* of everybody, for particle files */
     unsigned char *kind;
 };
@@ -101,6 +102,15 @@ static double energy_there(const struct outputs *o, const struct plan *plan)
                 0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
 }
 
+static void look_for_sunk(struct outputs *o, struct plan *plan, double t, const double *y)
+{
+    struct plan_sunk now;
+
+    plan_sunk(plan, t, y, &now);
+    if (now.n > o->sunk.n)
+        o->sunk = now;
+}
+
 int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y)
 {
     plan_sheet_make(plan, t, y, &o->last);
@@ -108,7 +118,9 @@ int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y
         o->first = o->last;
     o->begun = true;
     o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
+    o->made = fmax(o->made, outputs_defect(o));
     o->most = fmax(o->most, energy_there(o, plan));
+    look_for_sunk(o, plan, t, y);
     return tables_rows(o->tables, plan, t, y, &o->last, outputs_defect(o));
 }
 
@@ -181,9 +193,19 @@ double outputs_defect_max(const struct outputs *o)
     return o->defect_max;
 }
 
+double outputs_energy_made(const struct outputs *o)
+{
+    return o->made;
+}
+
 double outputs_energy_most(const struct outputs *o)
 {
     return o->most;
+}
+
+const struct plan_sunk *outputs_sunk(const struct outputs *o)
+{
+    return &o->sunk;
 }
 
 /* Largest component of what momentum the book cannot explain [N s]. */

@@ -25,10 +25,14 @@ const struct plan_sheet *outputs_sheet(const struct outputs *o);
 double outputs_energy_initial(const struct outputs *o);
 double outputs_defect(const struct outputs *o);
 double outputs_defect_max(const struct outputs *o);
+double outputs_energy_made(const struct outputs *o); /* largest defect above 0 [J] */
 /* The most energy the book explains, counted from the lowest corner of the domain and no
  * less than that of fluid at a hundredth of the reference speed [J]. */
 double outputs_energy_most(const struct outputs *o);
 double outputs_momentum_defect(const struct outputs *o);
+
+/* The row that had most fluid in solids. */
+const struct plan_sunk *outputs_sunk(const struct outputs *o);
 
 /* Closes and frees, NULL is welcome; the first error is told. */
 int outputs_close(struct outputs **outputs);

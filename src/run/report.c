@@ -83,8 +83,12 @@ static void write_work(struct json *j, const struct run *r)
 static void write_books(struct json *j, const struct run *r, const double *y)
 {
     char hash[HASH_TEXT];
+    struct plan_sunk sunk;
 
+    plan_sunk(r->plan, r->tally.t, y, &sunk);
     json_integer(j, "escaped", plan_escaped(r->plan, r->tally.t, y));
+    json_integer(j, "in_solids", sunk.n);
+    json_integer(j, "in_solids_max", outputs_sunk(r->outputs)->n);
     json_number(j, "energy_initial", outputs_energy_initial(r->outputs));
     json_number(j, "energy_defect", outputs_defect(r->outputs));
     json_number(j, "energy_defect_max", outputs_defect_max(r->outputs));

@@ -34,7 +34,7 @@ static void make_ticks(const struct run *r, struct ticks tick[TICKS])
 
     tick[0] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval, 0, outputs_rows };
     tick[1] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields, 0, outputs_field };
-    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : HUGE_VAL, 0,
+    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, 0,
                               outputs_snapshot };
     if (o->snapshots == 0)
         tick[2].next = 1;
@@ -231,6 +231,21 @@ static void doubt_step(struct run *r, char message[MESSAGE])
              r->def.seconds * rate);
 }
 
+/* What to try, where nobody has said it yet. */
+static void advise(const struct run *r, char message[MESSAGE])
+{
+    const size_t n = strlen(message);
+
+    if (strstr(message, " try") || strstr(message, "Try ") || strstr(message, "take "))
+        return;
+    if (r->tally.steps == 0)
+        snprintf(message + n, MESSAGE - n, ". That is the start itself: try a higher eos.c0 or "
+                 "wider eos.lowest and eos.highest, or look at what the scene starts with");
+    else
+        snprintf(message + n, MESSAGE - n, ". Things to try: shorter steps (a smaller tol or CFL "
+                 "number), a higher eos.c0, more viscosity or density diffusion, a smaller spacing");
+}
+
 /* The message of a run that ended early; for one that failed, with whom to blame. */
 static void explain(struct run *r, int status, char message[MESSAGE])
 {
@@ -239,6 +254,7 @@ static void explain(struct run *r, int status, char message[MESSAGE])
     snprintf(message, MESSAGE / 2, "%s", status_message());
     if (status == STATUS_FAILED) {
         doubt_step(r, message);
+        advise(r, message);
         plan_blame(r->plan, r->tally.t, r->method->state(r->self), why, sizeof why);
     }
     if (why[0])
@@ -269,8 +285,8 @@ int run_scene(const struct run_order *order)
         explain(&r, status, message);
         write_end(&r);
     }
-    if (status == STATUS_DONE)
-        run_doubt_end(&r);
+    if (status == STATUS_DONE && (status = run_doubt_end(&r)) != STATUS_DONE)
+        snprintf(message, sizeof message, "%s", status_message());
     last = write_constants(&r);
     if (status == STATUS_DONE)
         status = last;

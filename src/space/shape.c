@@ -174,6 +174,24 @@ static bool box_contains(const struct shape *s, const double *x)
     return is_inside(s->from, s->to, own);
 }
 
+/* From a point inside to the nearest of these faces [m]. */
+static double to_faces(const double *low, const double *high, const double *x)
+{
+    double least = HUGE_VAL;
+
+    for (int d = 0; d < DIM; d++)
+        least = fmin(least, fmin(x[d] - low[d], high[d] - x[d]));
+    return least;
+}
+
+static double box_depth(const struct shape *s, const double *x)
+{
+    double own[DIM];
+
+    shape_box_own(s, x, own);
+    return to_faces(s->from, s->to, own);
+}
+
 static int check_polygon(const struct shape *s, const char *path, const char *where)
 {
     return shape_polygon_check(&s->points, path, where);
@@ -189,13 +207,28 @@ static void polygon_bounds(const struct shape *s, double *low, double *high)
     shape_polygon_bounds(&s->points, low, high);
 }
 
-static bool ball_contains(const struct shape *s, const double *x)
+static double polygon_depth(const struct shape *s, const double *x)
+{
+    return shape_polygon_distance(&s->points, x);
+}
+
+static double ball_square(const struct shape *s, const double *x)
 {
     double r2 = 0;
 
     for (int d = 0; d < DIM; d++)
         r2 += (x[d] - s->centre[d]) * (x[d] - s->centre[d]);
-    return r2 < s->radius * s->radius;
+    return r2;
+}
+
+static bool ball_contains(const struct shape *s, const double *x)
+{
+    return ball_square(s, x) < s->radius * s->radius;
+}
+
+static double ball_depth(const struct shape *s, const double *x)
+{
+    return s->radius - sqrt(ball_square(s, x));
 }
 
 static void ball_bounds(const struct shape *s, double *low, double *high)
@@ -223,17 +256,32 @@ static bool frame_contains(const struct shape *s, const double *x)
     return is_inside(low, high, x) && !is_inside(s->low, s->high, x);
 }
 
+/* Of what it is around, and of its own outer faces. */
+static double frame_depth(const struct shape *s, const double *x)
+{
+    double low[DIM], high[DIM], r2 = 0;
+
+    frame_bounds(s, low, high);
+    for (int d = 0; d < DIM; d++) {
+        const double out = fmax(0, fmax(s->low[d] - x[d], x[d] - s->high[d]));
+        r2 += out * out;
+    }
+    return fmin(sqrt(r2), to_faces(low, high, x));
+}
+
 static const struct rules {
     const char *name;
     int (*check)(const struct shape *s, const char *path, const char *where);
     bool (*contains)(const struct shape *s, const double *x);
+    double (*depth)(const struct shape *s, const double *x); /* of a point inside */
     void (*bounds)(const struct shape *s, double *low, double *high);
 } rules[] = {
-    [SHAPE_BOX] = { "box", check_box, box_contains, shape_box_bounds },
-    [SHAPE_POLYGON] = { "polygon", check_polygon, polygon_contains, polygon_bounds },
-    [SHAPE_DISC] = { "disc", check_ball, ball_contains, ball_bounds },
-    [SHAPE_SPHERE] = { "sphere", check_ball, ball_contains, ball_bounds },
-    [SHAPE_FRAME] = { "frame", check_frame, frame_contains, frame_bounds },
+    [SHAPE_BOX] = { "box", check_box, box_contains, box_depth, shape_box_bounds },
+    [SHAPE_POLYGON] = { "polygon", check_polygon, polygon_contains, polygon_depth,
+                        polygon_bounds },
+    [SHAPE_DISC] = { "disc", check_ball, ball_contains, ball_depth, ball_bounds },
+    [SHAPE_SPHERE] = { "sphere", check_ball, ball_contains, ball_depth, ball_bounds },
+    [SHAPE_FRAME] = { "frame", check_frame, frame_contains, frame_depth, frame_bounds },
 };
 
 static bool is_allowed(const char *type)
@@ -267,6 +315,11 @@ int shape_check(struct shape *s, const char *path, const char *where)
 bool shape_contains(const struct shape *s, const double *x)
 {
     return rules[s->kind].contains(s, x);
+}
+
+double shape_depth(const struct shape *s, const double *x)
+{
+    return shape_contains(s, x) ? rules[s->kind].depth(s, x) : 0;
 }
 
 void shape_bounds(const struct shape *s, double *low, double *high)

@@ -44,6 +44,7 @@ int shape_check(struct shape *s, const char *path, const char *where);
 /* Half-open: a point on the border of two shapes is in one of them only (turned
  * boxes up to rounding). */
 bool shape_contains(const struct shape *s, const double *x);
+double shape_depth(const struct shape *s, const double *x); /* to its outline; 0: outside [m] */
 void shape_bounds(const struct shape *s, double *low, double *high); /* [DIM] */
 
 #endif

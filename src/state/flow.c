@@ -52,8 +52,8 @@ static const struct flow_kind strain = {
     .name = "strain", .about = "is drawn out in x and pressed flat; with flow_pressure and "
     "flow_size a round drop's pressure",
     .source = "u = flow_rate (x - centre), w = -flow_rate (z - centre); Monaghan (1994), "
-    "J. Comput. Phys. 110, 399", .keys = "flow_rate", .velocity = strain_velocity,
-    .pressure = strain_pressure
+    "J. Comput. Phys. 110, 399", .keys = "flow_rate", .may = "flow_pressure flow_size",
+    .velocity = strain_velocity, .pressure = strain_pressure
 };
 
 static void shear_velocity(const struct flow *f, const double *x, double *u)

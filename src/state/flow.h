@@ -26,6 +26,7 @@ struct flow {
 struct flow_kind {
     const char *name, *about, *source;
     const char *keys;   /* it needs, in words: "flow_rate flow_size"           */
+    const char *may;    /* it takes besides; NULL: none                        */
 
     /* Adds to u [DIM] [m/s] at x [DIM]. */
     void (*velocity)(const struct flow *f, const double *x, double *u);

@@ -8,7 +8,6 @@
 #include "state/period.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static const double near_fluid = 0.7; /* least distance of fluid to others [dx] */
 static const double near_walls = 0.3; /* two walls nearer than this are in one place [dx] */
@@ -27,23 +26,33 @@ static bool is_partner(const void *self, int j)
     return object != w->object && KIND_BIT(w->p->object[object].kind) & w->kinds;
 }
 
-/* The same over periodic sides, one at a time, where it may also be one of its own. */
+/* Number k of the 2^DIM images of x that are nearest to the middle of the domain: over the
+ * sides whose bits are set in k.  False: one of them does not repeat, or is too far away. */
+static bool image(const struct scales *s, const double *x, int k, double reach, double *to)
+{
+    for (int d = 0; d < DIM; d++) {
+        const double middle = 0.5 * (s->low[d] + s->high[d]);
+        to[d] = x[d];
+        if (!(k >> d & 1))
+            continue;
+        to[d] += x[d] < middle ? s->period[d] : -s->period[d];
+        if (!(s->period[d] > 0) || fabs(to[d] - middle) >= 0.5 * s->period[d] + reach)
+            return false;
+    }
+    return true;
+}
+
+/* The same over periodic sides and their corners, where it may also be one of its own. */
 static int find_beyond(const struct buckets *b, const struct particles *p, int i, double reach,
                        unsigned kinds)
 {
     const struct partners anybody = { p, -1, kinds };
-    const struct scales *s = p->scales;
     double x[DIM];
     int j = -1;
 
-    for (int d = 0; d < DIM && j < 0; d++) {
-        memcpy(x, p->x0[i], sizeof x);
-        if (!(s->period[d] > 0))
-            continue;
-        x[d] += x[d] < 0.5 * (s->low[d] + s->high[d]) ? s->period[d] : -s->period[d];
-        if (fabs(x[d] - 0.5 * (s->low[d] + s->high[d])) < 0.5 * s->period[d] + reach)
+    for (int k = 1; k < 1 << DIM && j < 0; k++)
+        if (image(p->scales, p->x0[i], k, reach, x))
             j = buckets_find(b, x, reach, is_partner, &anybody);
-    }
     return j;
 }
 

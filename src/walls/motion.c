@@ -127,6 +127,18 @@ void walls_motion_point(const struct walls_motion *m, const struct walls_place *
     u[UP] += p->omega * turned[0];
 }
 
+void walls_motion_back(const struct walls_motion *m, const struct walls_place *p, const double *x,
+                       double *x0)
+{
+    const double across = x[0] - p->shift[0] - m->pivot[0];
+    const double above = x[UP] - p->shift[UP] - m->pivot[UP];
+
+    for (int d = 0; d < DIM; d++)
+        x0[d] = x[d] - p->shift[d];
+    x0[0] = m->pivot[0] + p->cosine * across + p->sine * above;
+    x0[UP] = m->pivot[UP] - p->sine * across + p->cosine * above;
+}
+
 double walls_motion_event(const struct walls_motion *m, double t)
 {
     const struct track *track[] = { m->path_track, m->turn_track };

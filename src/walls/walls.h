@@ -56,6 +56,10 @@ void walls_motion_at(const struct walls_motion *m, double t, struct walls_place 
 void walls_motion_point(const struct walls_motion *m, const struct walls_place *p,
                         const double *x0, double *x, double *u);
 
+/* Where the particle that is at x was: the inverse. */
+void walls_motion_back(const struct walls_motion *m, const struct walls_place *p, const double *x,
+                       double *x0);
+
 /* Next time after t at which its velocity may jump, HUGE_VAL: never [s]. */
 double walls_motion_event(const struct walls_motion *m, double t);
 

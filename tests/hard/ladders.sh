@@ -40,10 +40,22 @@ claim 'tanks beyond reach: the same steps' \
     "$(number length-0.8 steps) == $(number length-1.2 steps) && $(number length-2 steps) == $(number length-5 steps)"
 
 # --- too loose, and it says so --------------------------------------------------------------
-for key in tol=10 method=leapfrog@0.5 method=cks43@1.6e-3s; do
+# Half of the energy there was made by the time integration, and more: a failure, though it
+# comes to its end.  Energy lost is a warning only.
+for key in tol=10 method=leapfrog@0.5 method=leapfrog@0.45; do
     go loose "$tank" $key
-    claim "$key spoils more than 1 % of the energy" \
-        "$code == 1 || $(number loose energy_defect_max) > 0.01 * $(number loose energy_initial)"
-    [ "$code" = 1 ] || says loose 'energy: the book missed by' 'error of time integration'
+    claim "$key makes more than half of the energy, and fails for it" \
+        "$code == 1 && $(number loose energy_defect_max) > 0.5 * $(number loose energy_initial)"
+    says loose 'energy out of nothing: by t = 0.4 s' 'take a '
+    grep -q '"status": "failed"' "$out/loose/run.json" || { echo "NOT SO  $key: failed"; bad=1; }
+    whole loose
 done
+for key in tol=5 method=euler-cfl@1; do
+    go loose "$tank" $key
+    claim "$key misses between 1 and 50 %, and comes to its end" \
+        "$code == 0 && $(number loose energy_defect_max) > 0.01 * $(number loose energy_initial)"
+    says loose 'energy: the book missed by' 'error of time integration'
+done
+go loose "$tank" method=cks43@1.6e-3s
+claim 'or does not come to its end' "$code == 1 && $(number loose t_end) < 0.4"
 exit $bad

@@ -158,6 +158,74 @@ static void the_impossible_is_refused_by_name(void **state)
     tank_free(&t);
 }
 
+/* Particle WHO at x: is it inside that solid (NULL: in none)? */
+static void expect_sunk(struct tank *t, double time, const double *x, const char *solid)
+{
+    struct plan_sunk sunk;
+
+    memcpy(place(t, WHO), x, DIM * sizeof *x);
+    plan_sunk(t->plan, time, t->y, &sunk);
+    check(sunk.n == (solid != NULL), "%d in solids at (%g, %g), t = %g s", sunk.n, x[0], x[DIM - 1],
+          time);
+    check(!solid || (sunk.who == WHO && strcmp(sunk.solid, solid) == 0), "particle %d in %s",
+          sunk.who, sunk.n ? sunk.solid : "nothing");
+}
+
+/* A ball above the water that moves along the lid. */
+static const char *const obstacles =
+    "wall = { tank = { type = \"frame\"; };"
+#if DIM == 2
+    "  ball = { type = \"disc\"; centre = [0.05, 0.076]; radius = 0.015; velocity = [0.1, 0.0]; }; };";
+#else
+    "  ball = { type = \"sphere\"; centre = [0.05, 0.05, 0.15]; radius = 0.025;"
+    "  velocity = [0.1, 0.0, 0.0]; }; };";
+#endif
+
+static void who_is_in_a_wall_is_counted(void **state)
+{
+    const double radius = DIM == 2 ? 0.015 : 0.025;
+    double x[3] = { 0.05, DIM == 2 ? 0.076 : 0.05, 0.15 };
+    const struct scales *s;
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, tank_water, obstacles, TANK_EFFECTS, NULL);
+    s = plan_scales(t.plan);
+    expect_sunk(&t, 0, x, "ball");
+    expect_sunk(&t, 0.3, x, NULL); /* it has gone */
+    x[0] += 0.03;
+    expect_sunk(&t, 0.3, x, "ball");
+    x[0] += radius - 0.6 * s->dx;
+    expect_sunk(&t, 0.3, x, "ball");
+    x[0] += 0.2 * s->dx;
+    expect_sunk(&t, 0.3, x, NULL); /* deep, but not half a spacing */
+    memcpy(x, plan_particles(t.plan)->x0[WHO], sizeof x[0] * DIM);
+    x[0] = -0.4 * s->dx;
+    expect_sunk(&t, 0, x, NULL);
+    x[0] = -0.6 * s->dx;
+    expect_sunk(&t, 0, x, "tank");
+    tank_free(&t);
+}
+
+#if DIM == 2
+/* The beam of tank.c has its axis at x = 0.0675 and three layers, 5 mm apart. */
+static void who_is_in_a_beam_is_counted(void **state)
+{
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, tank_parted_water, tank_frame, tank_beam, TANK_EFFECTS, NULL);
+    for (double z = 0.004; z < 0.046; z += 0.0031) {
+        expect_sunk(&t, 0, (double[2]){ 0.0675 + 0.0045, z }, "plate");
+        expect_sunk(&t, 0, (double[2]){ 0.0675 - 0.0011, z }, "plate");
+        expect_sunk(&t, 0, (double[2]){ 0.0675 - 0.0055, z }, NULL);
+        expect_sunk(&t, 0, (double[2]){ 0.0675 + 0.0075, z }, NULL);
+    }
+    expect_sunk(&t, 0, (double[2]){ 0.0675, 0.0485 }, NULL);
+    tank_free(&t);
+}
+#endif
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -165,6 +233,10 @@ int main(void)
         cmocka_unit_test(who_comes_back_is_felt),
         cmocka_unit_test(border_counts_at_once),
         cmocka_unit_test(the_impossible_is_refused_by_name),
+        cmocka_unit_test(who_is_in_a_wall_is_counted),
+#if DIM == 2
+        cmocka_unit_test(who_is_in_a_beam_is_counted),
+#endif
     };
 
     return cmocka_run_group_tests_name("escape", tests, NULL, NULL);

@@ -477,6 +477,13 @@ static void check_refused(const char *text, const char *sentence)
     "domain = { from = [0.0, 0.0, 0.0]; to = [0.0953, 0.2, 0.2]; periodic = [\"x\"]; };"  \
     "fluid = { drop = { type = \"sphere\"; centre = [0.04765, 0.1, 0.1]; radius = 0.0476; }; };"
 #endif
+#if DIM == 2 /* two drops that are near each other over a corner only */
+#define CORNERS                                                                          \
+    "domain = { from = [0.0, 0.0]; to = [0.1, 0.1]; periodic = [\"x\", \"y\"]; };"        \
+    "fluid = { a = { type = \"disc\"; centre = [0.0027, 0.0027]; radius = 0.0026; };"     \
+    "          b = { type = \"polygon\"; points = [[0.0948, 0.0948], [0.1, 0.0948], [0.1, 0.1]," \
+    "                                            [0.0948, 0.1]]; }; };"
+#endif
 #define EFFECTS "effects = { continuity = { }; pressure = { }; };"
 #define PLAIN START "eos = { c0 = 20.0; };" EFFECTS
 #define WITHIN(from, to) "domain = { " PLACE(from, to) " periodic = [\"x\"]; };"
@@ -491,6 +498,9 @@ static void what_cannot_repeat_is_refused(void **state)
                   "wall = { block = { " PLACE("-0.05", "0.1") " }; };",
                   "wall.block reaches over a periodic side");
     check_refused(PLAIN BALL, "fluid.drop overlaps fluid.drop");
+#if DIM == 2
+    check_refused(PLAIN CORNERS, "two of their particles are 0.0041 m apart");
+#endif
     check_refused(START "eos = { c0 = 20.0; };"
                   "effects = { continuity = { }; central-force = { }; };"
                   WITHIN("0.0", "0.1") BOX("0.0", "0.1"), "depends on the place");

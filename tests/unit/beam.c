@@ -273,9 +273,56 @@ static void mass_may_be_given_instead_of_density(void **state)
     bench_free(&b);
 }
 
+/* w = s^3 + 2 s^2, integrated from 0. */
+static double integral(double s)
+{
+    return pow(s, 4) / 4 + 2 * pow(s, 3) / 3;
+}
+
+/* Of elements shorter than its share of the length a point moves with the mean, and forces
+ * go back by the transpose. */
+static void short_elements_move_points_by_their_mean(void **state)
+{
+    const struct skin_def def = { .along = { 0, 1 }, .normal = { -1, 0 }, .length = 1,
+                                       .spacing = 0.26, .elements = 10, .layers = 2 };
+    double q[22], v[22], f[22] = { 0 }, x[8][DIM], u[8][DIM], work = 0, given = 0, sum = 0;
+    const double force[8][DIM] = { { 1, 2 }, { -3, 1 }, { 0.5, 0 }, { 2, 0 }, { 1 }, { -1 }, { 4 },
+                                   { 2 } };
+    struct beam_skin *s;
+
+    (void)state;
+    assert_int_equal(beam_skin_create(&def, &s), STATUS_DONE);
+    assert_int_equal(s->points, 8);
+    for (int i = 0; i <= 10; i++) {
+        const double at = 0.1 * i;
+        q[2 * i] = at * at * at + 2 * at * at;
+        q[2 * i + 1] = 3 * at * at + 4 * at;
+        v[2 * i] = sin(7.0 * i);
+        v[2 * i + 1] = cos(5.0 * i);
+    }
+    beam_skin_move(s, q, v, x, u);
+    for (int i = 0; i < 8; i++) {
+        const double low = i / 2 * 0.25, mean = (integral(low + 0.25) - integral(low)) / 0.25;
+        const double eta = (i % 2 - 0.5) * 0.26;
+        check_close(x[i][0], -(eta + mean), 1e-14, "mean deflection");
+        work += force[i][0] * u[i][0];
+        sum += force[i][0];
+    }
+    beam_skin_load(s, force, f);
+    for (int i = 0; i < 22; i++)
+        given += f[i] * v[i];
+    check_close(work, given, 1e-13, "virtual work");
+    given = 0;
+    for (int i = 0; i < 22; i += 2)
+        given -= f[i];
+    check_close(sum, given, 1e-13, "sum of forces");
+    beam_skin_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(short_elements_move_points_by_their_mean),
         cmocka_unit_test(parameters_have_units_ranges_and_sentences),
         cmocka_unit_test(four_rows_with_their_scales),
         cmocka_unit_test(skin_is_centred_on_the_axis),

@@ -373,9 +373,75 @@ static void polygons_share_no_point_of_their_border(void **state)
 }
 #endif
 
+/* Directions spread over the circle, or over the ball by a spiral. */
+static void direction(int i, int n, double *e)
+{
+    const double z = DIM == 2 ? 0 : 1 - (2 * i + 1.0) / n, round = sqrt(1 - z * z);
+    const double turn = DIM == 2 ? 2 * M_PI * i / n : 2.399963229728653 * i;
+
+    e[0] = round * cos(turn);
+    e[1] = round * sin(turn);
+    e[2] = z;
+}
+
+/* The largest ball around x that stays inside has the radius that the shape says: nothing
+ * of a ball a little smaller is outside, and something of one a little larger is. */
+static void check_depth(const struct shape *s, const double *x)
+{
+    const double depth = shape_depth(s, x);
+    int out[2] = { 0, 0 };
+
+    assert_int_equal(depth > 0, shape_contains(s, x));
+    for (int i = 0; i < 4000 && depth > 0; i++)
+        for (int k = 0; k < 2; k++) {
+            double e[3], to[3];
+            direction(i, 4000, e);
+            for (int d = 0; d < 3; d++)
+                to[d] = x[d] + (k ? 1.01 : 0.999999) * depth * e[d];
+            out[k] += !shape_contains(s, to);
+        }
+    if (depth > 0 && (out[0] > 0 || out[1] == 0))
+        fail_msg("%s: at (%g, %g, %g) depth %g, but %d and %d points are outside", s->type, x[0],
+                 x[1], x[2], depth, out[0], out[1]);
+}
+
+static void depth_is_the_way_to_the_outline(void **state)
+{
+    struct shape all[5] = { box((double[3]){ 0.2, 0.1, 0.3 }, (double[3]){ 0.7, 0.9, 0.8 }),
+                            ball(0.5, 0.4, 0.5, 0.4), given("frame"), given("frame") };
+    int n = 4;
+
+    (void)state;
+    all[0].angle = 25;
+    assert_accepted(&all[1]);
+    for (int i = 2; i < 4; i++) {
+        for (int d = 0; d < DIM; d++) {
+            all[i].low[d] = 0.3;
+            all[i].high[d] = 0.6;
+        }
+        all[i].thickness = 0.2;
+        all[i].open = i == 3 ? shape_side(DIM - 1, true) : 0;
+        assert_accepted(&all[i]);
+    }
+#if DIM == 2
+    double corner[5][3] = { { 0.1, 0.1 }, { 0.9, 0.2 }, { 0.5, 0.4 }, { 0.8, 0.9 }, { 0.2, 0.7 } };
+    struct shape polygon = given("polygon");
+    polygon.points = (struct param_points){ 5, corner };
+    assert_accepted(&polygon);
+    all[n++] = polygon;
+#endif
+    for (int s = 0; s < n; s++)
+        for (int i = 0; i < 200; i++) {
+            const double x[3] = { fmod(0.5 + 0.7548776662 * i, 1), fmod(0.5 + 0.5698402910 * i, 1),
+                                  fmod(0.5 + 0.8191725134 * i, 1) };
+            check_depth(&all[s], x);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(depth_is_the_way_to_the_outline),
         cmocka_unit_test(sides_have_the_bits_of_their_names),
         cmocka_unit_test(parameters_describe_themselves),
         cmocka_unit_test(missing_keys_are_named),

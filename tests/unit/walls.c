@@ -41,10 +41,14 @@ static void look(const struct walls_motion *m, double t, const double *x0, doubl
                  double *a)
 {
     struct walls_place p;
+    double back[DIM];
     struct object o = { .name = "gate" };
 
     walls_motion_at(m, t, &p);
     walls_motion_point(m, &p, x0, x, u);
+    walls_motion_back(m, &p, x, back);
+    for (int d = 0; d < DIM; d++)
+        assert_true(fabs(back[d] - x0[d]) < 1e-12 * (1 + fabs(x0[d]) + fabs(x[d])));
     memcpy(o.a, p.a, sizeof o.a);
     for (int d = 0; d < DIM; d++)
         o.centre[d] = m->pivot[d] + p.shift[d];

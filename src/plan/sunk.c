@@ -1,0 +1,145 @@
+/* sunk.c -- fluid that is where solids are.
+ *
+ * In a wall: deeper in its shape than half a spacing, where its first particles stand.  In
+ * a beam: behind the outermost layer of its skin; who is, is surrounded by points of the
+ * skin, so that no half of his neighbourhood is free of them. */
+#include "plan/inside.h"
+#include "plan/observe.h"
+
+#include "base/status.h"
+#include "space/list.h"
+#include "state/buckets.h"
+#include "state/period.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { NEAR = 64 };
+
+static const double half = 0.5;    /* [dx] */
+static const double around = 1.5;  /* neighbours on a skin: the diagonal, too [dx] */
+static const double slack = 0.05;  /* on the layer itself is not behind it [rad] */
+
+/* A wall at this moment. */
+struct block {
+    const struct input_wall *in;
+    const struct plan_wall *wall;
+    struct walls_place place;
+    double low[DIM], high[DIM]; /* before it moved [m] */
+};
+
+static void block_make(const struct plan *p, int i, double t, struct block *b)
+{
+    b->in = &p->in.wall[i];
+    b->wall = &p->wall[i];
+    walls_motion_at(&b->wall->motion, t, &b->place);
+    shape_bounds(&b->in->set.shape, b->low, b->high);
+}
+
+static bool in_block(const struct block *b, const double *x, double depth)
+{
+    double own[DIM];
+
+    walls_motion_back(&b->wall->motion, &b->place, x, own);
+    for (int d = 0; d < DIM; d++)
+        if (own[d] < b->low[d] || own[d] > b->high[d])
+            return false;
+    return shape_depth(&b->in->set.shape, own) > depth;
+}
+
+/* Directions in which points of one skin are seen from x. */
+struct sight {
+    const struct particles *p;
+    const double *x;
+    int object, n;
+    double angle[NEAR]; /* [rad], sorted */
+};
+
+/* Keeps them all: none is the one that is looked for. */
+static bool keep(const void *self, int j)
+{
+    struct sight *s = (struct sight *)self;
+    const double *x = s->p->x[s->p->from[KIND_SKIN] + j];
+    const double angle = atan2(x[1] - s->x[1], x[0] - s->x[0]);
+    int i = s->n;
+
+    if (s->p->object_of[s->p->from[KIND_SKIN] + j] != s->object || s->n == NEAR)
+        return false;
+    for (; i > 0 && s->angle[i - 1] > angle; i--)
+        s->angle[i] = s->angle[i - 1];
+    s->angle[i] = angle;
+    s->n++;
+    return false;
+}
+
+static bool is_surrounded(const struct sight *s)
+{
+    double widest = 0;
+
+    for (int i = 1; i < s->n; i++)
+        widest = fmax(widest, s->angle[i] - s->angle[i - 1]);
+    if (s->n < 3)
+        return false;
+    return fmax(widest, 2 * M_PI - (s->angle[s->n - 1] - s->angle[0])) < M_PI - slack;
+}
+
+static bool in_skin(const struct plan *p, const struct buckets *skins, int object,
+                    const double *x)
+{
+    struct sight s = { .p = p->particles, .x = x, .object = object };
+
+    buckets_find(skins, x, around * p->scales.dx, keep, &s);
+    return is_surrounded(&s);
+}
+
+/* Object that x is in, -1: none. */
+static int solid_at(const struct plan *p, const struct block *block, const struct buckets *skins,
+                    const double *x)
+{
+    for (int i = 0; i < p->walls; i++)
+        if (in_block(&block[i], x, half * p->scales.dx))
+            return p->wall[i].object;
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].object >= 0 && in_skin(p, skins, p->body[i].object, x))
+            return p->body[i].object;
+    return -1;
+}
+
+static void count(const struct plan *p, const struct view *v, const struct block *block,
+                  const struct buckets *skins, struct plan_sunk *out)
+{
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        const double *now = v->x[KIND_FLUID] + (size_t)i * DIM;
+        double x[DIM];
+        int solid;
+
+        period_home(&p->scales, now, x);
+        if (!list_inside(&p->list_def, now) || (solid = solid_at(p, block, skins, x)) < 0)
+            continue;
+        if (out->n++ == 0) {
+            out->who = i;
+            out->solid = v->p->object[solid].name;
+            plan_place(p, v, i, out->place);
+        }
+    }
+}
+
+void plan_sunk(struct plan *p, double t, const double *y, struct plan_sunk *out)
+{
+    const struct particles *all = p->particles;
+    struct buckets skins = { 0 };
+    struct block *block;
+    struct view v;
+
+    *out = (struct plan_sunk){ .t = t, .who = -1 };
+    if (p->row_x < 0 || !(block = status_alloc(p->walls + 1, sizeof *block)))
+        return;
+    plan_view_make(p, t, y, &v);
+    for (int i = 0; i < p->walls; i++)
+        block_make(p, i, t, &block[i]);
+    if (buckets_create(&skins, (const double (*)[DIM])all->x + all->from[KIND_SKIN],
+                       all->n - all->from[KIND_SKIN], around * p->scales.dx) == STATUS_DONE)
+        count(p, &v, block, &skins, out);
+    buckets_free(&skins);
+    free(block);
+}
