@@ -163,7 +163,8 @@ AC_DEFUN([SW_SUNDIALS_LINK], [
   AS_IF([test $sundials_MAJOR -ge 7], [sw_core=-lsundials_core], [sw_core=-lsundials_generic])
   SUNDIALS_CFLAGS=
   SUNDIALS_LIBS="-lsundials_arkode -lsundials_cvode -lsundials_nvecserial dnl
--lsundials_sunnonlinsolnewton -lsundials_sunnonlinsolfixedpoint -lsundials_sunlinsolspgmr $sw_core"
+-lsundials_sunnonlinsolnewton -lsundials_sunnonlinsolfixedpoint -lsundials_sunlinsolspgmr dnl
+-lsundials_sunlinsolpcg $sw_core"
   sundials_mpi=no
   AC_MSG_CHECKING([whether SUNDIALS links])
   SW_SUNDIALS_TRY([AC_MSG_RESULT([yes])], [

@@ -109,12 +109,13 @@ void vector_sum_block(const struct vector_content *c, long b); /* of a sum put o
 void vector_summed(struct vector_content *c);  /* all its blocks are done       */
 void vector_settle(struct vector_content *c);  /* numbers are here now          */
 
-/* vector-sum.c, vector-norm.c, vector-serial.c: operations. */
+/* vector-sum.c, vector-norm.c, vector-dot.c, vector-serial.c: operations. */
 int vector_sum_combination(int terms, sunrealtype *c, N_Vector *v, N_Vector z);
 void vector_sum_two(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z);
 void vector_sum_scale(sunrealtype c, N_Vector x, N_Vector z);
 void vector_sum_constant(sunrealtype c, N_Vector z);
 sunrealtype vector_norm_weighted(N_Vector v, N_Vector weight);
+sunrealtype vector_dot_product(N_Vector x, N_Vector y);
 void vector_serial_operations(N_Vector v);
 
 #endif

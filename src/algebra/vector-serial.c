@@ -59,11 +59,6 @@ static sunbooleantype constraint_mask(N_Vector c, N_Vector x, N_Vector z)
     return N_VConstrMask_Serial(in(c), in(x), out(z));
 }
 
-static sunrealtype dot_product(N_Vector x, N_Vector y)
-{
-    return N_VDotProd_Serial(in(x), in(y));
-}
-
 static sunrealtype largest(N_Vector x)
 {
     return N_VMaxNorm_Serial(in(x));
@@ -105,7 +100,6 @@ void vector_serial_operations(N_Vector v)
     v->ops->nvcompare = compare;
     v->ops->nvinvtest = inverse_test;
     v->ops->nvconstrmask = constraint_mask;
-    v->ops->nvdotprod = dot_product;
     v->ops->nvmaxnorm = largest;
     v->ops->nvmin = least;
     v->ops->nvl1norm = sum_of_absolutes;

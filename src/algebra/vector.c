@@ -73,6 +73,7 @@ static void set_operations(N_Vector v)
     v->ops->nvscale = vector_sum_scale;
     v->ops->nvconst = vector_sum_constant;
     v->ops->nvwrmsnorm = vector_norm_weighted;
+    v->ops->nvdotprod = vector_dot_product;
     vector_serial_operations(v);
 }
 

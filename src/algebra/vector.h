@@ -60,6 +60,9 @@ long vector_largest(N_Vector v);
  * `to` may be one of x. */
 void vector_combine(int terms, const double *c, const double *const *x, long n, double *to);
 
+/* x . y; partial: room for n/1024 + 1 numbers. */
+double vector_dot(long n, const double *x, const double *y, double *partial);
+
 void vector_copy(long n, const double *x, double *to);
 
 /* First entry that is NaN or infinite; -1 if there is none. */

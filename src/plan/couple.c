@@ -16,73 +16,6 @@ static bool acts(const struct couple_job *job, int owner, int partner)
     return job->acts[owner] & KIND_BIT(partner);
 }
 
-/* c of the rows of one segment; returns each owner's sum. */
-static lanes couple_segment(const struct couple_job *job, const double *record,
-                            const struct list_segment *segment, const struct side *a,
-                            struct block *b, double *c)
-{
-    gather_rows *const gather = gather_choose(job->needs);
-    lanes sum = { 0 };
-    struct coupling to;
-
-    for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
-        const int left = segment->rows - row;
-
-        b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
-        gather(record, segment->j + (size_t)row * LANES, b->n, a, b);
-        gather_kernel(job->needs, job->kernel, b);
-        job->couple(job->self, a, b, &to);
-        for (int k = 0; k < b->n; k++)
-            sum += to.c[k];
-        memcpy(c + (size_t)row * LANES, to.c, (size_t)b->n * sizeof *to.c);
-    }
-    return sum;
-}
-
-static void couple_group(const struct couple_job *job, const double *record, int g,
-                         struct block *b)
-{
-    const struct list *list = job->list;
-    const int first = list->group_slot[g], kind = list->group_kind[g];
-    const int end = list->start[kind + 1];
-    double *c = job->c + (size_t)list->rows_before[g] * LANES;
-    lanes sum = { 0 }, firm = { 0 };
-    struct side a;
-
-    gather_side(record, first, end, list->listed, &a);
-    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
-        const struct list_segment *segment = &list->segment[s];
-
-        if (acts(job, kind, segment->partner)) {
-            const lanes part = couple_segment(job, record, segment, &a, b, c);
-            sum += part;
-            if (kind != KIND_FLUID || segment->partner != KIND_FLUID)
-                firm += part;
-        }
-        c += (size_t)segment->rows * LANES;
-    }
-    for (int l = 0; l < LANES && first + l < end; l++) {
-        job->diagonal[first + l] = sum[l];
-        job->firm[first + l] = firm[l];
-    }
-}
-
-static void assemble(const struct couple_job *job, const double *record)
-{
-    const struct list *list = job->list;
-
-    memset(job->diagonal, 0, (size_t)list->start[KINDS] * sizeof *job->diagonal);
-    memset(job->firm, 0, (size_t)list->start[KINDS] * sizeof *job->firm);
-#pragma omp parallel if (list->listed > WORTH_THREADS)
-    {
-        struct block b;
-
-#pragma omp for schedule(static)
-        for (int g = 0; g < list->groups; g++)
-            couple_group(job, record, g, &b);
-    }
-}
-
 /* Two numbers of each of the LANES velocities `of`. */
 LANES_INLINE void pair_of_numbers(const double *const of[LANES], int at, lanes *first,
                                   lanes *second)
@@ -130,6 +63,92 @@ static void multiply_segment(const struct list_segment *segment, const double *v
     memcpy(f, sum, sizeof sum);
 }
 
+/* Of the owners of group g. */
+static void own_velocities(const struct couple_job *job, int g, const double *velocity, lanes *v)
+{
+    const struct list *list = job->list;
+    const int first = list->group_slot[g], end = list->start[list->group_kind[g] + 1];
+    int own[LANES];
+
+    for (int l = 0; l < LANES; l++)
+        own[l] = first + l < end ? first + l : list->listed;
+    velocities(velocity, own, v);
+}
+
+/* c of the rows of one segment; returns each owner's sum. */
+static lanes couple_segment(const struct couple_job *job, const double *record,
+                            const struct list_segment *segment, const struct side *a,
+                            struct block *b, double *c)
+{
+    gather_rows *const gather = gather_choose(job->needs);
+    lanes sum = { 0 };
+    struct coupling to;
+
+    for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
+        const int left = segment->rows - row;
+
+        b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
+        gather(record, segment->j + (size_t)row * LANES, b->n, a, b);
+        gather_kernel(job->needs, job->kernel, b);
+        job->couple(job->self, a, b, &to);
+        for (int k = 0; k < b->n; k++)
+            sum += to.c[k];
+        memcpy(c + (size_t)row * LANES, to.c, (size_t)b->n * sizeof *to.c);
+    }
+    return sum;
+}
+
+static void couple_group(const struct couple_job *job, const double *record,
+                         const double *velocity, int g, struct block *b, double *f)
+{
+    const struct list *list = job->list;
+    const int first = list->group_slot[g], kind = list->group_kind[g];
+    const int end = list->start[kind + 1];
+    double *c = job->c + (size_t)list->rows_before[g] * LANES;
+    lanes sum = { 0 }, firm = { 0 }, v[DIM], force[DIM] = { { 0 } };
+    struct side a;
+
+    gather_side(record, first, end, list->listed, &a);
+    own_velocities(job, g, velocity, v);
+    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
+        const struct list_segment *segment = &list->segment[s];
+
+        if (acts(job, kind, segment->partner)) {
+            const lanes part = couple_segment(job, record, segment, &a, b, c);
+            multiply_segment(segment, velocity, c, v, force);
+            sum += part;
+            if (kind != KIND_FLUID || segment->partner != KIND_FLUID)
+                firm += part;
+        }
+        c += (size_t)segment->rows * LANES;
+    }
+    for (int l = 0; l < LANES && first + l < end; l++) {
+        job->diagonal[first + l] = sum[l];
+        job->firm[first + l] = firm[l];
+        for (int d = 0; d < DIM; d++)
+            f[(size_t)(first + l) * DIM + (size_t)d] = force[d][l];
+    }
+}
+
+static void assemble(const struct couple_job *job, const double *record, const double *velocity,
+                     double *f)
+{
+    const struct list *list = job->list;
+    const size_t n = (size_t)list->start[KINDS];
+
+    memset(job->diagonal, 0, n * sizeof *job->diagonal);
+    memset(job->firm, 0, n * sizeof *job->firm);
+    memset(f, 0, n * DIM * sizeof *f);
+#pragma omp parallel if (list->listed > WORTH_THREADS)
+    {
+        struct block b;
+
+#pragma omp for schedule(static)
+        for (int g = 0; g < list->groups; g++)
+            couple_group(job, record, velocity, g, &b, f);
+    }
+}
+
 static void multiply_group(const struct couple_job *job, const double *velocity, int g, double *f)
 {
     const struct list *list = job->list;
@@ -137,11 +156,8 @@ static void multiply_group(const struct couple_job *job, const double *velocity,
     const int end = list->start[kind + 1];
     const double *c = job->c + (size_t)list->rows_before[g] * LANES;
     lanes v[DIM], sum[DIM] = { { 0 } };
-    int own[LANES];
 
-    for (int l = 0; l < LANES; l++)
-        own[l] = first + l < end ? first + l : list->listed;
-    velocities(velocity, own, v);
+    own_velocities(job, g, velocity, v);
     for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
         const struct list_segment *segment = &list->segment[s];
 

@@ -2,9 +2,10 @@
  *
  *     F_a = sum over b of c_ab (v_b - v_a),  c_ab = c_ba >= 0
  *
- * assemble() asks the law for every c_ab once, in the order of the list's rows;
- * multiply() then gives the forces of any velocities for a fraction of a pass over
- * pairs.  No bit depends on the number of threads nor on the lane width. */
+ * assemble() asks the law for every c_ab once, in the order of the list's rows, and
+ * gives the forces of the first velocities by the way; multiply() then gives those of
+ * any others for a fraction of a pass over pairs.  No bit depends on the number of
+ * threads nor on the lane width. */
 #ifndef PLAN_COUPLE_H
 #define PLAN_COUPLE_H
 
@@ -31,11 +32,11 @@ struct couple_job {
 };
 
 struct couple_engine {
-    void (*assemble)(const struct couple_job *job, const double *record);
-
-    /* f [particles][DIM] of owners of these kinds (bits); others are not touched.
-     * velocity [listed + 1][COUPLE_STRIDE] by slot, 16-byte aligned, those of images and of
-     * the dummy, too. */
+    /* velocity [listed + 1][COUPLE_STRIDE] by slot, 16-byte aligned, those of images and
+     * of the dummy, too; f [particles][DIM] of all owners, or of those of some kinds
+     * (bits): others are not touched. */
+    void (*assemble)(const struct couple_job *job, const double *record,
+                     const double *velocity, double *f);
     void (*multiply)(const struct couple_job *job, unsigned kinds, const double *velocity,
                      double *f);
 };

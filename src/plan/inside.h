@@ -66,6 +66,9 @@ struct plan_workspace {
     double *f;       /* [n][DIM] by slot                                      */
     double *drho;    /* [n] by slot                                           */
     double *power;   /* [slots]                                               */
+    double *apart;   /* [n][DIM] lent while one pass is for both sides: f of the
+                        implicit law by slot; else NULL                       */
+    double power_apart; /* of that law                                        */
     double *rho;     /* [n] densities that fields give, creation order; NULL  */
     double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
     struct sum_scratch scratch;

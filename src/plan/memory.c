@@ -64,7 +64,7 @@ static double viscous(const struct count *c)
 {
     const double n = c->fluid + c->solid;
 
-    return c->viscous ? 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2) + c->numbers
+    return c->viscous ? 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2 + DIM) + c->numbers
                              + c->fluid * DIM * VISCOUS_VECTORS)
                       : 0;
 }

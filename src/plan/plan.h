@@ -41,6 +41,10 @@ void plan_start(const struct plan *plan, double *y);        /* y at t = 0     */
 int plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y, double *ydot);
 const char *plan_refusal(const struct plan *plan);
 
+/* Both sides at once, as plan_rhs() gives each of them: with an implicit viscosity for
+ * one pass over pairs instead of two. */
+int plan_sides(struct plan *plan, double t, const double *y, double *explicit, double *implicit);
+
 /* One half, for methods that change velocities or densities by it: as plan_rhs(),
  * but powers are booked with the velocities of the fluid (PLAN_VELOCITY) or with the
  * pressures (PLAN_DENSITY) that the rates lead to in a time `later` [s].  With half

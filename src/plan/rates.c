@@ -14,9 +14,30 @@ int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table 
         .later = p->later, .push = push, .gamma = p->scales.gamma,
         .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
         .f = w->f, .drho = w->drho, .power = w->power,
+        .apart = w->apart, .apart_slot = w->apart ? p->stiff->slot : 0,
     };
 
     return p->engine->sum->pairs(&job, &w->scratch);
+}
+
+/* Forces and power of the explicit laws; with w->apart those of the implicit law, too,
+ * each where it belongs. */
+static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which which,
+                    const double (*push)[DIM])
+{
+    const struct pairs_table *table = which == PLAN_DENSITY                 ? p->rates
+                                      : which == PLAN_VELOCITY              ? p->forces
+                                      : which == PLAN_EXPLICIT && !w->apart ? p->explicit
+                                                                            : p->table;
+
+    if (p->particles->n == 0)
+        return STATUS_DONE;
+    TRY(plan_sum(p, w, table, push));
+    if (w->apart) {
+        w->power_apart = w->power[p->stiff->slot];
+        w->power[p->stiff->slot] = 0;
+    }
+    return STATUS_DONE;
 }
 
 /* Rates of the fluid to their places in ydot, x' = u, u' = f/m: one pass in the order
@@ -224,16 +245,11 @@ static const double (*pushes(struct plan *p, enum plan_which which, const struct
 int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,
                const double *y, double *ydot)
 {
-    const struct pairs_table *table = which == PLAN_DENSITY    ? p->rates
-                                      : which == PLAN_VELOCITY ? p->forces
-                                      : which == PLAN_EXPLICIT ? p->explicit
-                                                               : p->table;
     struct view v;
 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
-    if (p->particles->n > 0)
-        TRY(plan_sum(p, w, table, pushes(p, which, &v, ydot)));
+    TRY(sum_laws(p, w, which, pushes(p, which, &v, ydot)));
     spread(p, w, which, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);

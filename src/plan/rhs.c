@@ -14,31 +14,26 @@ static void add_stiff(struct plan *p, double t, const double *y, double *ydot)
         p->body[i].kind->stiff(p->body[i].body, &p->layout, t, y, ydot);
 }
 
-static int explicit_side(struct plan *p, enum plan_which which, double t, const double *y,
-                         double *ydot)
+static int count_pass(struct plan *p, int status)
 {
-    const int status = plan_rates(p, &p->main, which, t, y, ydot);
-
-    p->counts.rhs_explicit += which != PLAN_DENSITY;
     p->counts.passes++;
     p->counts.refused += status != STATUS_DONE;
     p->counts.rebuilds = p->main.list ? p->main.list->builds : 0;
     return status;
 }
 
+static int explicit_side(struct plan *p, enum plan_which which, double t, const double *y,
+                         double *ydot)
+{
+    p->counts.rhs_explicit += which != PLAN_DENSITY;
+    return count_pass(p, plan_rates(p, &p->main, which, t, y, ydot));
+}
+
 static int implicit_side(struct plan *p, double t, const double *y, double *ydot)
 {
-    int status = STATUS_DONE;
-
     p->counts.rhs_implicit++;
     memset(ydot, 0, (size_t)plan_size(p) * sizeof *ydot);
-    if (p->viscous) {
-        status = viscous_rates(p, t, y, ydot);
-        p->counts.passes++;
-        p->counts.refused += status != STATUS_DONE;
-        p->counts.rebuilds = p->main.list->builds;
-    }
-    return status;
+    return p->viscous ? count_pass(p, viscous_rates(p, t, y, ydot)) : STATUS_DONE;
 }
 
 int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *ydot)
@@ -49,6 +44,19 @@ int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, d
         TRY(implicit_side(p, t, y, ydot));
     if (which & PLAN_IMPLICIT)
         add_stiff(p, t, y, ydot);
+    return STATUS_DONE;
+}
+
+int plan_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit)
+{
+    if (!p->viscous) {
+        TRY(plan_rhs(p, PLAN_EXPLICIT, t, y, explicit));
+        return plan_rhs(p, PLAN_IMPLICIT, t, y, implicit);
+    }
+    p->counts.rhs_explicit++;
+    p->counts.rhs_implicit++;
+    TRY(count_pass(p, viscous_sides(p, t, y, explicit, implicit)));
+    add_stiff(p, t, y, implicit);
     return STATUS_DONE;
 }
 

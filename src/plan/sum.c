@@ -121,6 +121,13 @@ static void look_ahead(const struct sum_job *job, int first, int owners, const s
     }
 }
 
+static void set_apart(const struct sum_job *job, int first, int owners, const struct sum *part)
+{
+    for (int l = 0; l < owners; l++)
+        for (int d = 0; d < DIM; d++)
+            job->apart[(size_t)(first + l) * DIM + (size_t)d] = part[job->apart_slot].f[d][l];
+}
+
 /* Adds the sums in order of slots, writes the rates, books the power. */
 static void finish_group(const struct sum_job *job, int first, int owners, int quarter,
                          struct side *a, const struct sum *part, struct chunk_power *book)
@@ -128,6 +135,8 @@ static void finish_group(const struct sum_job *job, int first, int owners, int q
     struct sum all = { 0 };
 
     for (int s = 0; s < job->slots; s++) {
+        if (job->apart && s == job->apart_slot)
+            continue;
         for (int d = 0; d < DIM; d++)
             all.f[d] += part[s].f[d];
         all.drho += part[s].drho;
@@ -147,13 +156,19 @@ static void finish_group(const struct sum_job *job, int first, int owners, int q
             job->f[(size_t)(first + l) * DIM + (size_t)d] = all.f[d][l];
         job->drho[first + l] = all.drho[l];
     }
+    if (job->apart)
+        set_apart(job, first, owners, part);
 }
 
 /* Nobody near: rates of exactly 0. */
-static void clear_group(const struct sum_job *job, int first, int owners)
+static void clear_slots(const struct sum_job *job, int first, int owners)
 {
-    memset(job->f + (size_t)first * DIM, 0, (size_t)owners * DIM * sizeof *job->f);
-    memset(job->drho + first, 0, (size_t)owners * sizeof *job->drho);
+    const size_t from = (size_t)first, n = (size_t)owners;
+
+    memset(job->f + from * DIM, 0, n * DIM * sizeof *job->f);
+    memset(job->drho + from, 0, n * sizeof *job->drho);
+    if (job->apart)
+        memset(job->apart + from * DIM, 0, n * DIM * sizeof *job->apart);
 }
 
 static void sum_group(const struct sum_job *job, int g, int quarter, struct block *b,
@@ -166,7 +181,7 @@ static void sum_group(const struct sum_job *job, int g, int quarter, struct bloc
     struct side a;
 
     if (list->segment_from[g] == list->segment_from[g + 1]) {
-        clear_group(job, first, owners);
+        clear_slots(job, first, owners);
         return;
     }
     gather_side(job->record, first, end, list->listed, &a);
@@ -211,14 +226,9 @@ static void clear_idle(const struct sum_job *job)
 {
     const struct list *list = job->list;
 
-    for (int kind = 0; kind < KINDS; kind++) {
-        const size_t from = (size_t)list->start[kind], n = (size_t)list->start[kind + 1] - from;
-
-        if (list->group_from[kind] < list->group_from[kind + 1])
-            continue;
-        memset(job->f + from * DIM, 0, n * DIM * sizeof *job->f);
-        memset(job->drho + from, 0, n * sizeof *job->drho);
-    }
+    for (int kind = 0; kind < KINDS; kind++)
+        if (list->group_from[kind] == list->group_from[kind + 1])
+            clear_slots(job, list->start[kind], list->start[kind + 1] - list->start[kind]);
 }
 
 static int make_room(struct sum_scratch *scratch, int n, int slots)

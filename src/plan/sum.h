@@ -38,6 +38,9 @@ struct sum_job {
                                           [kg/m^D/s]: divided by the mass     */
     double *power;                     /* [slots] v.f + p2 m drho over all
                                           owners [W]                          */
+    double *apart;                     /* [particles][DIM] where forces of the row
+                                          `apart_slot` go instead of f; NULL  */
+    int apart_slot;
 };
 
 /* Sums of a field, before there are forces. */

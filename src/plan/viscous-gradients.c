@@ -1,10 +1,10 @@
-/* viscous-gradients.c -- (BV1) by conjugate gradients, kept from some directions.
+/* viscous-gradients.c -- (BV1) by the conjugate gradients of SUNDIALS, SUNLinSol_PCG.
  *
- * What is left of momentum and of the work on the solution is nothing, however inexact
- * the solve: the directions "all fluid alike" and "the guess" are solved for exactly,
- * and every other direction is conjugate to them.  Hestenes, Stiefel, J. Res. Nat. Bur.
- * Standards 49 (1952) 409-436; Saad, Yeung, Erhel, Guyomarc'h, SIAM J. Sci. Comput. 21
- * (2000) 1909-1926. */
+ * What they search in is kept from the directions of viscous-directions.c by their
+ * preconditioner.  That is also where they are told to stop, which needs no product
+ * more: a largest correction says how wrong velocities are, of the fluid and of beams
+ * alike, while their own stop, a norm of residuals, knows nothing of beams, whose soft
+ * modes are a millionth of a residual. */
 #include "plan/viscous.h"
 
 #include "base/status.h"
@@ -12,163 +12,46 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sunlinsol/sunlinsol_pcg.h>
 
-enum {
-    PRODUCTS = 1000, /* of one solve at most                                   */
-    CLEAN = 8,       /* products until rounding is taken out of the residual   */
-    BLOCK = 512
+enum { PRODUCTS = 1000 }; /* of one solve at most */
+
+static const double exact = 0.01; /* of tol: the largest correction left */
+
+/* What the callbacks of one solve know. */
+struct search {
+    struct plan *plan;
+    double gamma, floor, left;
+    bool enough;
 };
 
-static const double exact = 0.01; /* of tol: the largest correction left         */
-
-/* The same on any number of threads. */
-static double dot(const struct viscous *u, const double *a, const double *b)
+static int multiply(void *self, N_Vector v, N_Vector image)
 {
-    const int blocks = (u->unknowns + BLOCK - 1) / BLOCK;
-    double sum = 0;
+    const struct search *s = self;
 
-#pragma omp parallel for schedule(static) if (blocks > 40)
-    for (int k = 0; k < blocks; k++) {
-        const int to = (k + 1) * BLOCK < u->unknowns ? (k + 1) * BLOCK : u->unknowns;
-        double part = 0;
-        for (int i = k * BLOCK; i < to; i++)
-            part += a[i] * b[i];
-        u->partial[k] = part;
-    }
-    for (int k = 0; k < blocks; k++)
-        sum += u->partial[k];
-    return sum;
+    viscous_apply(s->plan, s->gamma, vector_read(v), vector_overwrite(image));
+    return 0;
 }
 
-/* --- directions -------------------------------------------------------------- */
-
-/* A 1 of fluid in slot s: its mass, and what solids hold of it. */
-static double drag_of(const struct plan *p, double gamma, int s)
+/* Positive: stop here, what was found so far stands. */
+static int precondition(void *self, N_Vector residual, N_Vector near, sunrealtype tol, int side)
 {
-    return p->particles->m[p->main.list->order[s]] + gamma * p->viscous->job.firm[s];
-}
-
-/* A 1 of bodies, and 1 . A 1, for all components the same. */
-static void set_drag(struct plan *p, double gamma)
-{
+    struct search *s = self;
+    struct plan *p = s->plan;
     struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
+    double *to = vector_overwrite(near), rz;
 
-    u->drag_all = 0;
-    for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
-        u->drag_all += drag_of(p, gamma, s);
-    for (int d = 0; d < DIM; d++) {
-        double *to = u->drag[d];
-        memset(to, 0, (size_t)(u->unknowns - u->fluid) * sizeof *to);
-        for (int i = 0; i < p->bodies; i++) {
-            struct plan_body *b = &p->body[i];
-            memset(b->force, 0, (size_t)b->skin * sizeof *b->force);
-            for (int j = 0; j < b->skin; j++) {
-                const int s = l->slot[p->particles->object[b->object].from + j];
-                b->force[j][d] = s < 0 ? 0 : u->job.diagonal[s];
-            }
-            b->kind->pull(b->body, (const double (*)[DIM])b->force, -gamma, to);
-            to += viscous_body(p, i);
-        }
-    }
+    (void)tol, (void)side;
+    vector_copy(u->unknowns, vector_read(residual), u->residual);
+    viscous_directions_clear(p, s->gamma, u->residual); /* of rounding */
+    s->left = viscous_precondition(p, s->gamma, u->residual, to);
+    rz = vector_dot(u->unknowns, u->residual, to, u->partial);
+    if (!isfinite(rz))
+        return -1;
+    s->enough = s->left <= exact * u->tol || rz <= s->floor;
+    viscous_directions_leave(p, s->gamma, to);
+    return s->enough;
 }
-
-/* (1 . A x)/(1 . A 1) of each component. */
-static void along_drag(const struct plan *p, double gamma, const double *x, double mean[DIM])
-{
-    const struct viscous *u = p->viscous;
-    const int n = p->main.list->start[KIND_FLUID + 1];
-
-    memset(mean, 0, DIM * sizeof *mean);
-    for (int s = 0; s < n; s++)
-        for (int d = 0; d < DIM; d++)
-            mean[d] += drag_of(p, gamma, s) * x[(size_t)s * DIM + (size_t)d];
-    for (int d = 0; d < DIM; d++) {
-        for (int i = u->fluid; i < u->unknowns; i++)
-            mean[d] += u->drag[d][i - u->fluid] * x[i];
-        mean[d] /= u->drag_all;
-    }
-}
-
-/* Directions in which nothing may be left: all fluid alike (1, one for each component),
- * and the guess. Then the sum of residuals is 0, and so is their work on the solution,
- * which is a sum of these and of search directions: momentum and energy close to
- * rounding however inexact the solve.  w, the guess less its part along 1, and A w are
- * made with w . A w = 1 and 1 . A w = 0; w = 0 when nothing else moves. */
-static void set_directions(struct plan *p, double gamma)
-{
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
-    double mean[DIM], norm;
-
-    set_drag(p, gamma);
-    memcpy(u->guess, u->x, (size_t)u->unknowns * sizeof *u->guess);
-    memcpy(u->guess_image, u->image, (size_t)u->unknowns * sizeof *u->image);
-    along_drag(p, gamma, u->guess, mean);
-    for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
-        for (int d = 0; d < DIM; d++) {
-            const size_t k = (size_t)s * DIM + (size_t)d;
-            u->guess[k] -= mean[d];
-            u->guess_image[k] -= mean[d] * drag_of(p, gamma, s);
-        }
-    for (int d = 0; d < DIM; d++)
-        for (int i = u->fluid; i < u->unknowns; i++)
-            u->guess_image[i] -= mean[d] * u->drag[d][i - u->fluid];
-    norm = dot(u, u->guess, u->guess_image);
-    norm = norm > 1e-20 * fabs(dot(u, u->x, u->image)) ? 1 / sqrt(norm) : 0;
-    for (int i = 0; i < u->unknowns; i++) {
-        u->guess[i] *= norm;
-        u->guess_image[i] *= norm;
-    }
-}
-
-/* Takes what is left along these directions out of the residual, into x. */
-static void project(struct plan *p, double gamma)
-{
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
-    const int n = l->start[KIND_FLUID + 1];
-    const double along = dot(u, u->guess, u->residual);
-    double sum[DIM] = { 0 };
-
-    for (int s = 0; s < n; s++)
-        for (int d = 0; d < DIM; d++)
-            sum[d] += u->residual[(size_t)s * DIM + (size_t)d] / u->drag_all;
-    for (int i = 0; i < u->unknowns; i++) {
-        u->x[i] += along * u->guess[i];
-        u->residual[i] -= along * u->guess_image[i];
-    }
-    for (int s = 0; s < n; s++)
-        for (int d = 0; d < DIM; d++) {
-            const size_t k = (size_t)s * DIM + (size_t)d;
-            u->x[k] += sum[d];
-            u->residual[k] -= sum[d] * drag_of(p, gamma, s);
-        }
-    for (int d = 0; d < DIM; d++)
-        for (int i = u->fluid; i < u->unknowns; i++)
-            u->residual[i] -= sum[d] * u->drag[d][i - u->fluid];
-}
-
-/* search = near + again search, less what of it is along these directions. */
-static void turn(struct plan *p, double gamma, double again)
-{
-    struct viscous *u = p->viscous;
-    const int n = p->main.list->start[KIND_FLUID + 1];
-    const double along = dot(u, u->guess_image, u->near);
-    double mean[DIM];
-
-    along_drag(p, gamma, u->near, mean);
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int s = 0; s < n; s++)
-        for (int d = 0; d < DIM; d++) {
-            const size_t k = (size_t)s * DIM + (size_t)d;
-            u->search[k] = u->near[k] + again * u->search[k] - along * u->guess[k] - mean[d];
-        }
-    for (int i = u->fluid; i < u->unknowns; i++)
-        u->search[i] = u->near[i] + again * u->search[i] - along * u->guess[i];
-}
-
-/* --- the solve ---------------------------------------------------------------- */
 
 static int refuse(struct plan *p, double t, double left, int products)
 {
@@ -178,32 +61,68 @@ static int refuse(struct plan *p, double t, double left, int products)
     return STATUS_FAILED;
 }
 
+/* What is left along the directions goes into x. */
+static void project(struct plan *p, double gamma)
+{
+    struct viscous *u = p->viscous;
+    const struct viscous_along along = viscous_directions_clear(p, gamma, u->residual);
+
+    viscous_directions_add(u, &along, u->x);
+}
+
+/* The correction of x, and the residual that it leaves. */
+static void take(struct plan *p, double gamma)
+{
+    struct viscous *u = p->viscous;
+    const double *correction = vector_read(u->correction);
+
+    for (int i = 0; i < u->unknowns; i++)
+        u->x[i] += correction[i];
+    vector_copy(u->unknowns, vector_read(SUNLinSolResid(u->gradients)), u->residual);
+    project(p, gamma);
+}
+
 int viscous_iterate(struct plan *p, double t, double gamma)
 {
     struct viscous *u = p->viscous;
-    const double enough = exact * u->tol, floor = 1e-30 * fabs(dot(u, u->right, u->x));
-    double left, rz, again = 0;
+    struct search s = { .plan = p, .gamma = gamma };
+    int code;
 
-    set_directions(p, gamma);
+    s.floor = 1e-30 * fabs(vector_dot(u->unknowns, u->right, u->x, u->partial));
+    viscous_directions_set(p, gamma);
     project(p, gamma);
-    left = viscous_precondition(p, gamma);
-    rz = dot(u, u->residual, u->near);
-    for (int k = 0; !(left <= enough && isfinite(rz)) && !(rz <= floor); k++) {
-        if (k == PRODUCTS || !isfinite(rz))
-            return refuse(p, t, left, k);
-        turn(p, gamma, again);
-        viscous_apply(p, gamma, u->search, false, u->image);
-        const double along = rz / dot(u, u->search, u->image), before = rz;
-#pragma omp parallel for schedule(static) if (u->unknowns > 8192)
-        for (int i = 0; i < u->unknowns; i++) {
-            u->x[i] += along * u->search[i];
-            u->residual[i] -= along * u->image[i];
-        }
-        if (k % CLEAN == CLEAN - 1)
-            project(p, gamma);
-        left = viscous_precondition(p, gamma);
-        rz = dot(u, u->residual, u->near);
-        again = rz / before;
-    }
+    vector_copy(u->unknowns, u->residual, vector_overwrite(u->b));
+    N_VConst(0, u->correction);
+    SUNLinSolSetATimes(u->gradients, &s, multiply);
+    SUNLinSolSetPreconditioner(u->gradients, &s, NULL, precondition);
+    SUNLinSolSetZeroGuess(u->gradients, 1);
+    code = SUNLinSolSolve(u->gradients, NULL, u->correction, u->b, 0);
+    if (code != 0 && !s.enough)
+        return refuse(p, t, s.left, SUNLinSolNumIters(u->gradients));
+    take(p, gamma);
     return STATUS_DONE;
+}
+
+int viscous_gradients_make(struct viscous *u)
+{
+    TRY(sundials_open(&u->context));
+    u->b = vector_create(u->unknowns, VECTOR_NORM_MAX, u->context);
+    if (!u->b)
+        return STATUS_FAILED;
+    u->correction = N_VClone(u->b);
+    u->gradients = SUNLinSol_PCG(u->b, SUN_PREC_LEFT, PRODUCTS, u->context);
+    if (!u->correction || !u->gradients)
+        return status_fail(STATUS_FAILED, "no memory to solve for %d velocities", u->unknowns);
+    return STATUS_DONE;
+}
+
+void viscous_gradients_free(struct viscous *u)
+{
+    if (u->gradients)
+        SUNLinSolFree(u->gradients);
+    if (u->correction)
+        N_VDestroy(u->correction);
+    if (u->b)
+        N_VDestroy(u->b);
+    sundials_close(&u->context);
 }

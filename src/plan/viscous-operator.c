@@ -46,14 +46,14 @@ void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool wall
     p->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
-void viscous_apply(struct plan *p, double gamma, const double *x, bool walls, double *to)
+/* A x, of the forces in main.f. */
+static void image_of(struct plan *p, double gamma, const double *x, double *to)
 {
     const struct list *l = p->main.list;
     const double *m = p->particles->m, *f = p->main.f;
     const int n = l->start[KIND_FLUID + 1];
     int at = p->viscous->fluid;
 
-    viscous_multiply(p, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), x, walls);
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = 0; s < n; s++)
         for (int k = s * DIM; k < (s + 1) * DIM; k++)
@@ -65,6 +65,21 @@ void viscous_apply(struct plan *p, double gamma, const double *x, bool walls, do
         b->kind->pull(b->body, (const double (*)[DIM])b->force, -gamma, to + at);
         at += viscous_body(p, i);
     }
+}
+
+void viscous_apply(struct plan *p, double gamma, const double *x, double *to)
+{
+    viscous_multiply(p, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), x, false);
+    image_of(p, gamma, x, to);
+}
+
+void viscous_assemble(struct plan *p, double gamma, const double *x, double *to)
+{
+    spread(p, x, true);
+    p->engine->couple->assemble(&p->viscous->job, p->main.record, p->viscous->velocity,
+                                p->main.f);
+    p->counts.passes++;
+    image_of(p, gamma, x, to);
 }
 
 int viscous_join(struct plan *p, double gamma)
@@ -83,7 +98,7 @@ int viscous_join(struct plan *p, double gamma)
     return STATUS_DONE;
 }
 
-double viscous_precondition(struct plan *p, double gamma)
+double viscous_precondition(struct plan *p, double gamma, const double *residual, double *near)
 {
     const struct viscous *u = p->viscous;
     const struct list *l = p->main.list;
@@ -95,16 +110,16 @@ double viscous_precondition(struct plan *p, double gamma)
     for (int s = 0; s < n; s++) {
         const double d = p->particles->m[l->order[s]] + gamma * u->job.diagonal[s];
         for (int k = s * DIM; k < (s + 1) * DIM; k++) {
-            u->near[k] = u->residual[k] / d;
-            most = fmax(most, fabs(u->near[k]));
+            near[k] = residual[k] / d;
+            most = fmax(most, fabs(near[k]));
         }
     }
     for (int i = 0; i < p->bodies; i++) {
         const struct plan_body *b = &p->body[i];
         const int size = viscous_body(p, i);
-        memcpy(u->near + at, u->residual + at, (size_t)size * sizeof *u->near);
-        b->kind->joined(b->body, u->near + at);
-        most = fmax(most, b->kind->fastest(b->body, u->near + at));
+        memcpy(near + at, residual + at, (size_t)size * sizeof *near);
+        b->kind->joined(b->body, near + at);
+        most = fmax(most, b->kind->fastest(b->body, near + at));
         at += size;
     }
     return most / p->scales.speed;

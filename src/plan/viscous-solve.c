@@ -49,9 +49,6 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
     plan_view_make(p, t, u->stage, &v);
     TRY(plan_fields(p, &p->main, &v));
     TRY(viscous_fit(u));
-    p->engine->couple->assemble(&u->job, p->main.record);
-    p->counts.passes++;
-    TRY(viscous_join(p, gamma));
     memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
     memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);
     memset(u->residual, 0, (size_t)u->fluid * sizeof *u->residual);
@@ -66,12 +63,12 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
         memcpy(u->x + at, u->v + at, (size_t)viscous_body(p, i) * sizeof *u->x);
         at += viscous_body(p, i);
     }
-    viscous_apply(p, gamma, u->x, true, u->image);
+    viscous_assemble(p, gamma, u->x, u->guess_image);
     for (int i = 0; i < u->unknowns; i++)
-        u->residual[i] = u->right[i] - u->image[i];
-    if (p->moving_walls) /* image = A x without their pull */
-        viscous_apply(p, gamma, u->x, false, u->image);
-    return STATUS_DONE;
+        u->residual[i] = u->right[i] - u->guess_image[i];
+    if (p->moving_walls) /* A x without their pull */
+        viscous_apply(p, gamma, u->x, u->guess_image);
+    return viscous_join(p, gamma);
 }
 
 /* Solution to the order of creation; who is in no list keeps r. */

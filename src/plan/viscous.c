@@ -31,19 +31,19 @@ static double *lines(size_t n)
 static int take_memory(struct plan *p, struct viscous *u)
 {
     const size_t n = (size_t)p->particles->n, all = (size_t)u->unknowns;
-    double **vector[] = { &u->v, &u->right, &u->x, &u->residual, &u->near, &u->search, &u->image,
-                          &u->guess, &u->guess_image };
+    double **vector[] = { &u->v, &u->right, &u->x, &u->residual, &u->guess, &u->guess_image };
 
     u->slots = n + 1;
     u->velocity = lines(u->slots * COUPLE_STRIDE);
     u->job.diagonal = numbers(n);
     u->job.firm = numbers(n);
+    u->apart = numbers(n * DIM);
     u->stage = numbers((size_t)plan_size(p));
     u->partial = numbers(all);
     for (int d = 0; d < DIM; d++)
         if (!(u->drag[d] = numbers(all - (size_t)u->fluid)))
             return STATUS_FAILED;
-    if (!u->velocity || !u->job.diagonal || !u->job.firm || !u->stage || !u->partial)
+    if (!u->velocity || !u->job.diagonal || !u->job.firm || !u->apart || !u->stage || !u->partial)
         return STATUS_FAILED;
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = numbers(all)))
@@ -53,7 +53,7 @@ static int take_memory(struct plan *p, struct viscous *u)
         if (!(to->v = numbers(all)))
             return STATUS_FAILED;
     }
-    return STATUS_DONE;
+    return viscous_gradients_make(u);
 }
 
 int viscous_fit(struct viscous *u)
@@ -120,13 +120,13 @@ void viscous_free(struct plan *p)
         free(u->start[i].v);
     for (int i = 0; i < VISCOUS_STAGES; i++)
         free(u->past[i].v);
-    double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->velocity, u->stage,
-                               u->partial, u->v, u->right, u->x, u->residual, u->near, u->search,
-                               u->image, u->guess, u->guess_image };
+    double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->apart, u->velocity, u->stage,
+                               u->partial, u->v, u->right, u->x, u->residual, u->guess, u->guess_image };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     for (int d = 0; d < DIM; d++)
         free(u->drag[d]);
+    viscous_gradients_free(u);
     free(u);
     p->viscous = NULL;
 }
@@ -147,17 +147,14 @@ void viscous_book(struct plan *p, struct plan_workspace *w, double *book)
         plan_skin_force(p, w, &p->body[i]);
 }
 
-int viscous_rates(struct plan *p, double t, const double *y, double *ydot)
+/* What follows from forces and power of the law; a step starts here. */
+static void spread_rates(struct plan *p, double t, const double *y, double *ydot)
 {
     const double *m = p->particles->m;
     double *book = ydot + layout_at(&p->layout, p->book.row);
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
     struct plan_workspace *w = &p->main;
-    struct view v;
 
-    plan_view_make(p, t, y, &v);
-    TRY(plan_fields(p, w, &v));
-    TRY(plan_sum(p, w, p->viscous->table, NULL));
     for (int i = 0; i < particles_count(p->particles, KIND_FLUID); i++) {
         const int s = w->list->slot[i];
         for (int d = 0; d < DIM && s >= 0; d++)
@@ -170,5 +167,31 @@ int viscous_rates(struct plan *p, double t, const double *y, double *ydot)
                        book + p->book.support + i * DIM);
     }
     viscous_begin(p, t, y);
+}
+
+int viscous_rates(struct plan *p, double t, const double *y, double *ydot)
+{
+    struct view v;
+
+    plan_view_make(p, t, y, &v);
+    TRY(plan_fields(p, &p->main, &v));
+    TRY(plan_sum(p, &p->main, p->viscous->table, NULL));
+    spread_rates(p, t, y, ydot);
+    return STATUS_DONE;
+}
+
+int viscous_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit)
+{
+    struct plan_workspace *w = &p->main;
+    int status;
+
+    w->apart = p->viscous->apart;
+    status = plan_rates(p, w, PLAN_EXPLICIT, t, y, explicit);
+    w->apart = NULL;
+    TRY(status);
+    memset(implicit, 0, (size_t)plan_size(p) * sizeof *implicit);
+    memcpy(w->f, p->viscous->apart, (size_t)p->particles->n * DIM * sizeof *w->f);
+    w->power[p->viscous->part->slot] = w->power_apart;
+    spread_rates(p, t, y, implicit);
     return STATUS_DONE;
 }

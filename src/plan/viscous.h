@@ -3,11 +3,14 @@
 #ifndef PLAN_VISCOUS_H
 #define PLAN_VISCOUS_H
 
+#include "algebra/vector.h"
 #include "plan/couple.h"
 #include "plan/inside.h"
 
-enum { VISCOUS_STARTS = 3, VISCOUS_STAGES = 2,
-       VISCOUS_VECTORS = 10 + VISCOUS_STARTS + VISCOUS_STAGES }; /* of all velocities */
+#include <sundials/sundials_linearsolver.h>
+
+enum { VISCOUS_STARTS = 3, VISCOUS_STAGES = 1,
+       VISCOUS_VECTORS = 12 + VISCOUS_STARTS + VISCOUS_STAGES }; /* of all velocities */
 
 /* Velocities at a moment, for guesses: those at which a step began, and stages since. */
 struct viscous_past {
@@ -26,12 +29,16 @@ struct viscous {
     double tol;                  /* error in units of scales that a step may have */
     int fluid, unknowns;         /* entries of the fluid's velocity; of all    */
     double *velocity;            /* [slots][COUPLE_STRIDE]                     */
+    double *apart;               /* [particles][DIM] forces by slot, of both sides' pass */
     double *stage;               /* [size] y as far as it is known             */
-    double *v, *right, *x, *residual, *near, *search, *image; /* [unknowns]     */
-    double *guess, *guess_image; /* [unknowns] w, A w of viscous-gradients.c    */
+    double *v, *right, *x, *residual; /* [unknowns]                            */
+    double *guess, *guess_image; /* [unknowns] w, A w of viscous-directions.c   */
     double *drag[DIM];           /* [unknowns - fluid] bodies' part of A 1     */
     double drag_all;             /* 1 . A 1                                    */
     double *partial;             /* sums of blocks                             */
+    SUNContext context;
+    SUNLinearSolver gradients;
+    N_Vector b, correction;      /* [unknowns] what it solves for              */
     int starts, stages;
     struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
 };
@@ -41,23 +48,39 @@ int viscous_make(struct plan *p);
 void viscous_free(struct plan *p);
 int viscous_fit(struct viscous *u); /* after a rebuild */
 int viscous_rates(struct plan *p, double t, const double *y, double *ydot);
+int viscous_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit);
 
 /* After w->f and w->power are those of the implicit law: rates of the book but for
  * what supports give, and p->body[].force. */
 void viscous_book(struct plan *p, struct plan_workspace *w, double *book);
 
-/* viscous-operator.c: forces of these kinds (bits) at velocities x, into main.f; to =
- * A x, or with `walls` what A x less gamma times the pull of walls comes to; ready for
- * bodies' part of the inverse; near = about A^-1 residual, returns its largest speed in
- * units of scales; unknowns of body i. */
+/* viscous-operator.c: the matrix, and to = A x less gamma times the pull of walls, in
+ * one pass over pairs; then, forces of these kinds (bits) at velocities x into main.f;
+ * to = A x; ready for bodies' part of the inverse; near = about A^-1 residual, returns
+ * its largest speed in units of scales; unknowns of body i. */
+void viscous_assemble(struct plan *p, double gamma, const double *x, double *to);
 void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool walls);
-void viscous_apply(struct plan *p, double gamma, const double *x, bool walls, double *to);
+void viscous_apply(struct plan *p, double gamma, const double *x, double *to);
 int viscous_join(struct plan *p, double gamma);
-double viscous_precondition(struct plan *p, double gamma);
+double viscous_precondition(struct plan *p, double gamma, const double *residual, double *near);
 int viscous_body(const struct plan *p, int i);
 
-/* viscous-gradients.c: x, its residual and image = A x come in; x and its residual go
- * out.  STATUS_FAILED: a refusal. */
+/* viscous-directions.c: "all fluid alike" and the guess, for which a solve is exact.
+ * set: they are made of x and guess_image = A x.  clear: takes A times so much of them
+ * out of a residual that nothing of it is left along them.  add: x gets so much of them.
+ * leave: v without what of A v is along them. */
+struct viscous_along {
+    double guess, all[DIM];
+};
+void viscous_directions_set(struct plan *p, double gamma);
+struct viscous_along viscous_directions_clear(struct plan *p, double gamma, double *residual);
+void viscous_directions_add(const struct viscous *u, const struct viscous_along *along, double *x);
+void viscous_directions_leave(struct plan *p, double gamma, double *v);
+
+/* viscous-gradients.c: x, its residual and guess_image = A x come in; x and its residual
+ * go out.  STATUS_FAILED: a refusal. */
+int viscous_gradients_make(struct viscous *u);
+void viscous_gradients_free(struct viscous *u);
 int viscous_iterate(struct plan *p, double t, double gamma);
 
 /* viscous-solve.c */

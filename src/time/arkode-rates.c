@@ -33,13 +33,28 @@ static int ask(struct arkode *a, double t, const double *y, double *f)
     return code;
 }
 
+/* A pass over pairs gives both sides. */
+static int ask_both(struct arkode *a, double t, const double *y, double *f)
+{
+    const int code = plan_sides(a->plan, t, y, f, vector_overwrite(a->start));
+
+    if (code != STATUS_DONE)
+        keep_refusal(a);
+    else
+        vector_only_inside(a->start);
+    a->has_start = code == STATUS_DONE;
+    return code;
+}
+
 int arkode_rates(struct arkode *a)
 {
     struct arkode_node *now = &a->node[0];
+    const double *y;
 
     if (now->has_f)
         return STATUS_DONE;
-    TRY(ask(a, now->t, vector_read(now->y), vector_overwrite(now->f)));
+    y = vector_read(now->y);
+    TRY((a->start ? ask_both : ask)(a, now->t, y, vector_overwrite(now->f)));
     now->has_f = true;
     return STATUS_DONE;
 }
@@ -87,10 +102,23 @@ int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
     return 0;
 }
 
+/* Once: an attempt after a rejected one is to ask, so that the plan hears that solves
+ * begin anew. */
+static bool take_start(struct arkode *a, double t, N_Vector y, N_Vector ydot)
+{
+    if (!a->start || !at_start(a, t, y) || arkode_rates(a) != STATUS_DONE || !a->has_start)
+        return false;
+    N_VScale(1, a->start, ydot);
+    a->has_start = false;
+    return true;
+}
+
 int arkode_implicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
 {
     struct arkode *a = self;
 
+    if (take_start(a, t, y, ydot))
+        return 0;
     if (plan_rhs(a->plan, PLAN_IMPLICIT, t, vector_read(y), vector_overwrite(ydot))
         == STATUS_DONE) {
         vector_only_inside(ydot);

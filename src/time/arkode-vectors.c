@@ -13,8 +13,9 @@ int arkode_vectors(const struct method *m, const struct plan *plan)
     const int sides = arkode_tables_implicit(row) && plan_stiff(plan) ? 2 : 1;
     const int nodes = row->order > 4 ? ARKODE_NODES : 2;
 
-    /* nodes: y and f; our weights */
-    return OF_ARKSTEP + sides * arkode_tables_stages(row) + 2 * nodes + 1;
+    /* nodes: y and f; our weights; the start of the implicit side */
+    return OF_ARKSTEP + sides * arkode_tables_stages(row) + 2 * nodes + 1
+           + (sides == 2 && plan_viscous(plan));
 }
 
 static int take(struct arkode *a, N_Vector *v)
@@ -37,6 +38,8 @@ int arkode_take_vectors(struct arkode *a, enum vector_norm norm)
             TRY(take(a, &a->node[k].y));
         TRY(take(a, &a->node[k].f));
     }
+    if (a->imex && plan_viscous(a->plan))
+        TRY(take(a, &a->start));
     return a->imex ? take(a, &a->right) : STATUS_DONE;
 }
 
@@ -58,6 +61,7 @@ void arkode_free_vectors(struct arkode *a)
         give_back(a->node[k].y);
         give_back(a->node[k].f);
     }
+    give_back(a->start);
     give_back(a->right);
     give_back(a->last_y);
     give_back(a->last_f);

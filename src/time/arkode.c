@@ -84,6 +84,7 @@ static void rotate(struct arkode *a, double t)
     a->node[0] = fresh;
     a->node[0].t = t;
     a->node[0].has_f = false;
+    a->has_start = false;
     a->known += a->known < a->nodes;
     arkode_reuse_last_stage(a);
     arkode_remember(a);
@@ -150,6 +151,7 @@ int arkode_restart(void *self, double t, const double *y)
     vector_copy(a->n, y, vector_overwrite(a->node[0].y));
     a->node[0].t = t;
     a->node[0].has_f = false;
+    a->has_start = false;
     a->known = 1;
     a->pasts = 0;
     a->natural = 0;

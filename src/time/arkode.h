@@ -80,6 +80,10 @@ struct arkode {
     N_Vector last_y, last_f;
     bool has_last;
 
+    N_Vector start;              /* implicit side of f at node[0], which comes with
+                                    the explicit one if a viscosity is in it; NULL */
+    bool has_start;
+
     int ranges;                  /* of stiff entries                           */
     long range[ARKODE_RANGES][2];
     long stiff;                  /* how many entries they hold                 */

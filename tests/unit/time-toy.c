@@ -150,6 +150,12 @@ int plan_half(struct plan *p, enum plan_which which, double t, const double *y, 
     return status;
 }
 
+int plan_sides(struct plan *p, double t, const double *y, double *f, double *g)
+{
+    TRY(plan_rhs(p, PLAN_EXPLICIT, t, y, f));
+    return plan_rhs(p, PLAN_IMPLICIT, t, y, g);
+}
+
 const char *plan_drifts(const struct plan *p)
 {
     (void)p;

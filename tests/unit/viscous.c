@@ -211,6 +211,21 @@ static void books_close_when_the_solve_is_loose(void **state)
     }
 }
 
+/* Both sides from one pass are those from a pass for each, bit by bit. */
+static void check_one_pass(struct tank *t, const double *f, const double *g)
+{
+    const long before = plan_counts(t->plan)->passes;
+    double *both[2] = { tank_copy(t, t->y), tank_copy(t, t->y) };
+
+    assert_int_equal(plan_sides(t->plan, 0.1, t->y, both[0], both[1]), 0);
+    assert_int_equal(plan_counts(t->plan)->passes - before, 1);
+    for (long i = 0; i < t->n; i++)
+        check(both[0][i] == f[i] && both[1][i] == g[i], "%s: %.17g, %.17g, not %.17g, %.17g",
+              plan_entry(t->plan, i), both[0][i], both[1][i], f[i], g[i]);
+    test_free(both[0]);
+    test_free(both[1]);
+}
+
 static void sides_add_up(void **state)
 {
     struct tank t;
@@ -228,6 +243,7 @@ static void sides_add_up(void **state)
     for (long i = 0; i < t.n; i++)
         check(fabs(f[i] + g[i] - t.ydot[i]) <= 1e-10 * (fabs(f[i]) + fabs(g[i]) + 1),
               "%s: %g + %g is not %g", plan_entry(t.plan, i), f[i], g[i], t.ydot[i]);
+    check_one_pass(&t, f, g);
     check(strcmp(plan_viscous(t.plan), "effects.laminar-viscosity") == 0, "who is implicit?");
     check(plan_halves(t.plan) != NULL, "two halves");
     test_free(f);

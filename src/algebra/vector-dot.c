@@ -1,0 +1,37 @@
+/* vector-dot.c -- x . y, the same on any number of threads: four sums a block, blocks in
+ * their order. */
+#include "algebra/vector-private.h"
+
+static double block_dot(const double *x, const double *y, int n)
+{
+    double sum[4] = { 0 };
+    int i = 0;
+
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++)
+            sum[k] += x[i + k] * y[i + k];
+    for (int k = 0; i + k < n; k++)
+        sum[k] += x[i + k] * y[i + k];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+double vector_dot(long n, const double *x, const double *y, double *partial)
+{
+    const long blocks = vector_blocks(n);
+    double sum = 0;
+
+#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
+    for (long b = 0; b < blocks; b++)
+        partial[b] = block_dot(x + b * VECTOR_BLOCK, y + b * VECTOR_BLOCK,
+                               vector_block_size(n, b));
+    for (long b = 0; b < blocks; b++)
+        sum += partial[b];
+    return sum;
+}
+
+sunrealtype vector_dot_product(N_Vector x, N_Vector y)
+{
+    const struct vector_family *f = vector_content(x)->family;
+
+    return vector_dot(f->n, vector_read(x), vector_read(y), f->partial);
+}
