@@ -1,4 +1,4 @@
-/* water.c -- a box full of moving water between walls. */
+/* water.c -- a box full of moving water. */
 #include "water.h"
 
 #include "base/status.h"
@@ -14,22 +14,24 @@ static const char *const effects =
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.02; };"
     " density-diffusion = { delta = 0.1; }; };";
 
-static void write_scene(FILE *f, double dx, double support, double skin, double width,
-                        const char *more)
+static void write_scene(FILE *f, const struct water_def *def, double dx, double width)
 {
     const char *o = DIM == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]";
     const char *y = DIM == 2 ? "" : "1.0, ";
+    const char *all = DIM == 2 ? "periodic = [\"x\", \"y\"];"
+                               : "periodic = [\"x\", \"y\", \"z\"];";
 
-    fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g; gravity = [0.0, %s-9.81];\n"
-            "domain = { from = %s; to = [1.0, %s1.0]; };\n"
-            "fluid = { water = { type = \"box\"; from = %s; to = [%.17g, %s1.0]; }; };\n"
-            "wall = { tank = { type = \"frame\"; }; };\n"
+    fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g; gravity = [0.0, %s%g];\n"
+            "domain = { from = %s; to = [1.0, %s1.0]; %s };\n"
+            "fluid = { water = { type = \"box\"; from = %s; to = [%.17g, %s1.0]; }; };\n%s"
             "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx, DIM == 2 ? "" : "0.0, ",
-            o, y, o, width, y, support, skin, effects, more ? more : "");
+            def->endless ? 0.0 : -9.81, o, y, def->endless ? all : "", o, width, y,
+            def->endless ? "eos = { c0 = 10.0; };\n" : "wall = { tank = { type = \"frame\"; }; };\n",
+            def->support,
+            def->skin, effects, def->more ? def->more : "");
 }
 
-static void read_plan(struct water *w, double dx, double support, double skin, double width,
-                      const char *more)
+static void read_plan(struct water *w, const struct water_def *def, double dx, double width)
 {
     char path[] = "/tmp/water-XXXXXX";
     const int file = mkstemp(path);
@@ -39,7 +41,7 @@ static void read_plan(struct water *w, double dx, double support, double skin, d
         fprintf(stderr, "no scene can be written to /tmp\n");
         exit(1);
     }
-    write_scene(f, dx, support, skin, width, more);
+    write_scene(f, def, dx, width);
     fclose(f);
     bench_must(scene_read(path, &w->scene));
     bench_must(plan_create(w->scene, &w->plan));
@@ -66,8 +68,8 @@ static double *row(const struct water *w, double *y, const char *name)
     exit(1);
 }
 
-/* Positions jittered, densities uneven, the velocity of a vortex in the box. */
-static void stir(struct water *w, double dx)
+/* Positions jittered, densities uneven, vortices of this wave number [1/m]. */
+static void stir(struct water *w, double dx, double wave)
 {
     double *x = row(w, w->y[0], "position of fluid"), *u = row(w, w->y[0], "velocity of fluid");
     double *rho = row(w, w->y[0], "density of fluid");
@@ -77,18 +79,18 @@ static void stir(struct water *w, double dx)
         for (int d = 0; d < DIM; d++)
             x[d] += 0.3 * dx * noise();
         rho[i] += 4 * noise();
-        u[0] = sin(M_PI * x[0]) * cos(M_PI * x[DIM - 1]);
-        u[DIM - 1] = -cos(M_PI * x[0]) * sin(M_PI * x[DIM - 1]);
+        u[0] = sin(wave * x[0]) * cos(wave * x[DIM - 1]);
+        u[DIM - 1] = -cos(wave * x[0]) * sin(wave * x[DIM - 1]);
     }
 }
 
-void water_make(struct water *w, int n, double support, double skin, double width,
-                const char *more)
+void water_make(struct water *w, const struct water_def *def)
 {
-    const double dx = 1 / round(pow(n / width, 1.0 / DIM));
+    const double width = def->width > 0 ? def->width : 1;
+    const double dx = 1 / round(pow(def->n / width, 1.0 / DIM));
 
     *w = (struct water){ 0 };
-    read_plan(w, dx, support, skin, width, more);
+    read_plan(w, def, dx, width);
     w->size = plan_size(w->plan);
     w->fluid = particles_count(plan_particles(w->plan), KIND_FLUID);
     w->all = plan_particles(w->plan)->n;
@@ -96,12 +98,12 @@ void water_make(struct water *w, int n, double support, double skin, double widt
         w->y[k] = bench_room((size_t)w->size * sizeof(double));
     w->ydot = bench_room((size_t)w->size * sizeof(double));
     plan_start(w->plan, w->y[0]);
-    stir(w, dx);
+    stir(w, dx, def->endless ? 2 * M_PI : M_PI);
     memcpy(w->y[1], w->y[0], (size_t)w->size * sizeof(double));
     const double *u = row(w, w->y[0], "velocity of fluid");
     double *x = row(w, w->y[1], "position of fluid");
     for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed two skins */
-        x[i] += 2.05 * skin * support * dx * u[i];
+        x[i] += 2.05 * def->skin * def->support * dx * u[i];
     water_rates(w);
 }
 

@@ -1,8 +1,10 @@
-/* water.h -- a box full of moving water between walls, as a plan from a scene. */
+/* water.h -- a box full of moving water, as a plan from a scene. */
 #ifndef BENCH_WATER_H
 #define BENCH_WATER_H
 
 #include "plan/observe.h"
+
+#include <stdbool.h>
 
 struct water {
     struct scene *scene;
@@ -16,14 +18,19 @@ struct water {
     int now;         /* which y is at hand                                    */
 };
 
+struct water_def {
+    int n;                /* particles of fluid, about                        */
+    double support, skin; /* [spacings], [support]                            */
+    double width;         /* part of the box that is filled; 0: all           */
+    bool endless;         /* no walls, no gravity, all directions repeat      */
+    const char *more;     /* put into the scene (NULL: nothing)               */
+};
+
 /* The plan all benchmarks time.  Continuity, pressure, artificial viscosity
- * (alpha 0.02) and density diffusion (0.1), Wendland C2, gravity, Tait; about n
- * particles of fluid fill a closed unit square (cube), jittered by up to 0.15
- * dx, in a swirl of 1 m/s; frame of walls around, as thick as the support
- * [spacings]; skin [support].  `more` is put into the scene (NULL: nothing), and
- * `width` is the part of the box that is filled. */
-void water_make(struct water *w, int n, double support, double skin, double width,
-                const char *more);
+ * (alpha 0.02) and density diffusion (0.1), Wendland C2, Tait; fluid fills a unit
+ * square (cube), jittered by up to 0.15 dx, in a swirl of 1 m/s, under gravity, with
+ * a frame of walls around that is as thick as the support. */
+void water_make(struct water *w, const struct water_def *def);
 void water_free(struct water *w);
 
 /* One right-hand side; every 1/share-th rebuilds the list. */

@@ -52,17 +52,26 @@ static void write_record(double *r, const double *x, const double *u, double rho
     r[RECORD_IRHO] = irho;
 }
 
+/* Where a slot stands whose particle is at x. */
+static const double *place_of(const struct list *l, int slot, const double *x, double *place)
+{
+    for (int d = 0; d < DIM; d++)
+        place[d] = x[d] + l->offset[slot][d];
+    return place;
+}
+
 /* Slots from..to-1, all of kind k.  Returns the first slot whose density is out
  * of bounds, or -1. */
 static int pack_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
                       int k, int from, int to)
 {
     const double low = p->in.eos.lowest * p->scales.rho0, high = p->in.eos.highest * p->scales.rho0;
+    const struct list *l = w->list;
     const int first = v->p->from[k];
-    double rho[CHUNK], press[CHUNK];
+    double rho[CHUNK], press[CHUNK], place[DIM];
 
     for (int s = from; s < to; s++) {
-        const int i = w->list->order[s] - first;
+        const int i = l->order[s] - first;
         rho[s - from] = v->rho[k] ? v->rho[k][i] : p->scales.rho0;
         if (!(rho[s - from] >= low && rho[s - from] <= high))
             return s;
@@ -71,48 +80,45 @@ static int pack_chunk(const struct plan *p, struct plan_workspace *w, const stru
     if (p->pressure)
         p->pressure->part->pressure(p->pressure->self, to - from, rho, press);
     for (int s = from; s < to; s++) {
-        const int c = w->list->order[s], i = c - first;
+        const int c = l->order[s], i = c - first;
+        const double *x = v->x[k] + (size_t)i * DIM;
         double *r = w->record + (size_t)s * RECORD;
-        if (list_inside(&p->list_def, v->x[k] + (size_t)i * DIM))
-            write_record(r, v->x[k] + (size_t)i * DIM, v->u[k] + (size_t)i * DIM,
-                         rho[s - from], press[s - from], v->p->m[c]);
+        if (list_inside(&p->list_def, x))
+            write_record(r, l->offset ? place_of(l, s, x, place) : x,
+                         v->u[k] + (size_t)i * DIM, rho[s - from], press[s - from], v->p->m[c]);
         else
             write_far(p, s + 1, r);
     }
     return -1;
 }
 
-/* Slots from..to-1 of kind k stand whole lengths from their positions, and images have
- * all else of their originals. */
-static void move_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
+/* Images from..to-1 of kind k have all but their place of their originals. */
+static void copy_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
                        int k, int from, int to)
 {
     const struct list *l = w->list;
 
     for (int s = from; s < to; s++) {
-        const int c = l->order[s], original = l->slot[c];
+        const int c = l->order[s];
         const double *x = v->x[k] + (size_t)(c - v->p->from[k]) * DIM;
         double *r = w->record + (size_t)s * RECORD, place[DIM];
         if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
             write_far(p, s + 1, r);
             continue;
         }
-        if (s != original)
-            memcpy(r, w->record + (size_t)original * RECORD, RECORD * sizeof *r);
-        for (int d = 0; d < DIM; d++)
-            place[d] = x[d] + l->offset[s][d];
-        write_place(r, place);
+        memcpy(r, w->record + (size_t)l->slot[c] * RECORD, RECORD * sizeof *r);
+        write_place(r, place_of(l, s, x, place));
     }
 }
 
-static void move(const struct plan *p, struct plan_workspace *w, const struct view *v, int k,
-                 const int *start)
+static void copy_images(const struct plan *p, struct plan_workspace *w, const struct view *v,
+                        int k)
 {
-    const int from = start[k], to = start[k + 1];
+    const int from = w->list->image[k], to = w->list->image[k + 1];
 
 #pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
     for (int s = from; s < to; s += CHUNK)
-        move_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+        copy_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
 }
 
 static int refuse_density(struct plan *p, const struct plan_workspace *w, const struct view *v,
@@ -149,10 +155,8 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
                 if (atomic_compare_exchange_weak(&bad, &old, at))
                     break;
         }
-        if (l->offset) {
-            move(p, w, v, k, l->start);
-            move(p, w, v, k, l->image);
-        }
+        if (l->offset)
+            copy_images(p, w, v, k);
     }
     write_far(p, 0, w->record + (size_t)l->listed * RECORD);
     return bad < l->listed ? refuse_density(p, w, v, bad) : STATUS_DONE;
