@@ -2,6 +2,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,8 +42,13 @@ static void spread(struct plan *p, const double *x, bool walls)
 
 void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool walls)
 {
+    const bool faces = viscous_faces(p);
+
     spread(p, x, walls);
-    p->engine->couple->multiply(&p->viscous->job, kinds, p->viscous->velocity, p->main.f);
+    p->engine->couple->multiply(&p->viscous->job, faces ? kinds | KIND_STICKY : kinds,
+                                p->viscous->velocity, p->main.f);
+    if (faces)
+        face_complete(p, &p->viscous->job, kinds, walls, p->main.f);
     p->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
@@ -76,7 +82,7 @@ int viscous_join(struct plan *p, double gamma)
         double *c = b->force[0]; /* scratch of this length and more */
         for (int j = 0; j < b->skin; j++) {
             const int s = p->main.list->slot[p->particles->object[b->object].from + j];
-            c[j] = s < 0 ? 0 : u->job.diagonal[s];
+            c[j] = s < 0 ? 0 : u->job.firm[s];
         }
         TRY(b->kind->join(b->body, gamma, c));
     }

@@ -12,6 +12,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -51,6 +52,8 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
     TRY(viscous_fit(u));
     p->engine->couple->assemble(&u->job, p->main.record);
     p->counts.passes++;
+    if (viscous_faces(p))
+        TRY(face_ready(p, &u->job));
     TRY(viscous_join(p, gamma));
     memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
     memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);
@@ -124,6 +127,8 @@ static double power(struct plan *p, double gamma)
         for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
             sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
                    * p->main.f[(size_t)s * DIM + (size_t)d];
+    if (viscous_faces(p))
+        sum += face_power(p, &p->main);
     return sum;
 }
 
@@ -161,7 +166,7 @@ static int refuse_skins(struct plan *p, double t, double off)
 int viscous_solve(struct plan *p, double t, double gamma, const double *r, double *z)
 {
     struct viscous *u = p->viscous;
-    const double near = fmax(stay * u->tol, 1e-10) * p->scales.hs;
+    const double near = fmax(stay * u->tol, 1e-11) * p->scales.hs;
     double off = HUGE_VAL;
 
     viscous_guess(p, t, z, u->v);

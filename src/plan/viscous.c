@@ -2,6 +2,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 #include "scene/scene.h"
 #define LANES 2 /* only sizes without lanes are used here */
 #include "space/pairs.h"
@@ -77,6 +78,11 @@ int viscous_fit(struct viscous *u)
             return STATUS_FAILED;
     }
     return STATUS_DONE;
+}
+
+bool viscous_faces(const struct plan *p)
+{
+    return p->face && p->face->part == p->stiff;
 }
 
 int viscous_make(struct plan *p)

@@ -40,6 +40,7 @@ struct viscous {
 int viscous_make(struct plan *p);
 void viscous_free(struct plan *p);
 int viscous_fit(struct viscous *u); /* after a rebuild */
+bool viscous_faces(const struct plan *p); /* does it act at the faces of solids?      */
 int viscous_rates(struct plan *p, double t, const double *y, double *ydot);
 
 /* After w->f and w->power are those of the implicit law: rates of the book but for
