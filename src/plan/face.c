@@ -124,7 +124,8 @@ static int find_part(struct plan *p, const struct scene *scene, const struct pla
         if (*part)
             return status_fail(STATUS_BAD_SCENE, "%s: %s and %s both act at the faces of walls, "
                                "but one can; leave one of them out, or set its stick = "
-                               "\"particles\" if no face slides", scene_path(scene), (*part)->path, one->path);
+                               "\"particles\" if no face slides", scene_path(scene), (*part)->path,
+                               one->path);
         *part = one;
     }
     return check_sliding(scene, slides, *part);
