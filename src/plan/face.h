@@ -6,6 +6,8 @@
 #include "plan/couple.h"
 #include "plan/inside.h"
 
+enum { FACE_BLOCK = 512 }; /* slots whose powers are added first */
+
 /* All vectors are by slot. */
 struct face {
     const struct plan_part *part; /* the viscosity                              */
@@ -18,6 +20,9 @@ struct face {
     double *law;                  /* [n][DIM] the law's forces on solids [N]    */
     double *f;                    /* [n][DIM] those beside them [N]; of the fluid
                                      with the sign turned                       */
+    bool turns;                   /* some wall does                             */
+    double *arm;                  /* [n][DIM] of solids: sum of c_wf (x_f - x_w); NULL:
+                                     nothing turns                              */
     double *partial;              /* sums of blocks                             */
     double power;                 /* of the fluid on faces that slide [W]       */
 };
@@ -25,6 +30,10 @@ struct face {
 /* p->face, when the scene asks for it and has solids to stick to. */
 int face_make(struct plan *p, const struct scene *scene);
 void face_free(struct plan *p);
+
+/* After a rebuild there may be more slots, and more pairs. */
+int face_fit_slots(struct face *o, const struct list *l);
+int face_fit_pairs(struct face *o, const struct list *l);
 
 /* Is its viscosity among these laws? */
 bool face_among(const struct plan *p, const struct pairs_table *table);

@@ -288,6 +288,39 @@ static void surface_drags_like_a_moving_wall(void **state)
     }
 }
 
+/* Water that turns with its walls as one slips nowhere: forces are those with the
+ * velocities of particles, which know nothing of a face. */
+static void what_turns_together_does_not_slip(void **state)
+{
+    const double spin = 40;
+    const char *const turning = "wall = { tank = { type = \"frame\"; spin = 2291.831180523293; }; };";
+    struct tank face, bare;
+    double most = 0;
+
+    (void)state;
+    tank_make(&face, tank_bare_water, TANK_ONE_KERNEL, turning, LAMINAR(""), NULL);
+    tank_make(&bare, tank_bare_water, TANK_ONE_KERNEL, turning, LAMINAR(PARTICLES), NULL);
+    const struct particles *p = plan_particles(face.plan);
+    const long u = tank_at(&face, "velocity of fluid", NULL);
+    const int n = particles_count(p, KIND_FLUID);
+    tank_shake(&face, 4, 0.2, 0, 0.02);
+    for (int i = 0; i < n; i++) {
+        const double *x = face.y + tank_at(&face, "position of fluid", NULL) + i * DIM;
+        face.y[u + i * DIM] = -spin * x[DIM - 1];
+        face.y[u + i * DIM + DIM - 1] = spin * x[0];
+    }
+    tank_rates(&face, 0, face.y, face.ydot);
+    tank_rates(&bare, 0, face.y, bare.ydot);
+    for (int i = 0; i < n * DIM; i++)
+        most = fmax(most, fabs(bare.ydot[u + i]));
+    check(most > 1, "nothing happens");
+    for (int i = 0; i < n * DIM; i++)
+        check(fabs(face.ydot[u + i] - bare.ydot[u + i]) < 1e-10 * most, "particle %d: %g, not %g",
+              i / DIM, face.ydot[u + i], bare.ydot[u + i]);
+    tank_free(&face);
+    tank_free(&bare);
+}
+
 /* --- who may ---------------------------------------------------------------------- */
 
 static void what_cannot_drag_is_refused(void **state)
@@ -325,6 +358,7 @@ int main(void)
 #endif
         cmocka_unit_test(shear_finds_the_face),
         cmocka_unit_test(surface_drags_like_a_moving_wall),
+        cmocka_unit_test(what_turns_together_does_not_slip),
         cmocka_unit_test(what_cannot_drag_is_refused),
     };
 

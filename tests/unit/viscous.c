@@ -118,6 +118,7 @@ static void solve_inverts_the_implicit_side(void **state)
     check_solve(tank_water, moving, "", THICK);
     check_solve(tank_water, moving, "", THICK_PARTICLES);
     check_solve(tank_water, belt, "", THICK);
+    check_solve(tank_water, "wall = { tank = { type = \"frame\"; spin = 100.0; }; };", "", THICK);
     check_solve(tank_water, belt, "", THICK_PARTICLES);
     check_solve(tank_bare_water, tank_frame, "", THICK_LAPLACIAN);
     check_solve(tank_water, tank_frame, "", "walls = \"adami\";" THICK);
