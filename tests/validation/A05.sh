@@ -55,7 +55,7 @@ row 'rate of energy, Re 250, (V4)' '0.4946 1/s' "$d 1/s" '10 %' "sqrt(($d / 0.49
 row 'amplitude after 6 periods, Re 250, (V4)' "rate of energy 0.4946 1/s" "$d 1/s, amplitude $(calc "100 * $left") % too high" \
     '10 %' "sqrt(($left) ^ 2) < 0.1" '' 'viscosity takes 6 % less than it should, density diffusion gives 2 % back'
 d=$(decay morris)
-row 'the same, (V1)' '0.4946 1/s' "$d 1/s" '10 %' "sqrt(($d / 0.4946 - 1) ^ 2) < 0.1" "$(cost morris)" \
+row 'rate of energy, Re 250, (V1)' '0.4946 1/s' "$d 1/s" '10 %' "sqrt(($d / 0.4946 - 1) ^ 2) < 0.1" "$(cost morris)" \
     'the formula: half the dissipation below a free surface'
 row 'rate over half of theory, (V1)' '1' "$(calc "$d / 0.2473")" '10 %' "sqrt(($d / 0.2473 - 1) ^ 2) < 0.1" ''
 d=$(decay re2500)
