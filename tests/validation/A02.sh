@@ -59,13 +59,15 @@ errors own poiseuille >own.errors
 e=$(most <own.errors | cut -d' ' -f1)
 row 'poiseuille: u, dx = L/20, stick = "particles"' 'series' "off by $(calc "$e") %" '2 %' "$e < 2" "$(cost own)" \
     'plates drag from where their particles are, behind their faces'
-tr ' ' , <"$reference/A02_poiseuille_startup.csv" | sed '/^[#y]/d' >exact.poiseuille
-tr ' ' , <"$reference/A03_couette_startup.csv" | sed '/^[#y]/d' >exact.couette
+sed '/^[#y]/d; s/,/ /g' "$reference/A02_poiseuille_startup.csv" >exact.poiseuille
+sed '/^[#y]/d; s/,/ /g' "$reference/A03_couette_startup.csv" >exact.couette
 draw <<'G'
 set datafile separator ' '
 set multiplot layout 1, 2
 set xlabel 'u [mm/s]'
 set ylabel 'y [mm]'
+set xtics 0.004
+set xrange [0:0.0135]
 set yrange [0:1]
 unset key
 moment = '0.0225 0.045 0.1125 0.225'
