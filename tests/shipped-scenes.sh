@@ -154,7 +154,7 @@ scene oscillating-drop 0.1 3.3e-3
 scene elliptic-drop 5e-4 1.7e-5
 scene rotating-square 0.1 3.3e-3
 scene standing-wave 0.05 3.3e-3 spacing=0.05
-scene driven-cavity 0.03 1.7e-3 spacing=0.04 'wall.lid.to=[1.12,1.12]'
+scene driven-cavity 0.03 1.7e-3 spacing=0.04 'wall.lid.from=[-0.12,1]' 'wall.lid.to=[1.12,1.12]'
 scene elastic-obstacle 0.03 7e-4
 scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
 fails toth-dam-break-literal

@@ -8,6 +8,7 @@ extern const struct part LANE_NAME(effects_pressure_printed);
 extern const struct part LANE_NAME(effects_artificial_stress);
 extern const struct part LANE_NAME(effects_artificial_viscosity);
 extern const struct part LANE_NAME(effects_laminar_viscosity);
+extern const struct part LANE_NAME(effects_stress_viscosity);
 extern const struct part LANE_NAME(effects_laplacian_viscosity);
 extern const struct part LANE_NAME(effects_viscosity_printed);
 extern const struct part LANE_NAME(effects_density_diffusion);
@@ -23,6 +24,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_artificial_stress),
     &LANE_NAME(effects_artificial_viscosity),
     &LANE_NAME(effects_laminar_viscosity),
+    &LANE_NAME(effects_stress_viscosity),
     &LANE_NAME(effects_laplacian_viscosity),
     &LANE_NAME(effects_viscosity_printed),
     &LANE_NAME(effects_density_diffusion),

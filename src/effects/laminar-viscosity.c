@@ -14,13 +14,16 @@
 struct laminar_viscosity {
     double mu;   /* dynamic viscosity                 [Pa s] */
     double rate; /* fastest decay with nu = 1         [1/m^2] */
-    const char *side;
+    const char *side, *stick;
 };
+
+static const char *const sticks[] = { "face", "particles", NULL };
 
 static const struct param params[] = {
     { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laminar_viscosity, mu),
       .fallback = 1e-3, .min = 0, .max = 1e4, .about = "dynamic viscosity; 0.001 is water" },
     VISCOSITY_SIDE(struct laminar_viscosity),
+    VISCOSITY_STICK(struct laminar_viscosity),
     { 0 },
 };
 
@@ -55,6 +58,12 @@ static bool stiff(const void *self)
 {
     const struct laminar_viscosity *s = self;
     return viscosity_is_implicit(s->side);
+}
+
+static bool faces(const void *self)
+{
+    const struct laminar_viscosity *s = self;
+    return viscosity_at_faces(s->stick);
 }
 
 static double mu(const void *self)
@@ -93,6 +102,7 @@ const struct part LANE_NAME(effects_laminar_viscosity) = {
     .pairs = pairs,
     .couple = couple,
     .stiff = stiff,
+    .faces = faces,
     .mu = mu,
     .limit = limit,
 };

@@ -3,9 +3,12 @@
 #include "effects/laplacian-viscosity.h"
 #include "effects/viscosity-side.h"
 
+static const char *const sticks[] = { "particles", "face", NULL };
+
 static const struct param params[] = {
     LAPLACIAN_VISCOSITY_MU,
     VISCOSITY_SIDE(struct laplacian_viscosity),
+    VISCOSITY_STICK(struct laplacian_viscosity),
     { 0 }
 };
 
@@ -31,6 +34,12 @@ static bool stiff(const void *self)
     return viscosity_is_implicit(s->side);
 }
 
+static bool faces(const void *self)
+{
+    const struct laplacian_viscosity *s = self;
+    return viscosity_at_faces(s->stick);
+}
+
 static double mu(const void *self)
 {
     return ((const struct laplacian_viscosity *)self)->mu;
@@ -44,5 +53,6 @@ const struct part LANE_NAME(effects_laplacian_viscosity) = {
     LAPLACIAN_VISCOSITY_PART,
     .couple = couple,
     .stiff = stiff,
+    .faces = faces,
     .mu = mu,
 };

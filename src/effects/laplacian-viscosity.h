@@ -16,7 +16,7 @@ struct laplacian_viscosity {
     double mu;     /* dynamic viscosity                             [Pa s]   */
     double factor; /* mu times what a misprint makes of lapW        [Pa s ..] */
     double rate;   /* fastest decay with mu/rho = 1                 [1/m^2]  */
-    const char *side; /* NULL: explicit                                      */
+    const char *side, *stick; /* NULL: explicit, at particles                */
 };
 
 #define LAPLACIAN_VISCOSITY_MU                                                           \

@@ -2,6 +2,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 #include "plan/kernels.h"
 #include "plan/viscous.h"
 #include "scene/scene.h"
@@ -178,6 +179,7 @@ static int build(struct plan *p, struct scene *scene)
         && !(p->drift = status_alloc(particles_count(p->particles, KIND_FLUID) + 1,
                                      sizeof *p->drift)))
         return STATUS_FAILED;
+    TRY(face_make(p, scene));
     return viscous_make(p);
 }
 
@@ -212,6 +214,7 @@ void plan_free(struct plan **plan)
     }
     free(p->drift);
     viscous_free(p);
+    face_free(p);
     plan_workspace_free(p, &p->main);
     plan_observer_free(p);
     particles_free(&p->particles);

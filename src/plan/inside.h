@@ -11,6 +11,7 @@ enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
 
 struct pairs_table;
 struct viscous; /* plan/viscous.h */
+struct face;    /* plan/face.h */
 struct kernel_use;
 
 struct plan_part {
@@ -109,6 +110,8 @@ struct plan {
                                           where all laws are                  */
     const struct plan_part *stiff;     /* the viscosity that is implicit, NULL: none */
     struct viscous *viscous;           /* its solver                          */
+    struct face *face;                 /* where the fluid sticks; NULL: where solids'
+                                          particles are                       */
     bool mixed;                        /* a law belongs to both halves        */
     struct list_def list_def;
     struct plan_workspace main, observer; /* observer made at the first look  */
@@ -140,7 +143,8 @@ int plan_agree(const struct plan *p, const struct scene *scene);
 int plan_tables_make(struct plan *p);
 void plan_fields_make(struct plan *p);
 
-/* workspace.c */
+/* workspace.c: zeroed numbers on cache lines; the memory of an evaluation. */
+double *plan_lines(size_t numbers);
 int plan_workspace_make(struct plan *p, struct plan_workspace *w);
 void plan_workspace_free(struct plan *p, struct plan_workspace *w);
 int plan_workspace_fit(struct plan *p, struct plan_workspace *w); /* after a rebuild */
@@ -158,9 +162,10 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
 int plan_fields(struct plan *p, struct plan_workspace *w, struct view *v);
 
 /* rates.c: sums over pairs by these laws; force of the fluid on each solid, and the
- * power of driven walls; forces on the points of one skin. */
+ * power of driven walls; forces on the points of one skin.  push: see struct sum_job; it
+ * is added to. */
 int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
-             const double (*push)[DIM]);
+             double (*push)[DIM]);
 void plan_solids_sum(struct plan *p, const struct plan_workspace *w);
 void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b);
 

@@ -17,6 +17,7 @@ struct count {
     int vectors;         /* of the size of y, of the method                     */
     bool fields;         /* densities are summed                                */
     bool viscous;        /* a viscosity is implicit                             */
+    bool faces;          /* the fluid sticks at faces                           */
     bool drifts;         /* positions move with more than velocities            */
 };
 
@@ -69,7 +70,18 @@ static double viscous(const struct count *c)
                       : 0;
 }
 
-static void estimate(const struct count *c, struct plan_memory *m)
+/* Coefficients of pairs of fluid and solids, from both sides; velocities and slip by
+ * slot; forces of two kinds and sums. */
+static double faces(const struct plan *p, const struct count *c)
+{
+    const double n = c->fluid + c->solid;
+
+    return c->faces ? 8 * (2.5 * neighbours_of_wall(p) * c->solid
+                           + n * (c->slots * 2 * COUPLE_STRIDE + 2 * DIM + 2))
+                    : 0;
+}
+
+static void estimate(const struct plan *p, const struct count *c, struct plan_memory *m)
 {
     const double n = c->fluid + c->solid;
 
@@ -77,7 +89,7 @@ static void estimate(const struct count *c, struct plan_memory *m)
         .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
-              + viscous(c) + (c->drifts ? 8 * c->fluid * DIM : 0),
+              + viscous(c) + faces(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
         .outputs = outputs(c),
     };
@@ -92,10 +104,10 @@ void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
                        ? list_entries(p->main.list)
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
-        .drifts = p->drifter,
+        .drifts = p->drifter, .faces = p->face,
     };
 
-    estimate(&c, out);
+    estimate(p, &c, out);
 }
 
 double plan_memory_sum(const struct plan_memory *m)
@@ -112,6 +124,6 @@ double plan_memory_each(const struct plan *p, bool fluid)
     };
     struct plan_memory m;
 
-    estimate(&c, &m);
+    estimate(p, &c, &m);
     return plan_memory_sum(&m);
 }

@@ -119,6 +119,9 @@ int plan_objects_name(struct plan *p)
         w->motion = p->in.wall[i].motion;
         w->moves = walls_motion_any(&w->motion);
         w->object = find_object(all, p->in.wall[i].name, false);
+        memcpy(all->object[w->object].slide, p->in.wall[i].set.surface, sizeof all->object->slide);
+        for (int d = 0; d < DIM; d++)
+            p->moving_walls |= p->in.wall[i].set.surface[d] != 0;
         p->moving_walls |= w->moves;
     }
     for (int i = 0; i < p->bodies; i++)

@@ -3,27 +3,39 @@
 
 #include "base/status.h"
 #include "plan/catalogue.h"
+#include "plan/face.h"
+#include "plan/viscous.h"
 
 #include <string.h>
 
 int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
-             const double (*push)[DIM])
+             double (*push)[DIM])
 {
+    const bool faces = p->face && face_among(p, table);
     const struct sum_job job = {
         .list = w->list, .record = w->record, .table = table, .slots = p->slots,
-        .later = p->later, .push = push, .gamma = p->scales.gamma,
+        .later = p->later, .push = (const double (*)[DIM])push, .gamma = p->scales.gamma,
         .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
         .f = w->f, .drho = w->drho, .power = w->power,
         .apart = w->apart, .apart_slot = w->apart ? p->stiff->slot : 0,
     };
 
-    return p->engine->sum->pairs(&job, &w->scratch);
+    if (p->face)
+        p->face->power = 0;
+    if (faces)
+        TRY(face_find(p, w));
+    if (faces && push)
+        face_push(p, w, push);
+    TRY(p->engine->sum->pairs(&job, &w->scratch));
+    if (faces)
+        face_add(p, w, job.push);
+    return STATUS_DONE;
 }
 
 /* Forces and power of the explicit laws; with w->apart those of the implicit law, too,
  * each where it belongs. */
 static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which which,
-                    const double (*push)[DIM])
+                    double (*push)[DIM])
 {
     const struct pairs_table *table = which == PLAN_DENSITY                 ? p->rates
                                       : which == PLAN_VELOCITY              ? p->forces
@@ -37,6 +49,8 @@ static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which wh
         w->power_apart = w->power[p->stiff->slot];
         w->power[p->stiff->slot] = 0;
     }
+    if (w->apart && viscous_faces(p))
+        p->face->power = 0; /* of the implicit side */
     return STATUS_DONE;
 }
 
@@ -131,6 +145,8 @@ void plan_solids_sum(struct plan *p, const struct plan_workspace *w)
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             p->wall_power += power_of(p, w, &all->object[p->wall[i].object]);
+    if (p->face)
+        p->wall_power += p->face->power;
 }
 
 void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b)
@@ -229,8 +245,8 @@ static void halve(struct plan *p, struct plan_workspace *w, enum plan_which whic
 }
 
 /* What pushes the fluid besides pairs, where its rates will stand; NULL: nobody asks. */
-static const double (*pushes(struct plan *p, enum plan_which which, const struct view *v,
-                             double *ydot))[DIM]
+static double (*pushes(struct plan *p, enum plan_which which, const struct view *v,
+                       double *ydot))[DIM]
 {
     double (*udot)[DIM];
 
@@ -239,7 +255,7 @@ static const double (*pushes(struct plan *p, enum plan_which which, const struct
     udot = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
     memset(udot, 0, (size_t)particles_count(v->p, KIND_FLUID) * sizeof *udot);
     add_fields(p, v, ydot);
-    return (const double (*)[DIM])udot;
+    return udot;
 }
 
 int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, double t,

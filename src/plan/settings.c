@@ -122,6 +122,9 @@ const struct param settings_fluid_params[] = {
 const struct param settings_wall_params[] = {
     { .key = "slip", .unit = "", .type = PARAM_FLAG, AT(settings_wall, slip), .max = 1,
       .about = "the fluid slips along it: viscosity does not act" },
+    { .key = "surface", .unit = "m/s", .type = PARAM_VECTOR, AT(settings_wall, surface),
+      .min = -1e4, .max = 1e4, .about = "velocity along its face with which it drags the fluid, "
+      "while its particles stay: a belt, a lid that slides" },
     { 0 },
 };
 

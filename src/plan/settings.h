@@ -62,6 +62,7 @@ struct settings_fluid {
 struct settings_wall {
     struct shape shape;
     bool slip;
+    double surface[3];    /* velocity of its surface beside its motion [m/s] */
 };
 
 struct settings_probe {

@@ -38,7 +38,7 @@ static void set_drag(struct plan *p, double gamma)
             memset(b->force, 0, (size_t)b->skin * sizeof *b->force);
             for (int j = 0; j < b->skin; j++) {
                 const int s = l->slot[p->particles->object[b->object].from + j];
-                b->force[j][d] = s < 0 ? 0 : u->job.diagonal[s];
+                b->force[j][d] = s < 0 ? 0 : u->job.firm[s];
             }
             b->kind->pull(b->body, (const double (*)[DIM])b->force, -gamma, to);
             to += viscous_body(p, i);

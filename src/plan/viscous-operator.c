@@ -2,6 +2,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,8 +42,13 @@ static void spread(struct plan *p, const double *x, bool walls)
 
 void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool walls)
 {
+    const bool faces = viscous_faces(p);
+
     spread(p, x, walls);
-    p->engine->couple->multiply(&p->viscous->job, kinds, p->viscous->velocity, p->main.f);
+    p->engine->couple->multiply(&p->viscous->job, faces ? kinds | KIND_STICKY : kinds,
+                                p->viscous->velocity, p->main.f);
+    if (faces)
+        face_complete(p, &p->viscous->job, kinds, walls, p->main.f);
     p->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
@@ -73,13 +79,19 @@ void viscous_apply(struct plan *p, double gamma, const double *x, double *to)
     image_of(p, gamma, x, to);
 }
 
-void viscous_assemble(struct plan *p, double gamma, const double *x, double *to)
+int viscous_assemble(struct plan *p, double gamma, const double *x, double *to)
 {
+    struct couple_job *const job = &p->viscous->job;
+
     spread(p, x, true);
-    p->engine->couple->assemble(&p->viscous->job, p->main.record, p->viscous->velocity,
-                                p->main.f);
+    p->engine->couple->assemble(job, p->main.record, p->viscous->velocity, p->main.f);
     p->counts.passes++;
+    if (viscous_faces(p)) {
+        TRY(face_ready(p, job));
+        face_complete(p, job, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), true, p->main.f);
+    }
     image_of(p, gamma, x, to);
+    return STATUS_DONE;
 }
 
 int viscous_join(struct plan *p, double gamma)
@@ -91,7 +103,7 @@ int viscous_join(struct plan *p, double gamma)
         double *c = b->force[0]; /* scratch of this length and more */
         for (int j = 0; j < b->skin; j++) {
             const int s = p->main.list->slot[p->particles->object[b->object].from + j];
-            c[j] = s < 0 ? 0 : u->job.diagonal[s];
+            c[j] = s < 0 ? 0 : u->job.firm[s];
         }
         TRY(b->kind->join(b->body, gamma, c));
     }

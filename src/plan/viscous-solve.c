@@ -12,6 +12,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -63,7 +64,7 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
         memcpy(u->x + at, u->v + at, (size_t)viscous_body(p, i) * sizeof *u->x);
         at += viscous_body(p, i);
     }
-    viscous_assemble(p, gamma, u->x, u->guess_image);
+    TRY(viscous_assemble(p, gamma, u->x, u->guess_image));
     for (int i = 0; i < u->unknowns; i++)
         u->residual[i] = u->right[i] - u->guess_image[i];
     if (p->moving_walls) /* A x without their pull */
@@ -121,6 +122,8 @@ static double power(struct plan *p, double gamma)
         for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
             sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
                    * p->main.f[(size_t)s * DIM + (size_t)d];
+    if (viscous_faces(p))
+        sum += face_power(p, &p->main);
     return sum;
 }
 
@@ -158,7 +161,7 @@ static int refuse_skins(struct plan *p, double t, double off)
 int viscous_solve(struct plan *p, double t, double gamma, const double *r, double *z)
 {
     struct viscous *u = p->viscous;
-    const double near = fmax(stay * u->tol, 1e-10) * p->scales.hs;
+    const double near = fmax(stay * u->tol, 1e-11) * p->scales.hs;
     double off = HUGE_VAL;
 
     viscous_guess(p, t, z, u->v);

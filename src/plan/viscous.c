@@ -2,6 +2,7 @@
 #include "plan/viscous.h"
 
 #include "base/status.h"
+#include "plan/face.h"
 #include "scene/scene.h"
 #define LANES 2 /* only sizes without lanes are used here */
 #include "space/pairs.h"
@@ -77,6 +78,11 @@ int viscous_fit(struct viscous *u)
             return STATUS_FAILED;
     }
     return STATUS_DONE;
+}
+
+bool viscous_faces(const struct plan *p)
+{
+    return p->face && p->face->part == p->stiff;
 }
 
 int viscous_make(struct plan *p)
@@ -192,6 +198,8 @@ int viscous_sides(struct plan *p, double t, const double *y, double *explicit, d
     memset(implicit, 0, (size_t)plan_size(p) * sizeof *implicit);
     memcpy(w->f, p->viscous->apart, (size_t)p->particles->n * DIM * sizeof *w->f);
     w->power[p->viscous->part->slot] = w->power_apart;
+    if (viscous_faces(p))
+        face_power(p, w);
     spread_rates(p, t, y, implicit);
     return STATUS_DONE;
 }

@@ -47,6 +47,7 @@ struct viscous {
 int viscous_make(struct plan *p);
 void viscous_free(struct plan *p);
 int viscous_fit(struct viscous *u); /* after a rebuild */
+bool viscous_faces(const struct plan *p); /* does it act at the faces of solids?      */
 int viscous_rates(struct plan *p, double t, const double *y, double *ydot);
 int viscous_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit);
 
@@ -58,7 +59,7 @@ void viscous_book(struct plan *p, struct plan_workspace *w, double *book);
  * one pass over pairs; then, forces of these kinds (bits) at velocities x into main.f;
  * to = A x; ready for bodies' part of the inverse; near = about A^-1 residual, returns
  * its largest speed in units of scales; unknowns of body i. */
-void viscous_assemble(struct plan *p, double gamma, const double *x, double *to);
+int viscous_assemble(struct plan *p, double gamma, const double *x, double *to);
 void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool walls);
 void viscous_apply(struct plan *p, double gamma, const double *x, double *to);
 int viscous_join(struct plan *p, double gamma);

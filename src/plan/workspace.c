@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Zeroed, on cache lines. */
-static double *lines(size_t numbers)
+double *plan_lines(size_t numbers)
 {
     const size_t bytes = (numbers * sizeof(double) + 63) / 64 * 64 + 64;
     double *to = aligned_alloc(64, bytes);
@@ -28,13 +27,13 @@ int plan_workspace_make(struct plan *p, struct plan_workspace *w)
         return STATUS_DONE;
     TRY(p->engine->sum->list->create(&w->list, &p->list_def));
     w->slots = n + 1;
-    w->record = lines(w->slots * RECORD);
-    w->f = lines(n * DIM);
-    w->drho = lines(n);
-    w->power = lines(p->slots + 1);
+    w->record = plan_lines(w->slots * RECORD);
+    w->f = plan_lines(n * DIM);
+    w->drho = plan_lines(n);
+    w->power = plan_lines(p->slots + 1);
     if (p->fields > 0) {
-        w->rho = lines(n);
-        w->sum = (double (*)[PART_SUMS])lines(n * PART_SUMS);
+        w->rho = plan_lines(n);
+        w->sum = (double (*)[PART_SUMS])plan_lines(n * PART_SUMS);
         if (!w->rho || !w->sum)
             return STATUS_FAILED;
     }
@@ -50,7 +49,7 @@ int plan_workspace_fit(struct plan *p, struct plan_workspace *w)
 
     if (want <= w->slots)
         return STATUS_DONE;
-    if (!(record = lines(slots * RECORD)))
+    if (!(record = plan_lines(slots * RECORD)))
         return STATUS_FAILED;
     for (int i = 0; i < 3; i++)
         if (all[i]->record == old) {

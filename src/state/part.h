@@ -92,9 +92,11 @@ struct part {
     part_pairs *(*choose)(const void *self);
 
     /* Of a law that is linear in velocities, F_ab = -c (v_a - v_b): the c >= 0 of rows,
-     * without v; stiff(): its parameters ask for the implicit side; its mu [Pa s]. */
+     * without v; stiff(): its parameters ask for the implicit side; faces(): the fluid is
+     * to stick at the faces of solids; its mu [Pa s]. */
     part_couple *couple;
     bool (*stiff)(const void *self);
+    bool (*faces)(const void *self);
     double (*mu)(const void *self);
 
     /* A density that does not evolve: gather() visits pairs before the forces are

@@ -14,6 +14,8 @@ struct object {
     int from, n;     /* creation order                                        */
     double a[DIM];   /* of a wall: acceleration of its centre now [m/s^2]     */
     double centre[DIM]; /* about which it turns now               [m]         */
+    double slide[DIM];   /* of a wall: velocity of its surface beside that of its
+                            particles                     [m/s]               */
     double omega, alpha; /* its angle's rates, in the plane of x and the last
                             coordinate                   [1/s], [1/s^2]       */
 };

@@ -6,9 +6,9 @@
  * the right-hand side may not depend on what it has not worked out yet).  rho_w
  * follows from p_w by the equation of state.  No state, no gap at the wall; but its
  * pressure work is no change of any energy, so the book shows a pressure_defect.
- * The fluid sticks with the velocity of the wall itself; Adami's extrapolated wall
- * velocity is left out.  Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057-7075,
- * eq. 27.  Checked in tests/physics/walls.c. */
+ * Their velocity of walls for the viscous force is a thing of its own, plan/face-forces.c.
+ * Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057-7075, eq. 27.  Checked in
+ * tests/physics/walls.c. */
 #include "matter/eos.h"
 #include "space/pairs.h"
 #include "walls/walls.h"

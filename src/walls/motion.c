@@ -86,6 +86,11 @@ bool walls_motion_any(const struct walls_motion *m)
     return m->spin != 0 || m->path.n > 0 || m->turn.n > 0 || shakes(m);
 }
 
+bool walls_motion_turns(const struct walls_motion *m)
+{
+    return m->spin != 0 || m->turn.n > 0 || (m->swing != 0 && m->frequency > 0);
+}
+
 void walls_motion_at(const struct walls_motion *m, double t, struct walls_place *to)
 {
     const double omega = 2 * M_PI * m->frequency, phase = radians(m->phase);

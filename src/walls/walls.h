@@ -47,8 +47,9 @@ struct walls_place {
 int walls_motion_prepare(struct walls_motion *m, const char *path, const char *where);
 void walls_motion_free(struct walls_motion *m);
 
-/* Does it move at all? */
+/* Does it move at all, and does it turn? */
 bool walls_motion_any(const struct walls_motion *m);
+bool walls_motion_turns(const struct walls_motion *m);
 
 void walls_motion_at(const struct walls_motion *m, double t, struct walls_place *to);
 

@@ -33,6 +33,7 @@ static const struct {
     { "effects = { continuity = { };"
       " artificial-viscosity = { alpha = 0.5; only_approaching = true; }; };", NOWHERE },
     { "effects = { continuity = { }; laminar-viscosity = { mu = 5.0; }; };", NOWHERE },
+    { "effects = { continuity = { }; stress-viscosity = { mu = 5.0; }; };", NOWHERE },
     { "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };", NOWHERE },
     { TANK_EFFECTS, EVERYWHERE },
     { TANK_EFFECTS "eos = { tension = false; };", EVERYWHERE },

@@ -154,6 +154,8 @@ static void limits_of_decay_are_just_above_the_fastest(void **state)
             "velocity of fluid", NULL, 1.05);
     for_all("effects = { continuity = { }; artificial-viscosity = { alpha = 1.0; }; };", true,
             "velocity of fluid", NULL, 1.5);
+    for_all("effects = { continuity = { }; stress-viscosity = { mu = 1000.0; }; };", true,
+            "velocity of fluid", NULL, 1.5);
     for_all("effects = { continuity = { }; density-diffusion = { delta = 1.0; }; };", true,
             "density of fluid", NULL, 1.9);
 }

@@ -87,6 +87,17 @@ static void laminar_viscosity(const struct pair_particle *a, const struct pair_p
                  / softened(p.r) * p.v[d];
 }
 
+/* (V4) F = m_a m_b 2 (D + 2) mu/(rho_a rho_b) (v . x)/(r^2 + 0.01 hs^2) gradW */
+static void stress_viscosity(const struct pair_particle *a, const struct pair_particle *b,
+                             struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = a->m * b->m * 2 * (DIM + 2) * EFFECTS_MU / (a->rho * b->rho) * p.xv
+                 / softened(p.r) * p.g * p.x[d];
+}
+
 /* (D2), with rho_H = rho0 g.x/c0^2 */
 static void density_diffusion(const struct pair_particle *a, const struct pair_particle *b,
                               struct pair_answer *to)
@@ -169,6 +180,7 @@ pair_formula *effects_formula(const char *name)
         { "pressure-printed", pressure_printed },
         { "artificial-viscosity", artificial_viscosity },
         { "laminar-viscosity", laminar_viscosity },
+        { "stress-viscosity", stress_viscosity },
         { "laplacian-viscosity", laplacian_viscosity },
         { "viscosity-printed", viscosity_printed },
         { "density-diffusion", density_diffusion },

@@ -13,6 +13,7 @@
     "effects = { continuity = { }; pressure = { }; density-diffusion = { delta = 0.1; };"  \
     " laminar-viscosity = { mu = " mu "; side = \"" side "\"; }; };"
 #define THICK EFFECTS("300.0", "implicit")
+#define THICK_PARTICLES EFFECTS("300.0", "implicit\"; stick = \"particles")
 #define THICK_LAPLACIAN                                                                  \
     TANK_SEED_KERNELS "effects = { continuity = { }; pressure = { };"                    \
     " laplacian-viscosity = { mu = 300.0; side = \"implicit\"; }; };"
@@ -26,6 +27,17 @@ static const char moving[] =
 static const char moving[] =
     "wall = { bed = { type = \"box\"; from = [-0.06, -0.06, -0.06]; to = [0.16, 0.16, 0.0];"
     " velocity = [0.5, 0.0, 0.0]; }; };";
+#endif
+
+/* The same bed where it is, with a surface that slides. */
+#if DIM == 2
+static const char belt[] =
+    "wall = { bed = { type = \"box\"; from = [-0.02, -0.015]; to = [0.12, 0.0];"
+    " surface = [0.5, 0.0]; }; };";
+#else
+static const char belt[] =
+    "wall = { bed = { type = \"box\"; from = [-0.06, -0.06, -0.06]; to = [0.16, 0.16, 0.0];"
+    " surface = [0.5, 0.0, 0.0]; }; };";
 #endif
 
 /* r: any state; z: what the solve makes of it. */
@@ -104,11 +116,16 @@ static void solve_inverts_the_implicit_side(void **state)
     (void)state;
     check_solve(tank_water, tank_frame, "", THICK);
     check_solve(tank_water, moving, "", THICK);
+    check_solve(tank_water, moving, "", THICK_PARTICLES);
+    check_solve(tank_water, belt, "", THICK);
+    check_solve(tank_water, "wall = { tank = { type = \"frame\"; spin = 100.0; }; };", "", THICK);
+    check_solve(tank_water, belt, "", THICK_PARTICLES);
     check_solve(tank_bare_water, tank_frame, "", THICK_LAPLACIAN);
     check_solve(tank_water, tank_frame, "", "walls = \"adami\";" THICK);
     if (DIM == 2) {
         check_solve(tank_parted_water, tank_frame, tank_beam, THICK);
         check_solve(tank_parted_water, moving, tank_beam, THICK);
+        check_solve(tank_parted_water, tank_frame, tank_beam, THICK_PARTICLES);
     }
 }
 
@@ -180,13 +197,13 @@ static void books_close_when_the_solve_is_loose(void **state)
     struct solved s;
 
     (void)state;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         const struct layout_row *row;
         const struct particles *all;
         double given[DIM] = { 0 }, taken[DIM] = { 0 }, work = 0;
         long at;
 
-        tank_make(&s.t, tank_water, k ? moving : tank_frame, THICK, NULL);
+        tank_make(&s.t, tank_water, k == 0 ? tank_frame : k == 1 ? moving : belt, THICK, NULL);
         all = plan_particles(s.t.plan);
         solve(&s, 9, 1e-3, 3.0);
         at = tank_at(&s.t, "velocity of fluid", &row);

@@ -1,0 +1,265 @@
+/* face-forces.c -- the fluid sticks at the faces of solids.
+ *
+ * With the velocity of their particles the fluid would stick where those are, dx/2 behind
+ * the face and more.  So a solid's particle w counts with the velocity that is as far
+ * beyond that of the face as the fluid before it stays behind,
+ *
+ *   v_w = 2 (u_w + b_w) - sum_f c_wf v_f / sum_f c_wf                               (W2)
+ *
+ * b_w the velocity of a face that slides, c the coefficients of the law itself, F_ab =
+ * -c_ab (v_a - v_b).  Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057-7075, eq. 22, 23,
+ * weigh with W; weighed with c the forces are symmetric in velocities and take out
+ *
+ *   sum_w [ sum_f c_wf e_f^2 + (sum_f c_wf e_f)^2 / sum_f c_wf ],  e_f = v_f - u_w - b_w
+ *
+ * so that they never drive the fluid and the implicit solve stays one with a symmetric
+ * matrix.  What is added here to the law: -c_wf s_w on f and the opposite on w, with the
+ * slip s_w = u_w - v_w.  Of a wall that turns omega x sum_f c_wf (x_f - x_w) / sum_f c_wf
+ * is added to v_w: fluid that turns with it does not slip.  Checked in tests/physics/face.c. */
+#include "plan/face.h"
+
+#include "base/status.h"
+#include "space/record.h"
+
+#include <string.h>
+
+static const int sticky[] = { KIND_WALL, KIND_SKIN };
+#if DIM == 2
+static const int place_at[DIM] = { RECORD_X, RECORD_X + 1 };
+static const int velocity_at[DIM] = { RECORD_V, RECORD_V + 1 };
+#else
+static const int place_at[DIM] = { RECORD_X, RECORD_X + 1, RECORD_Z };
+static const int velocity_at[DIM] = { RECORD_V, RECORD_V + 1, RECORD_VZ };
+#endif
+
+/* --- slip and forces ----------------------------------------------------------- */
+
+/* Vectors of everybody that stand at these places of the records. */
+static void read_records(const struct plan_workspace *w, const int at[DIM], double *to)
+{
+    const int n = w->list->listed + 1;
+
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int s = 0; s < n; s++)
+        for (int d = 0; d < DIM; d++)
+            to[(size_t)s * COUPLE_STRIDE + (size_t)d] = w->record[(size_t)s * RECORD
+                                                                  + (size_t)at[d]];
+}
+
+/* How far the fluid before solids is from them; places stand in o->slip for a while. */
+static void find_arms(const struct plan *p, const struct couple_job *job,
+                      const struct plan_workspace *w)
+{
+    const struct face *o = p->face;
+
+    if (!o->arm)
+        return;
+    read_records(w, place_at, o->slip);
+    p->engine->couple->multiply(job, KIND_STICKY, o->slip, o->arm);
+}
+
+/* Fluid that turns with the solid in slot s does not slip: C_w times the slip that its
+ * velocity seems to be. */
+static void turning(const struct plan *p, const struct list *l, int s, double *to)
+{
+    const double omega = p->particles->object[p->particles->object_of[l->order[s]]].omega;
+    const double *arm = p->face->arm + (size_t)s * DIM;
+
+    memset(to, 0, DIM * sizeof *to);
+    to[0] = -omega * arm[DIM - 1];
+    to[DIM - 1] = omega * arm[0];
+}
+
+static const double *slide_of(const struct plan *p, const struct list *l, int slot)
+{
+    return p->particles->object[p->particles->object_of[l->order[slot]]].slide;
+}
+
+/* Slip of solids by the law's forces on them, and their part C_w s_w of o->f.  Who has no
+ * fluid near has none. */
+static void find_slip(const struct plan *p, const struct couple_job *job, bool walls,
+                      const double *law)
+{
+    const struct face *o = p->face;
+    const struct list *l = job->list;
+
+    for (int i = 0; i < 2; i++)
+        for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
+            const double *b = slide_of(p, l, s), all = job->diagonal[s];
+            double turn[DIM] = { 0 };
+            if (walls && o->arm)
+                turning(p, l, s, turn);
+            for (int d = 0; d < DIM; d++) {
+                const size_t k = (size_t)s * DIM + (size_t)d;
+                double *slip = &o->slip[(size_t)s * COUPLE_STRIDE + (size_t)d];
+                *slip = o->mirrored && all > 0 ? (law[k] - turn[d]) / all : 0;
+                *slip -= walls ? (o->mirrored ? 2 : 1) * b[d] : 0;
+                o->f[k] = all * *slip;
+            }
+        }
+    for (int i = 0; i < 2; i++)
+        for (int s = l->image[sticky[i]]; s < l->image[sticky[i] + 1]; s++)
+            memcpy(o->slip + (size_t)s * COUPLE_STRIDE,
+                   o->slip + (size_t)l->slot[l->order[s]] * COUPLE_STRIDE, DIM * sizeof(double));
+}
+
+/* Forces on the fluid, with the sign turned: the sum of c_wf s_w. */
+static void hold(const struct plan *p, const struct couple_job *job)
+{
+    struct face *o = p->face;
+    const struct list *l = job->list;
+
+    memset(o->slip, 0, (size_t)l->start[KIND_FLUID + 1] * COUPLE_STRIDE * sizeof *o->slip);
+    memset(o->slip + (size_t)l->listed * COUPLE_STRIDE, 0, COUPLE_STRIDE * sizeof *o->slip);
+    p->engine->couple->multiply(job, KIND_BIT(KIND_FLUID), o->slip, o->f);
+}
+
+int face_find(struct plan *p, struct plan_workspace *w)
+{
+    struct face *o = p->face;
+    const struct couple_engine *couple = p->engine->couple;
+
+    o->job.list = w->list;
+    TRY(face_fit_slots(o, w->list));
+    TRY(face_fit_pairs(o, w->list));
+    read_records(w, velocity_at, o->velocity);
+    couple->assemble(&o->job, w->record, o->velocity, o->law);
+    find_arms(p, &o->job, w);
+    find_slip(p, &o->job, true, o->law);
+    hold(p, &o->job);
+    return STATUS_DONE;
+}
+
+void face_push(const struct plan *p, const struct plan_workspace *w, double (*push)[DIM])
+{
+    for (int s = 0; s < w->list->start[KIND_FLUID + 1]; s++) {
+        const int c = w->list->order[s];
+        for (int d = 0; d < DIM; d++)
+            push[c][d] -= p->face->f[(size_t)s * DIM + (size_t)d] / p->particles->m[c];
+    }
+}
+
+/* --- books --------------------------------------------------------------------- */
+
+/* Where forces of the viscosity are summed. */
+static double *forces_of(const struct plan *p, const struct plan_workspace *w)
+{
+    return w->apart && p->face->part == p->stiff ? w->apart : w->f;
+}
+
+/* v . f of the fluid in slot s, velocities as struct sum_job's look ahead has them;
+ * adds the forces. */
+static double add_to_fluid(const struct plan *p, struct plan_workspace *w,
+                           const double (*push)[DIM], int s)
+{
+    const struct face *o = p->face;
+    const int c = w->list->order[s];
+    double power = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        double *f = &forces_of(p, w)[(size_t)s * DIM + (size_t)d];
+        const double more = -o->f[(size_t)s * DIM + (size_t)d];
+        double v = o->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d];
+        if (push)
+            v += p->later * (*f / p->particles->m[c] + push[c][d]);
+        power += v * more;
+        *f += more;
+    }
+    return power;
+}
+
+/* The same bits on any number of threads. */
+static double add_to_fluids(const struct plan *p, struct plan_workspace *w,
+                            const double (*push)[DIM])
+{
+    const int n = w->list->start[KIND_FLUID + 1], blocks = (n + FACE_BLOCK - 1) / FACE_BLOCK;
+    double sum = 0;
+
+#pragma omp parallel for schedule(static) if (blocks > 8)
+    for (int k = 0; k < blocks; k++) {
+        const int to = (k + 1) * FACE_BLOCK < n ? (k + 1) * FACE_BLOCK : n;
+        p->face->partial[k] = 0;
+        for (int s = k * FACE_BLOCK; s < to; s++)
+            if (p->face->job.firm[s] > 0)
+                p->face->partial[k] += add_to_fluid(p, w, push, s);
+    }
+    for (int k = 0; k < blocks; k++)
+        sum += p->face->partial[k];
+    return sum;
+}
+
+/* u . f of solids; what pulls at a face that slides is the law's force and this. */
+static double add_to_solids(const struct plan *p, struct plan_workspace *w)
+{
+    const struct list *l = w->list;
+    struct face *o = p->face;
+    double *f = forces_of(p, w), sum = 0;
+
+    for (int i = 0; i < 2; i++)
+        for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
+            const double *b = slide_of(p, l, s), *u = o->velocity + (size_t)s * COUPLE_STRIDE;
+            for (int d = 0; d < DIM; d++) {
+                const size_t k = (size_t)s * DIM + (size_t)d;
+                f[k] += o->f[k];
+                sum += u[d] * o->f[k];
+                o->power += b[d] * (o->law[k] + o->f[k]);
+            }
+        }
+    return sum + o->power;
+}
+
+void face_add(struct plan *p, struct plan_workspace *w, const double (*push)[DIM])
+{
+    double power = add_to_fluids(p, w, push);
+
+    power += add_to_solids(p, w);
+    w->power[p->face->part->slot] += power;
+}
+
+/* --- in a solve ---------------------------------------------------------------- */
+
+/* "All fluid alike" meets twice the law's coefficients with solids at rest. */
+int face_ready(struct plan *p, const struct couple_job *law)
+{
+    struct couple_job job = *law;
+
+    TRY(face_fit_slots(p->face, law->list));
+    job.acts = p->face->acts;
+    find_arms(p, &job, &p->main);
+    for (int s = 0; s < law->list->start[KINDS] && p->face->mirrored; s++)
+        law->firm[s] *= 2;
+    return STATUS_DONE;
+}
+
+void face_complete(struct plan *p, const struct couple_job *law, unsigned kinds, bool walls,
+                   double *f)
+{
+    const struct list *l = law->list;
+    struct face *o = p->face;
+    struct couple_job job = *law;
+
+    job.acts = o->acts;
+    find_slip(p, &job, walls, f);
+    for (int i = 0; i < 2; i++)
+        for (int k = l->start[sticky[i]] * DIM; k < l->start[sticky[i] + 1] * DIM; k++)
+            f[k] += o->f[k];
+    if (!(kinds & KIND_BIT(KIND_FLUID)))
+        return;
+    hold(p, &job);
+    for (int k = 0; k < l->start[KIND_FLUID + 1] * DIM; k++)
+        f[k] -= o->f[k];
+}
+
+double face_power(struct plan *p, const struct plan_workspace *w)
+{
+    const struct list *l = w->list;
+
+    p->face->power = 0;
+    for (int i = 0; i < 2; i++)
+        for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
+            const double *b = slide_of(p, l, s);
+            for (int d = 0; d < DIM; d++)
+                p->face->power += b[d] * w->f[(size_t)s * DIM + (size_t)d];
+        }
+    return p->face->power;
+}
