@@ -26,9 +26,9 @@ static void write_scene(FILE *f, const struct water_def *def, double dx, double 
             "fluid = { water = { type = \"box\"; from = %s; to = [%.17g, %s1.0]; }; };\n%s"
             "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx, DIM == 2 ? "" : "0.0, ",
             def->endless ? 0.0 : -9.81, o, y, def->endless ? all : "", o, width, y,
-            def->endless ? "eos = { c0 = 10.0; };\n" : "wall = { tank = { type = \"frame\"; }; };\n",
-            def->support,
-            def->skin, effects, def->more ? def->more : "");
+            def->endless ? "eos = { c0 = 10.0; };\n"
+                         : "wall = { tank = { type = \"frame\"; }; };\n",
+            def->support, def->skin, effects, def->more ? def->more : "");
 }
 
 static void read_plan(struct water *w, const struct water_def *def, double dx, double width)

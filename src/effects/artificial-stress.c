@@ -20,7 +20,8 @@ struct artificial_stress {
 
 static const struct param params[] = {
     { .key = "strength", .unit = "1", .offset = offsetof(struct artificial_stress, strength),
-      .fallback = 0.3, .max = 1, .about = "share of the pull that is taken away at the spacing dx" },
+      .fallback = 0.3, .max = 1,
+      .about = "share of the pull that is taken away at the spacing dx" },
     { 0 },
 };
 

@@ -188,9 +188,9 @@ static void tell(const struct blame *b, const struct deed *d, char *text, size_t
     plan_place(b->p, b->v, b->who, place);
     name_deed(b, d, deed, sizeof deed);
     doubt_mass(b->p, mass, sizeof mass);
-    snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: %s;"
-             " its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s", b->v->t,
-             kinds[o->kind], b->who, o->name, place, deed,
+    snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: "
+             "%s; its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s",
+             b->v->t, kinds[o->kind], b->who, o->name, place, deed,
              b->v->rho[o->kind] ? b->v->rho[o->kind][i] : b->p->scales.rho0,
              size_of(b->v->u[o->kind] + (size_t)i * DIM), b->p->scales.c0, mass);
 }

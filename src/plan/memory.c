@@ -65,9 +65,10 @@ static double viscous(const struct count *c)
 {
     const double n = c->fluid + c->solid;
 
-    return c->viscous ? 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2 + DIM) + c->numbers
-                             + c->fluid * DIM * VISCOUS_VECTORS)
-                      : 0;
+    if (!c->viscous)
+        return 0;
+    return 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2 + DIM) + c->numbers
+                + c->fluid * DIM * VISCOUS_VECTORS);
 }
 
 /* Coefficients of pairs of fluid and solids, from both sides; velocities and slip by

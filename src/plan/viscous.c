@@ -126,8 +126,9 @@ void viscous_free(struct plan *p)
         free(u->start[i].v);
     for (int i = 0; i < VISCOUS_STAGES; i++)
         free(u->past[i].v);
-    double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->apart, u->velocity, u->stage,
-                               u->partial, u->v, u->right, u->x, u->residual, u->guess, u->guess_image };
+    double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->apart, u->velocity,
+                               u->stage, u->partial, u->v, u->right, u->x, u->residual, u->guess,
+                               u->guess_image };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     for (int d = 0; d < DIM; d++)

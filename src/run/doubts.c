@@ -115,7 +115,8 @@ static void doubt_tol(const struct run *r)
     const struct scene_node *node = scene_child(scene_root(r->scene), "tol");
     const double usual = method_def_default().tol;
 
-    if ((r->method->adaptive && !(r->def.seconds > 0)) || plan_stiff(r->plan) || r->def.tol == usual)
+    if ((r->method->adaptive && !(r->def.seconds > 0)) || plan_stiff(r->plan)
+        || r->def.tol == usual)
         return;
     status_warn("%s: tol = %g does nothing with %s, whose steps do not follow their errors",
                 node ? scene_where(node) : scene_path(r->scene), r->def.tol,
@@ -153,9 +154,9 @@ static int doubt_energy(const struct run *r)
         return STATUS_DONE;
     advise_step(r, advice, sizeof advice);
     if (outputs_energy_made(r->outputs) > energy_made * there)
-        return status_fail(STATUS_FAILED, "energy out of nothing: by t = %g s time integration made "
-                           "%.3g J, %.3g %% of the %.3g J there were, and nothing in this run can "
-                           "be trusted, though it came to its end; take %s", r->tally.t,
+        return status_fail(STATUS_FAILED, "energy out of nothing: by t = %g s time integration "
+                           "made %.3g J, %.3g %% of the %.3g J there were, and nothing in this run "
+                           "can be trusted, though it came to its end; take %s", r->tally.t,
                            outputs_energy_made(r->outputs),
                            100 * outputs_energy_made(r->outputs) / there, there, advice);
     status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "

@@ -243,7 +243,8 @@ static void advise(const struct run *r, char message[MESSAGE])
                  "wider eos.lowest and eos.highest, or look at what the scene starts with");
     else
         snprintf(message + n, MESSAGE - n, ". Things to try: shorter steps (a smaller tol or CFL "
-                 "number), a higher eos.c0, more viscosity or density diffusion, a smaller spacing");
+                 "number), a higher eos.c0, more viscosity or density diffusion, a smaller "
+                 "spacing");
 }
 
 /* The message of a run that ended early; for one that failed, with whom to blame. */

@@ -1,8 +1,9 @@
 /* ghost.c -- the seed's walls: particles that stand still and are fluid otherwise.
  *
  * Their density is the sum (D3) over everybody around them, walls included, and they
- * press the fluid by the same law (P1), but not each other.  A wall that the fluid has left has too few neighbours,
- * rho < rho0: with tension it would suck, so eos.tension = false belongs to it.
+ * press the fluid by the same law (P1), but not each other.  A wall that the fluid has
+ * left has too few neighbours, rho < rho0: with tension it would suck, so eos.tension =
+ * false belongs to it.
  * Toth 2012, section 3.5.3. */
 #include "space/lanes.h"
 #include "walls/walls.h"

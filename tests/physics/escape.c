@@ -175,7 +175,8 @@ static void expect_sunk(struct tank *t, double time, const double *x, const char
 static const char *const obstacles =
     "wall = { tank = { type = \"frame\"; };"
 #if DIM == 2
-    "  ball = { type = \"disc\"; centre = [0.05, 0.076]; radius = 0.015; velocity = [0.1, 0.0]; }; };";
+    "  ball = { type = \"disc\"; centre = [0.05, 0.076]; radius = 0.015;"
+    "  velocity = [0.1, 0.0]; }; };";
 #else
     "  ball = { type = \"sphere\"; centre = [0.05, 0.05, 0.15]; radius = 0.025;"
     "  velocity = [0.1, 0.0, 0.0]; }; };";

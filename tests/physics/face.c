@@ -293,7 +293,8 @@ static void surface_drags_like_a_moving_wall(void **state)
 static void what_turns_together_does_not_slip(void **state)
 {
     const double spin = 40;
-    const char *const turning = "wall = { tank = { type = \"frame\"; spin = 2291.831180523293; }; };";
+    const char *const turning =
+        "wall = { tank = { type = \"frame\"; spin = 2291.831180523293; }; };";
     struct tank face, bare;
     double most = 0;
 
