@@ -176,7 +176,8 @@ const char *plan_runaway(struct plan *p, double t, const double *y)
     snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) at %s m "
              "moves at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
              "higher eos.c0 if that speed is real", t, i,
-             v.p->object[v.p->object_of[i]].name, place, speed, speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
+             v.p->object[v.p->object_of[i]].name, place, speed,
+             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
     return text;
 }
 
