@@ -70,8 +70,8 @@ set size ratio -1
 unset xlabel
 unset ylabel
 unset key
-set xrange [-1.2:1.2]
-set yrange [-1.2:1.2]
+set xrange [-1.6:1.6]
+set yrange [-1.6:1.6]
 set title 'ω t = 2, without artificial-stress'
 plot 'plain.csv' using 1:2 with points pt 7 ps 0.2 lc rgb pick(1)
 set title 'ω t = 2, with it'
