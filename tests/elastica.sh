@@ -45,6 +45,14 @@ claim 'the flap swings up as a whole' "$(most gate beam flap.tip_angle) > 0.6"
 for run in far soft gate; do
     books $run
 done
+# Begins with no energy at all: what it has later comes from its weight.
+cat >"$out/weight.scene" <<'S'
+dimension = 2; gravity = [0.0, -1.0]; until = 1.2; tol = 0.1;
+beam = { strip = { theory = "elastica"; at = [0.0, 0.0]; angle = 0.0; E = 1.2e10; density = 1000.0;
+                   elements = 20; damping_ratio = 1.0; length = 1.0; thickness = 1e-3; }; };
+S
+well weight "$out/weight.scene"
+claim 'a strip sinks under its weight' "$(most weight beam strip.tip_y) > 0.05"
 well swing "$top_srcdir/data/scenes/elastica.scene" until=0.3 method=dv # feels its first step
 claim 'dv begins with a step that a bent strip allows' \
     "$(number swing energy_defect_max) < 1e-3 * $(number swing energy_initial)"

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "plan/inside.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -200,10 +201,12 @@ double plan_speed_expected(const struct plan *p)
         }
     }
     for (int i = 0; i < p->walls; i++) {
+        const double *slides = p->in.wall[i].set.surface;
         double low[DIM], high[DIM], reach[DIM];
         shape_bounds(&p->in.wall[i].set.shape, low, high);
         most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
                                               reach));
+        most = fmax(most, gsl_hypot3(slides[0], slides[1], slides[2]));
     }
     return fmax(most, sqrt(fall2));
 }

@@ -89,17 +89,20 @@ static double defect_of(const struct plan_sheet *first, const struct plan_sheet 
     return s->total - first->total - given;
 }
 
-/* Energy of the last row above that of all fluid in the lowest corner of the domain; no
- * less than that of fluid at U/100 [J]. */
+/* Energy of the last row that the book explains [J]: that above all fluid in the lowest
+ * corner of the domain, or of what moves and is bent, where beams sink or are loaded; no
+ * less than that of fluid at U/100. */
 static double energy_there(const struct outputs *o, const struct plan *plan)
 {
     const struct scales *s = plan_scales(plan);
-    double lowest = 0; /* gravity's potential [J/kg] */
+    const double defect = outputs_defect(o);
+    double lowest = 0, most; /* gravity's potential [J/kg] */
 
     for (int d = 0; d < DIM; d++)
         lowest += fmin(-s->g[d] * s->low[d], -s->g[d] * s->high[d]);
-    return fmax(o->last.total - o->last.mass * lowest - outputs_defect(o),
-                0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
+    most = fmax(o->last.total - o->last.mass * lowest,
+                o->last.energy.kinetic + o->last.energy.elastic) - defect;
+    return fmax(most, 0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
 }
 
 static void look_for_sunk(struct outputs *o, struct plan *plan, double t, const double *y)

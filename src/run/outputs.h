@@ -26,8 +26,9 @@ double outputs_energy_initial(const struct outputs *o);
 double outputs_defect(const struct outputs *o);
 double outputs_defect_max(const struct outputs *o);
 double outputs_energy_made(const struct outputs *o); /* largest defect above 0 [J] */
-/* The most energy the book explains, counted from the lowest corner of the domain and no
- * less than that of fluid at a hundredth of the reference speed [J]. */
+/* The most energy the book explains: all of it, counted from the lowest corner of the
+ * domain, or the kinetic and elastic one; no less than that of fluid at a hundredth of the
+ * reference speed [J]. */
 double outputs_energy_most(const struct outputs *o);
 double outputs_momentum_defect(const struct outputs *o);
 
