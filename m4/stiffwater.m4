@@ -110,6 +110,25 @@ AC_DEFUN([SW_V3], [
   AM_CONDITIONAL([HAVE_V3], [test $sw_cv_v3 != no])
 ])
 
+# SW_V4
+# The same for 8 lanes (AVX-512); V4_CPPFLAGS is -DSTIFFWATER_V4 where 4 lanes are possible, too.
+AC_DEFUN([SW_V4], [
+  AC_REQUIRE([SW_V3])
+  AC_CACHE_CHECK([for x86-64-v4 (8 lanes), chosen at run time], [sw_cv_v4],
+    [sw_cv_v4=no
+    sw_save=$CFLAGS
+    CFLAGS="$CFLAGS -march=x86-64-v4 -mprefer-vector-width=512"
+    AC_COMPILE_IFELSE([AC_LANG_PROGRAM()], [sw_march=yes], [sw_march=no])
+    CFLAGS=$sw_save
+    AS_IF([test $sw_march = yes && test $sw_cv_v3 != no],
+      [AC_LINK_IFELSE([AC_LANG_PROGRAM([], [return !__builtin_cpu_supports("x86-64-v4");])],
+        [sw_cv_v4=yes])])])
+  V4_CPPFLAGS=
+  AS_IF([test $sw_cv_v4 = yes], [V4_CPPFLAGS=-DSTIFFWATER_V4])
+  AC_SUBST([V4_CPPFLAGS])
+  AM_CONDITIONAL([HAVE_V4], [test $sw_cv_v4 = yes])
+])
+
 # SW_TRY_LINK(CFLAGS, LIBS, PROLOGUE, BODY, IF-YES, IF-NO)
 AC_DEFUN([SW_TRY_LINK], [
   sw_save_CFLAGS=$CFLAGS sw_save_LIBS=$LIBS

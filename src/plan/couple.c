@@ -20,8 +20,17 @@ static bool acts(const struct couple_job *job, int owner, int partner)
 LANES_INLINE void pair_of_numbers(const double *const of[LANES], int at, lanes *first,
                                   lanes *second)
 {
+#if LANES == 8
+    lanes p = { 0 }, q = { 0 };
+
+    for (int l = 0; l < LANES; l++) {
+        p[l] = of[l][at];
+        q[l] = of[l][at + 1];
+    }
+    *first = p;
+    *second = q;
+#elif LANES == 4
     const two a = *(const two *)(of[0] + at), b = *(const two *)(of[1] + at);
-#if LANES == 4
     const two c = *(const two *)(of[2] + at), d = *(const two *)(of[3] + at);
     const lanes ac = __builtin_shufflevector(a, c, 0, 1, 2, 3);
     const lanes bd = __builtin_shufflevector(b, d, 0, 1, 2, 3);
@@ -29,6 +38,8 @@ LANES_INLINE void pair_of_numbers(const double *const of[LANES], int at, lanes *
     *first = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
     *second = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
 #else
+    const two a = *(const two *)(of[0] + at), b = *(const two *)(of[1] + at);
+
     *first = __builtin_shufflevector(a, b, 0, 2);
     *second = __builtin_shufflevector(a, b, 1, 3);
 #endif

@@ -40,6 +40,7 @@ struct couple_engine {
     void (*multiply)(const struct couple_job *job, unsigned kinds, const double *velocity,
                      double *f);
 };
-extern const struct couple_engine couple_engine_lanes2, couple_engine_lanes4;
+extern const struct couple_engine couple_engine_lanes2, couple_engine_lanes4,
+    couple_engine_lanes8;
 
 #endif

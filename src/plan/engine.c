@@ -21,6 +21,16 @@ static const struct engine four = {
     &couple_engine_lanes4
 };
 
+#ifdef STIFFWATER_V4
+extern const struct part *const effects_table_lanes8[], *const walls_table_lanes8[];
+extern const struct kernel *const kernel_table_lanes8[];
+
+static const struct engine eight = {
+    8, &sum_engine_lanes8, effects_table_lanes8, walls_table_lanes8, kernel_table_lanes8,
+    &couple_engine_lanes8
+};
+#endif
+
 const struct engine *engine_pick(void)
 {
     const char *wish = getenv("STIFFWATER_LANES");
@@ -28,6 +38,10 @@ const struct engine *engine_pick(void)
     if (wish && strcmp(wish, "2") == 0)
         return &two;
     __builtin_cpu_init();
+#ifdef STIFFWATER_V4
+    if (!(wish && strcmp(wish, "4") == 0) && __builtin_cpu_supports("x86-64-v4"))
+        return &eight;
+#endif
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &four : &two;
 }
 #else

@@ -17,8 +17,9 @@ struct engine {
     const struct couple_engine *couple;
 };
 
-/* Four lanes where the processor has AVX2 and FMA, else two; the environment
- * variable STIFFWATER_LANES=2 asks for two.  Results do not depend on it. */
+/* Eight lanes where the processor has AVX-512, four where it has AVX2 and FMA, else
+ * two; the environment variable STIFFWATER_LANES=2 or 4 asks for so many at most.
+ * Results do not depend on it. */
 const struct engine *engine_pick(void);
 
 #endif

@@ -16,13 +16,17 @@
 
 enum {
     PARTS = 4,
+    PART_LANES = LANES < PARTS ? LANES : PARTS, /* that fit into one register of parts */
+    TURNS = PARTS / PART_LANES,
     CHUNK_GROUPS = SUM_CHUNK / LANES,
     WORTH_THREADS = 500 /* slots whose sums repay waking the threads */
 };
 
+typedef double parts __attribute__((vector_size(8 * PART_LANES)));
+
 /* Sums of power of one chunk: slot s of it adds to part s % PARTS. */
 struct chunk_power {
-    lanes part[SUM_SLOTS][PARTS / LANES];
+    parts part[SUM_SLOTS][TURNS];
 };
 
 static int chunks_of(const struct list *list, int kind)
@@ -128,8 +132,18 @@ static void set_apart(const struct sum_job *job, int first, int owners, const st
             job->apart[(size_t)(first + l) * DIM + (size_t)d] = part[job->apart_slot].f[d][l];
 }
 
+/* Slots are added one after the other, be they lanes of one group or of two. */
+static inline void add_power(lanes power, int turn, parts *part)
+{
+    parts of[LANES / PART_LANES];
+
+    memcpy(of, &power, sizeof of);
+    for (int i = 0; i < LANES / PART_LANES; i++)
+        part[turn] += of[i];
+}
+
 /* Adds the sums in order of slots, writes the rates, books the power. */
-static void finish_group(const struct sum_job *job, int first, int owners, int quarter,
+static void finish_group(const struct sum_job *job, int first, int owners, int turn,
                          struct side *a, const struct sum *part, struct chunk_power *book)
 {
     struct sum all = { 0 };
@@ -149,7 +163,7 @@ static void finish_group(const struct sum_job *job, int first, int owners, int q
 
         for (int d = 0; d < DIM; d++)
             power += a->v[d] * part[s].f[d];
-        book->part[s][quarter] += power;
+        add_power(power, turn, book->part[s]);
     }
     for (int l = 0; l < owners; l++) {
         for (int d = 0; d < DIM; d++)
@@ -171,7 +185,7 @@ static void clear_slots(const struct sum_job *job, int first, int owners)
         memset(job->apart + from * DIM, 0, n * DIM * sizeof *job->apart);
 }
 
-static void sum_group(const struct sum_job *job, int g, int quarter, struct block *b,
+static void sum_group(const struct sum_job *job, int g, int turn, struct block *b,
                       struct chunk_power *book)
 {
     const struct list *list = job->list;
@@ -194,11 +208,11 @@ static void sum_group(const struct sum_job *job, int g, int quarter, struct bloc
         if (table->n > 0) /* the list also serves fields */
             sum_segment(job, table, segment, &a, b, part);
     }
-    finish_group(job, first, owners, quarter, &a, part, book);
+    finish_group(job, first, owners, turn, &a, part, book);
 }
 
 /* The parts of one sum of power in one order for every lane width. */
-static double total(const lanes *part)
+static double total(const parts *part)
 {
     double p[PARTS];
 
@@ -216,7 +230,7 @@ static void sum_chunk(const struct sum_job *job, int chunk, struct block *b, dou
 
     memset(book.part, 0, (size_t)job->slots * sizeof *book.part);
     for (int g = from; g < to; g++)
-        sum_group(job, g, (g - from) % (PARTS / LANES), b, &book);
+        sum_group(job, g, (g - from) % TURNS, b, &book);
     for (int s = 0; s < job->slots; s++)
         power[s] = total(book.part[s]);
 }

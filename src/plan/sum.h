@@ -70,6 +70,6 @@ struct sum_engine {
     int (*pairs)(const struct sum_job *job, struct sum_scratch *scratch);
     void (*field)(const struct sum_field_job *job);
 };
-extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4;
+extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4, sum_engine_lanes8;
 
 #endif

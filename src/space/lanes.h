@@ -2,12 +2,13 @@
  *
  * Files that use lanes are compiled once per width: LANES comes from the
  * build, and LANE_NAME() keeps their global names apart.  Vectors wider than
- * the machine's registers are slow (4 times), so 4 lanes are for AVX2 only. */
+ * the machine's registers are slow (4 times), so 4 lanes are for AVX2 and 8 for
+ * AVX-512 only. */
 #ifndef SPACE_LANES_H
 #define SPACE_LANES_H
 
 #ifndef LANES
-#error "files of hot rooms are compiled with -DLANES=2 or 4"
+#error "files of hot rooms are compiled with -DLANES=2, 4 or 8"
 #endif
 
 typedef double lanes __attribute__((vector_size(8 * LANES)));

@@ -90,7 +90,7 @@ struct list_engine {
     /* True when update() would rebuild or fail (the list is not touched). */
     bool (*stale)(const struct list *list, const struct cloud *cloud);
 };
-extern const struct list_engine list_engine_lanes2, list_engine_lanes4;
+extern const struct list_engine list_engine_lanes2, list_engine_lanes4, list_engine_lanes8;
 
 /* Inside the box? NaN is outside. */
 static inline bool list_inside(const struct list_def *def, const double *x)

@@ -9,7 +9,9 @@
 #include "space/kinds.h"
 #include "space/lanes.h"
 
-enum { PAIRS_ROWS = 62 }; /* rows of a block at most; more are sliced        */
+/* Rows of a block at most; more are sliced.  A block of 8 lanes would not stay in the
+ * nearest cache with more. */
+enum { PAIRS_ROWS = LANES == 8 ? 30 : 62 };
 
 /* Rows a law asks for; r and mm are there for everybody. */
 enum need {

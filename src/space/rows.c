@@ -6,6 +6,8 @@
 
 #include <string.h>
 
+enum { SCANS = LANES / SCAN_OWNERS }; /* that it takes to find those of all lanes */
+
 typedef int quad __attribute__((vector_size(16), may_alias));
 
 static inline void store(int *to, quad four)
@@ -16,18 +18,20 @@ static inline void store(int *to, quad four)
 /* Four neighbours of each lane to four rows. */
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
-#if LANES == 4
-    const quad a = *(const quad *)(near[0] + k), b = *(const quad *)(near[1] + k);
-    const quad c = *(const quad *)(near[2] + k), d = *(const quad *)(near[3] + k);
-    const quad ac = __builtin_shufflevector(a, c, 0, 4, 1, 5);
-    const quad bd = __builtin_shufflevector(b, d, 0, 4, 1, 5);
-    const quad ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7);
-    const quad bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
+#if LANES > 2
+    for (int l = 0; l < LANES; l += 4) {
+        const quad a = *(const quad *)(near[l] + k), b = *(const quad *)(near[l + 1] + k);
+        const quad c = *(const quad *)(near[l + 2] + k), d = *(const quad *)(near[l + 3] + k);
+        const quad ac = __builtin_shufflevector(a, c, 0, 4, 1, 5);
+        const quad bd = __builtin_shufflevector(b, d, 0, 4, 1, 5);
+        const quad ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7);
+        const quad bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
 
-    store(to, __builtin_shufflevector(ac, bd, 0, 4, 1, 5));
-    store(to + 4, __builtin_shufflevector(ac, bd, 2, 6, 3, 7));
-    store(to + 8, __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5));
-    store(to + 12, __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7));
+        store(to + l, __builtin_shufflevector(ac, bd, 0, 4, 1, 5));
+        store(to + l + LANES, __builtin_shufflevector(ac, bd, 2, 6, 3, 7));
+        store(to + l + 2 * LANES, __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5));
+        store(to + l + 3 * LANES, __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7));
+    }
 #else
     const quad a = *(const quad *)(near[0] + k), b = *(const quad *)(near[1] + k);
 
@@ -49,12 +53,15 @@ static inline void pad(int *near, int n, int rows, int dummy)
 }
 
 /* Pads the lanes to the longest and appends the rows. */
-static int append(struct list_store *store, struct scan *s, int partner, int dummy)
+static int append(struct list_store *store, const struct scan *s, int partner, int dummy)
 {
-    int rows = 0;
+    int rows = 0, count[LANES], *near[LANES];
 
-    for (int l = 0; l < s->owners; l++)
-        rows = s->count[l] > rows ? s->count[l] : rows;
+    for (int l = 0; l < LANES; l++) {
+        count[l] = s[l / SCAN_OWNERS].count[l % SCAN_OWNERS];
+        near[l] = s[l / SCAN_OWNERS].near[l % SCAN_OWNERS];
+        rows = count[l] > rows ? count[l] : rows;
+    }
     if (rows == 0)
         return 0;
     const size_t want = store->used + (size_t)(rows + 4) * LANES;
@@ -65,12 +72,18 @@ static int append(struct list_store *store, struct scan *s, int partner, int dum
         return 0;
     }
     for (int l = 0; l < LANES; l++)
-        pad(s->near[l], l < s->owners ? s->count[l] : 0, rows, dummy);
+        pad(near[l], count[l], rows, dummy);
     for (int k = 0; k < rows; k += 4)
-        transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
+        transpose(near, k, store->j + store->used + (size_t)k * LANES);
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
     store->used += (size_t)rows * LANES;
     return rows;
+}
+
+/* Of one scan, when so many are left. */
+static int owners_of(int left)
+{
+    return left < 0 ? 0 : left < SCAN_OWNERS ? left : SCAN_OWNERS;
 }
 
 static void find_rows(struct list *list, struct list_store *store, struct scan *s, int g)
@@ -81,12 +94,16 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
     const size_t before = store->founds;
     long rows = 0;
 
-    scan_group(s, list->group_slot[g], left < LANES ? left : LANES);
+    for (int i = 0; i < SCANS; i++)
+        scan_group(&s[i], list->group_slot[g] + i * SCAN_OWNERS,
+                   owners_of(left - i * SCAN_OWNERS));
     for (int partner = 0; partner < KINDS; partner++) {
         if (!(list->def.acts[kind] & KIND_BIT(partner))
             || list->start[partner] == list->start[partner + 1])
             continue;
-        scan_near(s, &own->cells[partner], list->offset ? &own->image_cells[partner] : NULL);
+        for (int i = 0; i < SCANS; i++)
+            scan_near(&s[i], &own->cells[partner],
+                      list->offset ? &own->image_cells[partner] : NULL);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);
@@ -97,15 +114,16 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
 static void find_all(struct list *list, struct list_store *store, int from, int to)
 {
     const size_t room = ((size_t)list->listed + 2 * SCAN_WIDE + 3) / 4 * 4;
-    struct scan s;
+    struct scan s[SCANS];
 
     if (!list_grow((void **)&store->near, &store->near_room, LANES * room, sizeof(int))) {
         store->failed = true;
         return;
     }
-    scan_start(&s, list, store->near, room);
+    for (int i = 0; i < SCANS; i++)
+        scan_start(&s[i], list, store->near + (size_t)(i * SCAN_OWNERS) * room, room);
     for (int g = from; g < to && !store->failed; g++)
-        find_rows(list, store, &s, g);
+        find_rows(list, store, s, g);
 }
 
 static int create(struct list **list, const struct list_def *def)

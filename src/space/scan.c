@@ -10,14 +10,14 @@
 #include <float.h>
 #include <limits.h>
 #include <string.h>
-#if LANES == 4 || defined(__SSE2__)
+#if LANES > 2 || defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
 /* a[2i]^2 + a[2i+1]^2 */
 static inline scan_ints squares(scan_places a)
 {
-#if LANES == 4
+#if LANES > 2
     return (scan_ints)_mm256_madd_epi16((__m256i)a, (__m256i)a);
 #elif defined(__SSE2__)
     return (scan_ints)_mm_madd_epi16((__m128i)a, (__m128i)a);
@@ -35,7 +35,7 @@ static inline scan_ints squares(scan_places a)
 /* Bit i of the answer: a[i] < bound. */
 static inline unsigned below(scan_ints a, scan_ints bound)
 {
-#if LANES == 4
+#if LANES > 2
     return (unsigned)_mm256_movemask_ps((__m256)(a < bound));
 #elif defined(__SSE2__)
     return (unsigned)_mm_movemask_ps((__m128)(a < bound));
@@ -72,16 +72,16 @@ static void flush(struct scan *s)
 {
     int *const *place = s->list->own->place;
     const scan_ints bound = s->bound - (scan_ints){ 0 };
-    scan_places owner[LANES][LIST_WORDS];
-    int *end[LANES];
+    scan_places owner[SCAN_OWNERS][LIST_WORDS];
+    int *end[SCAN_OWNERS];
 
     memcpy(owner, s->owner, sizeof owner);
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         end[l] = s->near[l] + s->count[l];
     for (int c = 0; c < s->chunks; c++) {
         const int at = s->slot[c];
 
-        for (int l = 0; l < LANES; l++) {
+        for (int l = 0; l < SCAN_OWNERS; l++) {
             scan_sums r2 = (scan_sums)squares(places_at(place[0] + at) - owner[l][0]);
             for (int w = 1; w < LIST_WORDS; w++) /* of somebody far away it may wrap */
                 r2 += (scan_sums)squares(places_at(place[w] + at) - owner[l][w]);
@@ -92,7 +92,7 @@ static void flush(struct scan *s)
             end[l] += bits(hits);
         }
     }
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         s->count[l] = (int)(end[l] - s->near[l]);
     s->chunks = 0;
 }
@@ -101,7 +101,7 @@ static void flush(struct scan *s)
  * that was collected last, in chunks from number `first` on. */
 static void leave_out_owners(struct scan *s, int from, int first)
 {
-    for (int l = 0; l < LANES; l++) {
+    for (int l = 0; l < SCAN_OWNERS; l++) {
         const int at = s->group + l - from, c = first + at / SCAN_WIDE;
 
         if (at >= 0 && c < s->chunks)
@@ -119,12 +119,12 @@ static inline void collect(struct scan *s, int from, int to)
     for (int at = from; at < to; at += SCAN_BLOCK * SCAN_WIDE, s->chunks += SCAN_BLOCK)
         for (int c = 0; c < SCAN_BLOCK; c++) {
             s->slot[s->chunks + c] = at + c * SCAN_WIDE;
-            memcpy(s->there[s->chunks + c], s->looks, LANES);
+            memcpy(s->there[s->chunks + c], s->looks, SCAN_OWNERS);
         }
     s->chunks = first + (to - from + SCAN_WIDE - 1) / SCAN_WIDE;
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         s->there[s->chunks - 1][l] &= last;
-    if (from < s->group + LANES && to > s->group)
+    if (from < s->group + SCAN_OWNERS && to > s->group)
         leave_out_owners(s, from, first);
 }
 
@@ -190,7 +190,7 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
     s->chunks = 0;
     s->reach = radius * wide / LIST_UNITS;
     s->bound = wide * wide < INT_MAX ? (int)(wide * wide) : INT_MAX;
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         s->near[l] = near + (size_t)l * room;
     make_hits(s->hit);
 }
@@ -203,7 +203,7 @@ static const double *position(const struct scan *s, int lane)
 /* From now on lanes from..to-1 look for neighbours. */
 static void let_look(struct scan *s, int from, int to)
 {
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         s->looks[l] = l >= from && l < to ? SCAN_HITS - 1 : 0;
 }
 
@@ -226,7 +226,7 @@ static void set_box(struct scan *s, int from, int to)
 
 static void set_owners(struct scan *s)
 {
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < SCAN_OWNERS; l++)
         for (int w = 0; w < LIST_WORDS; w++)
             s->owner[l][w] = (scan_places)(s->list->own->place[w][s->group + l] - (scan_ints){ 0 });
 }
@@ -235,6 +235,8 @@ void scan_group(struct scan *s, int group, int owners)
 {
     s->group = group;
     s->owners = owners;
+    if (owners == 0)
+        return;
     set_owners(s);
     let_look(s, 0, owners);
     set_box(s, 0, owners);
@@ -265,6 +267,8 @@ static void take_apart(struct scan *s, const struct cells *c)
 void scan_near(struct scan *s, const struct cells *c, const struct cells *images)
 {
     memset(s->count, 0, sizeof s->count);
+    if (s->owners == 0)
+        return;
     for (; c; c = c == images ? NULL : images)
         if (s->apart)
             take_apart(s, c);

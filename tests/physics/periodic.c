@@ -402,12 +402,12 @@ static const char *const wide =
 
 static void threads_and_lanes_do_not_matter(void **state)
 {
-    static const char *const lanes[] = { "2", "4" };
+    static const char *const lanes[] = { "2", "4", "8" };
 
     (void)state;
     for (int which = 0; which < PHYSICS; which++) {
         double *first = NULL;
-        for (int l = 0; l < 2; l++)
+        for (int l = 0; l < 3; l++)
             for (int threads = 1; threads <= 4; threads *= 2) {
                 struct tank t;
                 setenv("STIFFWATER_LANES", lanes[l], 1);

@@ -1,6 +1,6 @@
 /* effects-lanes.h -- asks an effect at the lane width LANES; the including file
  * sets it. */
-#if LANES == 4 /* slow without AVX, but right: no vector leaves this file */
+#if LANES > 2 /* slow without AVX, but right: no vector leaves this file */
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 #include "effects-pair.h"

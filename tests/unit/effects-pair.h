@@ -27,8 +27,9 @@ enum { PAIR_MOST = 24 };
  * NaN.  One function a lane width. */
 typedef void pair_ask(const struct pair_law *law, const struct pair_particle *a, int n,
                       const struct pair_particle *b, int padding, struct pair_answer *to);
-extern pair_ask effects_ask_lanes2, effects_ask_lanes4;
+extern pair_ask effects_ask_lanes2, effects_ask_lanes4, effects_ask_lanes8;
 extern const struct part *const effects_table_lanes2[], *const effects_table_lanes4[];
+extern const struct part *const effects_table_lanes8[];
 
 /* The world of these tests; the kernel is Wendland's C2, but for laws made of a
  * Laplacian that of viscosity, (K9). */

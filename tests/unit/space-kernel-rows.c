@@ -11,16 +11,19 @@
 #ifdef STIFFWATER_V3
 extern const struct kernel *const kernel_table_lanes4[];
 #endif
+#ifdef STIFFWATER_V4
+extern const struct kernel *const kernel_table_lanes8[];
+#endif
 
-enum { ROWS = 50, NUMBERS = ROWS * LANES };
+enum { ROWS = 52, NUMBERS = ROWS * LANES };
 
 static const double H = 0.3;
 
 /* What rows are made of, and what comes of them; aligned for any width. */
 struct rows {
-    _Alignas(32) double r[NUMBERS];
-    _Alignas(32) double m[NUMBERS], g[NUMBERS], w[NUMBERS], l[NUMBERS];
-    _Alignas(32) double r2[NUMBERS], same[NUMBERS], soft[NUMBERS]; /* of both() */
+    _Alignas(64) double r[NUMBERS];
+    _Alignas(64) double m[NUMBERS], g[NUMBERS], w[NUMBERS], l[NUMBERS];
+    _Alignas(64) double r2[NUMBERS], same[NUMBERS], soft[NUMBERS]; /* of both() */
 };
 
 /* From 0 to a little more than H. */
@@ -128,22 +131,31 @@ void kernel_ends_at_support(void **state)
     }
 }
 
-/* Two lanes or four: the same bits. */
-void kernel_same_bits_lanes(void **state)
+static void compare_widths(const struct kernel *const *table, int width)
 {
-#ifdef STIFFWATER_V3
-    struct rows two, four;
+    struct rows two, more;
 
-    if (space_engines() < 2)
-        return;
     distances(&two);
-    distances(&four);
+    distances(&more);
     for (int i = 0; kernel_table[i]; i++) {
         compute(&two, kernel_table[i], H, 2);
-        compute(&four, kernel_table_lanes4[i], H, 4);
-        check(memcmp(&two, &four, sizeof two) == 0, "%s differs with 4 lanes",
-              kernel_table[i]->name);
+        compute(&more, table[i], H, width);
+        check(memcmp(&two, &more, sizeof two) == 0, "%s differs with %d lanes",
+              kernel_table[i]->name, width);
     }
-#endif
+}
+
+/* Two lanes or more: the same bits. */
+void kernel_same_bits_lanes(void **state)
+{
     (void)state;
+    (void)compare_widths;
+#ifdef STIFFWATER_V3
+    if (space_engines() > 1)
+        compare_widths(kernel_table_lanes4, 4);
+#endif
+#ifdef STIFFWATER_V4
+    if (space_engines() > 2)
+        compare_widths(kernel_table_lanes8, 8);
+#endif
 }

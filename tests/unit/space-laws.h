@@ -1,6 +1,6 @@
 /* space-laws.h -- two laws to sum, for the lane width LANES; the including file
  * sets it.  They mean nothing, but use every row and are symmetric. */
-#if LANES == 4 /* slow without AVX, but right: no vector leaves this file */
+#if LANES > 2 /* slow without AVX, but right: no vector leaves this file */
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 #include "space/pairs.h"

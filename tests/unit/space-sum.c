@@ -18,8 +18,10 @@ enum { SLOTS = 3 };
 static const int mixed[KINDS] = { 400, 161, 30, 53, 10 };
 static const int uniform[KINDS] = { 700 };
 static const double strength = 0.7;
-extern pairs_law *const space_laws_lanes2[], *const space_laws_lanes4[];
+extern pairs_law *const space_laws_lanes2[], *const space_laws_lanes4[],
+    *const space_laws_lanes8[];
 extern const struct kernel kernel_wendland_c2_lanes4, kernel_cubic_spline_lanes4;
+extern const struct kernel kernel_wendland_c2_lanes8, kernel_cubic_spline_lanes8;
 
 /* A particle's fields, creation order. */
 struct fields {
@@ -49,34 +51,46 @@ static struct fields *make_fields(const struct space_cloud *c)
     return of;
 }
 
+/* What stands with 2 lanes, with as many as the engine has. */
+struct wide {
+    pairs_law *const *laws;
+    const struct kernel *wendland, *spline;
+};
+
+static struct wide wide_of(const struct sum_engine *engine)
+{
+#ifdef STIFFWATER_V4
+    if (engine->lanes == 8)
+        return (struct wide){ space_laws_lanes8, &kernel_wendland_c2_lanes8,
+                              &kernel_cubic_spline_lanes8 };
+#endif
+#ifdef STIFFWATER_V3
+    if (engine->lanes == 4)
+        return (struct wide){ space_laws_lanes4, &kernel_wendland_c2_lanes4,
+                              &kernel_cubic_spline_lanes4 };
+#endif
+    (void)engine;
+    return (struct wide){ space_laws_lanes2, &kernel_wendland_c2, &kernel_cubic_spline };
+}
+
 /* Slot 0: nothing; slot 1: first law, everybody; slot 2: second law, shorter
  * kernel, for fluid and walls only. */
 static void make_tables(struct work *w, double support)
 {
-    const bool wide = w->engine->lanes == 4;
-    pairs_law *const *laws = space_laws_lanes2;
+    const struct wide wide = wide_of(w->engine);
 
-#ifdef STIFFWATER_V3
-    laws = wide ? space_laws_lanes4 : laws;
-    w->kernel[0] = kernel_use_make(wide ? &kernel_wendland_c2_lanes4 : &kernel_wendland_c2,
-                                   support, DIM);
-    w->kernel[1] = kernel_use_make(wide ? &kernel_cubic_spline_lanes4 : &kernel_cubic_spline,
-                                   0.8 * support, DIM);
-#else
-    (void)wide;
-    w->kernel[0] = kernel_use_make(&kernel_wendland_c2, support, DIM);
-    w->kernel[1] = kernel_use_make(&kernel_cubic_spline, 0.8 * support, DIM);
-#endif
+    w->kernel[0] = kernel_use_make(wide.wendland, support, DIM);
+    w->kernel[1] = kernel_use_make(wide.spline, 0.8 * support, DIM);
     for (int a = 0; a < KINDS; a++)
         for (int b = 0; b < KINDS; b++) {
             struct pairs_table *t = &w->table[a * KINDS + b];
 
-            t->work[t->n++] = (struct pairs_work){ laws[0], NULL, &w->kernel[0], 1,
+            t->work[t->n++] = (struct pairs_work){ wide.laws[0], NULL, &w->kernel[0], 1,
                                                   NEED_GRADW };
             t->needs = NEED_X | NEED_P2 | NEED_GRADW | NEED_XV;
             if (a > KIND_WALL || b > KIND_WALL)
                 continue;
-            t->work[t->n++] = (struct pairs_work){ laws[1], &strength, &w->kernel[1], 2,
+            t->work[t->n++] = (struct pairs_work){ wide.laws[1], &strength, &w->kernel[1], 2,
                                                   NEED_GRADW | NEED_W };
             t->needs |= NEED_V | NEED_W | NEED_IRHO | NEED_RHO | NEED_R2;
         }
@@ -253,7 +267,7 @@ static void use_threads(int n)
 
 void sum_same_bits_lanes_and_threads(void **state)
 {
-    const char *const name[] = { "2 lanes", "4 lanes" };
+    const char *const name[] = { "2 lanes", "4 lanes", "8 lanes" };
     struct space_cloud *c = space_cloud(mixed, 0.2, 0.02);
     struct fields *of = make_fields(c);
 
@@ -321,7 +335,8 @@ void sum_padding_adds_nothing(void **state)
     for (int e = 0; e < space_engines(); e++) {
         struct work *w = work(e, c, of), bare = *w;
         const struct list *list = w->list;
-        int *j = test_malloc((size_t)(list->rows_before[list->groups] + 1) * 4 * sizeof(int));
+        int *j = test_malloc((size_t)(list->rows_before[list->groups] + 1)
+                             * (size_t)list->lanes * sizeof *j);
         struct list_segment *segment =
             test_malloc((size_t)(list->segment_from[list->groups] + 1) * sizeof *segment);
         const struct list thin = prune(list, c, j, segment);

@@ -7,6 +7,10 @@ int space_engines(void)
 {
 #ifdef STIFFWATER_V3
     __builtin_cpu_init();
+#ifdef STIFFWATER_V4
+    if (__builtin_cpu_supports("x86-64-v4"))
+        return 3;
+#endif
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? 2 : 1;
 #else
     return 1;
@@ -19,6 +23,9 @@ const struct sum_engine *space_engine(int i)
         &sum_engine_lanes2,
 #ifdef STIFFWATER_V3
         &sum_engine_lanes4,
+#endif
+#ifdef STIFFWATER_V4
+        &sum_engine_lanes8,
 #endif
     };
 
