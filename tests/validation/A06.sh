@@ -70,6 +70,8 @@ set size ratio -1
 unset xlabel
 unset ylabel
 unset key
+set xtics 1
+set ytics 1
 set xrange [-1.6:1.6]
 set yrange [-1.6:1.6]
 set title 'ω t = 2, without artificial-stress'

@@ -48,15 +48,17 @@ done
 draw <<'G'
 set datafile separator ' '
 set multiplot layout 1, 2
-set key top left Left reverse
+set xtics 0.4
+set key bottom right
 set xlabel 'u on x = 1/2 [U]'
 set ylabel 'y [L]'
 plot 'adami50.u' using 2:1 with points pt 6 lc rgb grey title 'Ghia 1982', \
     'adami25.u' using 3:1 with linespoints pt 7 ps 0.5 lc rgb pick(2) title 'dx = L/25', \
     'adami50.u' using 3:1 with linespoints pt 7 ps 0.5 lc rgb pick(1) title 'dx = L/50'
+set xtics 0.2
+set key top right
 set xlabel 'x [L]'
 set ylabel 'v on y = 1/2 [U]'
-set key top right
 plot 'adami50.v' using 1:2 with points pt 6 lc rgb grey title 'Ghia 1982', \
     'adami25.v' using 1:3 with linespoints pt 7 ps 0.5 lc rgb pick(2) title 'dx = L/25', \
     'adami50.v' using 1:3 with linespoints pt 7 ps 0.5 lc rgb pick(1) title 'dx = L/50'
