@@ -10,8 +10,7 @@
  * with other work:
  *
  *     gather   neighbours fetched, separations and roots formed
- *     geom     kernel gradient, its division by r^2 + 0.01 hs^2
- *     effects  the laws
+ *     laws     kernel gradient, its division by r^2 + 0.01 hs^2, and the laws
  *     pack     records of everybody with the equation of state
  *     rest     check of displacements, rates written to their places
  *     list     sorting and finding, times the share of rebuilds
@@ -45,7 +44,7 @@ static FILE *csv;
 
 /* What one case took [ns per particle]. */
 struct parts {
-    double gather, geometry, effects, pack, rest, fresh, sort, rebuild;
+    double gather, laws, pack, rest, fresh, sort, rebuild;
     struct bench_times rhs;
 };
 
@@ -125,6 +124,7 @@ static double sum_of(struct water *w, int laws, unsigned without)
         table[i].needs &= ~without;
         for (int k = 0; k < table[i].n; k++)
             table[i].work[k].needs &= ~without;
+        w->plan->engine->sum->arrange(&table[i], true);
     }
     time = bench_time(add_up, w, w->all, 2).least;
     memcpy(table, old, sizeof old);
@@ -140,10 +140,9 @@ static struct parts measure(struct water *w, double share)
     w->share = 0;
     t.fresh = bench_time(water_rates, w, w->all, 2).least;
     t.gather = sum_of(w, 0, KERNEL_BITS);
-    t.geometry = sum_of(w, 0, 0) - t.gather;
-    t.effects = sum_of(w, PAIRS_LAWS, 0) - t.geometry - t.gather;
+    t.laws = sum_of(w, PAIRS_LAWS, 0) - t.gather;
     t.pack = bench_time(pack_only, w, w->all, 2).least;
-    t.rest = t.fresh - t.pack - t.effects - t.geometry - t.gather;
+    t.rest = t.fresh - t.pack - t.laws - t.gather;
     t.rebuild = bench_time(rebuild, w, w->all, 2).least;
     t.sort = bench_time(sort_only, w, w->all, 2).least;
     rebuild(w);
@@ -206,15 +205,15 @@ static void report(struct water *w, const struct water_def *def, double share)
     water_rates(w);
     count(w, &useful, &entries);
     const char *same = threads_agree(w, &hash);
-    printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %5.1f %6.1f %5.1f %5.1f %5.1f"
+    printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
            " |%6.1f %6.1f (%.1f-%.1f) %6.2f %6.1f  %016" PRIx64 " %s\n",
            DIM, def->endless ? '*' : ' ', w->fluid, w->all, width, support, skin, 100 * share,
-           useful, entries / useful, t.gather, t.geometry, t.effects, t.pack, t.rest,
+           useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
            share * t.rebuild, t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
            1e3 * useful / t.rhs.median, hash, same);
-    fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
+    fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
             PRIx64 ",%s\n", DIM, w->fluid, w->all, width, support, skin, share, useful,
-            entries / useful, t.gather, t.geometry, t.effects, t.pack, t.rest, t.sort, t.rebuild,
+            entries / useful, t.gather, t.laws, t.pack, t.rest, t.sort, t.rebuild,
             t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
             1e3 * useful / t.rhs.median, share * t.rebuild / t.rhs.median, hash, same);
     fflush(stdout);
@@ -231,9 +230,9 @@ static void run(const struct water_def *def, double share)
 
 static void head(void)
 {
-    printf("%2s %7s %7s %s %4s %4s %4s %5s %5s |%6s %5s %6s %5s %5s %5s |%6s %6s %13s %6s %6s\n",
-           "", "fluid", "all", "L", "H/dx", "skin", "reb.", "nb", "rows", "gather", "geom",
-           "effect", "pack", "rest", "list", "fresh", "RHS", "(least-most)", "M/s", "Mpr/s");
+    printf("%2s %7s %7s %s %4s %4s %4s %5s %5s |%6s %6s %5s %5s %5s |%6s %6s %13s %6s %6s\n",
+           "", "fluid", "all", "L", "H/dx", "skin", "reb.", "nb", "rows", "gather", "laws",
+           "pack", "rest", "list", "fresh", "RHS", "(least-most)", "M/s", "Mpr/s");
 }
 
 static void per_effect(const struct water_def *def)
@@ -255,6 +254,30 @@ static void per_effect(const struct water_def *def)
         printf("    %-22s %6.1f  (%+.1f)\n", name, time, laws > 0 ? time - before : 0.0);
         before = time;
     }
+    water_free(&w);
+}
+
+/* Laws in one loop, and one after the other on the same rows, in turn. */
+static void one_loop(const struct water_def *def)
+{
+    enum { TURNS = 41 };
+    double ns[2][TURNS], ratio[TURNS];
+    struct water w;
+
+    water_make(&w, def);
+    for (int r = 0; r < TURNS; r++) {
+        for (int fuse = 0; fuse < 2; fuse++) {
+            for (int i = 0; i < KINDS * KINDS; i++)
+                w.plan->engine->sum->arrange(&w.plan->table[i], fuse);
+            const double start = bench_cpu();
+            add_up(&w);
+            ns[fuse][r] = 1e9 * (bench_cpu() - start) / w.all;
+        }
+        ratio[r] = ns[1][r] / ns[0][r];
+    }
+    const struct bench_times q = bench_sort(ratio, TURNS);
+    printf("laws in one loop: %.1f ns, one after the other %.1f (least), ratio %.2f (median)\n",
+           bench_sort(ns[1], TURNS).least, bench_sort(ns[0], TURNS).least, q.median);
     water_free(&w);
 }
 
@@ -336,7 +359,7 @@ int main(int argc, char **argv)
     bench_head(DIM == 2 ? "whole right-hand side in 2D" : "whole right-hand side in 3D",
                engine_pick()->lanes);
     csv = bench_csv(argv[0], "dimension,fluid,all,lanes,support,skin,share,neighbours,rows,gather,"
-                    "geometry,effects,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
+                    "laws,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
                     "million_rhs_per_s,million_pairs_per_s,list_share,hash,threads_1_2_4");
     head();
     cases();
@@ -344,6 +367,7 @@ int main(int argc, char **argv)
     run(&usual, 0.2);
     unsetenv("STIFFWATER_LANES");
     per_effect(&usual);
+    one_loop(&usual);
     rebuild_parts(usual);
     two_threads(&usual);
     fclose(csv);

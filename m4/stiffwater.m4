@@ -220,7 +220,9 @@ AC_DEFUN([SW_SUNDIALS_TRY], [
 # SW_SUMMARY
 # What was found, and what to type next.
 AC_DEFUN([SW_SUMMARY], [
-  AS_IF([test $sw_cv_v3 = no], [sw_lanes="2"], [sw_lanes="2, and 4 where the machine has AVX2"])
+  AS_IF([test $sw_cv_v3 = no], [sw_lanes="2"],
+        [test $sw_cv_v4 = no], [sw_lanes="2, and 4 where the machine has AVX2"],
+        [sw_lanes="2, 4 where the machine has AVX2, 8 where it has AVX-512"])
   AS_IF([test -z "$OPENMP_CFLAGS"], [sw_openmp="no (one core only)"], [sw_openmp="yes"])
   AS_IF([test $sundials_mpi = yes], [sw_mpi=" (with MPI)"], [sw_mpi=])
   AS_IF([test $have_cmocka = no], [sw_tests="no cmocka: make check will not build"],

@@ -13,14 +13,8 @@
  * It is worth a kinematic viscosity of alpha c0 hs / (2 (D + 2)).
  * Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574, eq. 4.1-4.2.
  * Checked in tests/physics/laws.c. */
+#include "effects/artificial-viscosity.h"
 #include "effects/effects.h"
-
-struct artificial_viscosity {
-    double alpha;
-    bool only_approaching;
-    double strength; /* alpha c0 hs / 2        [m^2/s] */
-    double rate;     /* fastest decay          [1/s]   */
-};
 
 static const struct param params[] = {
     { .key = "alpha", .unit = "1", .offset = offsetof(struct artificial_viscosity, alpha),
@@ -31,36 +25,21 @@ static const struct param params[] = {
     { 0 },
 };
 
-/* The one place of (V2): factor of x in the force of one row. */
-static inline lanes factor(const struct artificial_viscosity *s, const struct side *a,
-                           const struct block *b, int k, lanes xv)
-{
-    return s->strength * (a->irho + b->irho[k]) * (xv * b->gw_r2[k]);
-}
-
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    struct sum t = *to;
+    pairs_rows(artificial_viscosity_row, self, a, b, to);
+}
 
-    for (int k = 0; k < b->n; k++) {
-        const lanes c = factor(self, a, b, k, b->xv[k]);
-        for (int d = 0; d < DIM; d++)
-            t.f[d] += c * b->x[d][k];
-    }
-    *to = t;
+LANES_INLINE void approaching_row(const void *self, const struct side *a, const struct row *b,
+                                  struct sum *to)
+{
+    artificial_viscosity_along(self, a, b, -lanes_positive(-b->xv), to);
 }
 
 static void pairs_approaching(const void *self, const struct side *a, const struct block *b,
                               struct sum *to)
 {
-    struct sum t = *to;
-
-    for (int k = 0; k < b->n; k++) {
-        const lanes c = factor(self, a, b, k, -lanes_positive(-b->xv[k]));
-        for (int d = 0; d < DIM; d++)
-            t.f[d] += c * b->x[d][k];
-    }
-    *to = t;
+    pairs_rows(approaching_row, self, a, b, to);
 }
 
 static part_pairs *choose(const void *self)

@@ -10,9 +10,7 @@
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    (void)self;
-    (void)a;
-    density_rate(b, to);
+    pairs_rows(density_rate_row, self, a, b, to);
 }
 
 /* The fluid's own density; solids get theirs from their wall model. */

@@ -11,14 +11,8 @@
  * hydrostatic part: Fourtakas et al., Comput. Fluids 190 (2019) 346-361, here
  * linearised about rho0 so that both sides agree.
  * Checked in tests/physics/laws.c. */
+#include "effects/density-diffusion.h"
 #include "effects/effects.h"
-
-struct density_diffusion {
-    double delta;
-    double strength; /* delta hs c0               [m^2/s]    */
-    double slope[3]; /* rho0 g / c0^2             [kg/m^4]   */
-    double rate;     /* fastest decay             [1/s]      */
-};
 
 static const struct param params[] = {
     { .key = "delta", .unit = "1", .offset = offsetof(struct density_diffusion, delta),
@@ -28,17 +22,7 @@ static const struct param params[] = {
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    const struct density_diffusion *s = self;
-    lanes drho = to->drho;
-
-    for (int k = 0; k < b->n; k++) {
-        lanes hydrostatic = s->slope[0] * b->x[0][k];
-        for (int d = 1; d < DIM; d++)
-            hydrostatic += s->slope[d] * b->x[d][k];
-        drho += s->strength * (a->irho + b->irho[k]) * (a->rho - b->rho[k] - hydrostatic)
-              * (b->gw_r2[k] * b->r2[k]);
-    }
-    to->drho = drho;
+    pairs_rows(density_diffusion_row, self, a, b, to);
 }
 
 static int prepare(void *self, const struct scales *scales)

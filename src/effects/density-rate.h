@@ -10,13 +10,12 @@
 #include "space/pairs.h"
 
 /* Adds m_a times the rate. */
-LANES_INLINE void density_rate(const struct block *b, struct sum *to)
+LANES_INLINE void density_rate_row(const void *self, const struct side *a, const struct row *b,
+                                   struct sum *to)
 {
-    lanes drho = to->drho;
-
-    for (int k = 0; k < b->n; k++)
-        drho += b->gw[k] * b->xv[k];
-    to->drho = drho;
+    (void)self;
+    (void)a;
+    to->drho += b->gw * b->xv;
 }
 
 #endif

@@ -8,14 +8,9 @@
  * stands for the seed's (28)-(31), whose printed kernel is wrong in sign and
  * dimension.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
+#include "effects/laminar-viscosity.h"
 #include "effects/lightest.h"
 #include "effects/viscosity-side.h"
-
-struct laminar_viscosity {
-    double mu;   /* dynamic viscosity                 [Pa s] */
-    double rate; /* fastest decay with nu = 1         [1/m^2] */
-    const char *side, *stick;
-};
 
 static const char *const sticks[] = { "face", "particles", NULL };
 
@@ -27,31 +22,18 @@ static const struct param params[] = {
     { 0 },
 };
 
-/* The c of rows k, F_ab = -c v. */
-LANES_INLINE lanes coupling(const struct laminar_viscosity *s, const struct side *a,
-                            const struct block *b, int k)
-{
-    return -2 * s->mu * (a->irho * b->irho[k]) * (b->gw_r2[k] * b->r2[k]);
-}
-
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    const struct laminar_viscosity *s = self;
-    struct sum t = *to; /* registers, not memory */
-
-    for (int k = 0; k < b->n; k++) {
-        const lanes c = coupling(s, a, b, k);
-        for (int d = 0; d < DIM; d++)
-            t.f[d] -= c * b->v[d][k];
-    }
-    *to = t;
+    pairs_rows(laminar_viscosity_row, self, a, b, to);
 }
 
 static void couple(const void *self, const struct side *a, const struct block *b,
                    struct coupling *to)
 {
-    for (int k = 0; k < b->n; k++)
-        to->c[k] = coupling(self, a, b, k);
+    for (int k = 0; k < b->n; k++) {
+        const struct row row = pairs_row(b, k);
+        to->c[k] = laminar_viscosity_coupling(self, a, &row);
+    }
 }
 
 static bool stiff(const void *self)

@@ -6,18 +6,11 @@
  * Lagrangian with (D1).  It replaces the seed's (24), which has p/rho: wrong by
  * a factor of about rho.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
+#include "effects/pressure-force.h"
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    struct sum t = *to; /* registers, not memory */
-
-    (void)self;
-    for (int k = 0; k < b->n; k++) {
-        const lanes c = (a->p2 + b->p2[k]) * b->gw[k];
-        for (int d = 0; d < DIM; d++)
-            t.f[d] -= c * b->x[d][k];
-    }
-    *to = t;
+    pairs_rows(pressure_force_row, self, a, b, to);
 }
 
 const struct part LANE_NAME(effects_pressure_force) = {

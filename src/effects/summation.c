@@ -48,9 +48,7 @@ static void settle(const void *self, const struct settle *s)
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
-    (void)self;
-    (void)a;
-    density_rate(b, to);
+    pairs_rows(density_rate_row, self, a, b, to);
 }
 
 #define EVERYBODY (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)

@@ -55,6 +55,7 @@ static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
                 one->work[one->n] = all->work[k];
                 one->work[one->n++].needs = all->needs;
             }
+        p->engine->sum->arrange(one, false);
     }
 }
 

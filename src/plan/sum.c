@@ -7,6 +7,7 @@
 #include "plan/sum.h"
 
 #include "base/status.h"
+#include "effects/fused.h"
 #include "space/gather.h"
 #include "space/record.h"
 #include "space/threads.h"
@@ -85,6 +86,25 @@ static int share(const struct list *list, int n, int t, int of)
     return low;
 }
 
+/* Laws one after the other, each on all rows. */
+static void laws_in_turn(const struct pairs_table *table, const struct side *a,
+                         struct block *b, struct sum *sum)
+{
+    for (int i = 0; i < table->n; i++) {
+        const struct pairs_work *w = &table->work[i];
+
+        gather_kernel(w->needs, w->kernel, b);
+        w->law(w->self, a, b, &sum[w->slot]);
+    }
+}
+
+static void arrange(struct pairs_table *table, bool fuse)
+{
+    pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
+
+    table->laws = fused ? fused : laws_in_turn;
+}
+
 /* Laws of one table on the rows of one segment. */
 static void sum_segment(const struct sum_job *job, const struct pairs_table *table,
                         const struct list_segment *segment, const struct side *a,
@@ -97,12 +117,7 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
 
         b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
         gather(job->record, segment->j + (size_t)row * LANES, b->n, a, b);
-        for (int i = 0; i < table->n; i++) {
-            const struct pairs_work *w = &table->work[i];
-
-            gather_kernel(w->needs, w->kernel, b);
-            w->law(w->self, a, b, &part[w->slot]);
-        }
+        table->laws(table, a, b, part);
     }
 }
 
@@ -335,5 +350,6 @@ static void sum_field(const struct sum_field_job *job)
 }
 
 const struct sum_engine LANE_NAME(sum_engine) = {
-    .lanes = LANES, .list = &LANE_NAME(list_engine), .pairs = sum_pairs, .field = sum_field,
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .arrange = arrange, .pairs = sum_pairs,
+    .field = sum_field,
 };

@@ -66,6 +66,11 @@ struct sum_scratch {
 struct sum_engine {
     int lanes;
     const struct list_engine *list;
+
+    /* How the laws of a table are run, before pairs() meets it and after each change
+     * of it; `fuse`: in one loop where there is one (effects/fused.h), the same bits. */
+    void (*arrange)(struct pairs_table *table, bool fuse);
+
     /* 0 or STATUS_FAILED (no memory). */
     int (*pairs)(const struct sum_job *job, struct sum_scratch *scratch);
     void (*field)(const struct sum_field_job *job);

@@ -60,8 +60,10 @@ static int make_table(struct plan *p, struct pairs_table *table, enum sides side
             for (int b = 0; b < KINDS; b++)
                 TRY(add_law(p, table, part, a, b));
     }
-    for (int i = 0; i < KINDS * KINDS; i++)
+    for (int i = 0; i < KINDS * KINDS; i++) {
         share_kernels(&table[i]);
+        p->engine->sum->arrange(&table[i], true);
+    }
     return STATUS_DONE;
 }
 

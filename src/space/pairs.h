@@ -51,6 +51,28 @@ struct block {
     lanes rho[PAIRS_ROWS], p2[PAIRS_ROWS], m[PAIRS_ROWS], irho[PAIRS_ROWS]; /* of b */
 };
 
+/* What a law sees of one row: a loop over rows that several laws share holds it in
+ * registers.  Members are those of struct block. */
+struct row {
+    lanes x[DIM], v[DIM];
+    lanes r2, xv, gw, gw_r2, rho, p2, irho;
+};
+
+/* Row k of b; what is not looked at is not even loaded. */
+LANES_INLINE struct row pairs_row(const struct block *b, int k)
+{
+    struct row row = {
+        .r2 = b->r2[k], .xv = b->xv[k], .gw = b->gw[k], .gw_r2 = b->gw_r2[k],
+        .rho = b->rho[k], .p2 = b->p2[k], .irho = b->irho[k],
+    };
+
+    for (int d = 0; d < DIM; d++) {
+        row.x[d] = b->x[d][k];
+        row.v[d] = b->v[d][k];
+    }
+    return row;
+}
+
 /* What one law adds up for its owners. */
 struct sum {
     lanes f[DIM]; /* force                                         [N, 2D: N/m] */
@@ -68,6 +90,23 @@ typedef void pairs_field(const void *self, const struct side *a, const struct bl
 typedef void pairs_law(const void *self, const struct side *a, const struct block *b,
                        struct sum *to);
 
+/* A law on one row. */
+typedef void pairs_row_law(const void *self, const struct side *a, const struct row *b,
+                           struct sum *to);
+
+/* A law on all rows of b; `law` is a constant, so that it is copied into the loop. */
+LANES_INLINE void pairs_rows(pairs_row_law *law, const void *self, const struct side *a,
+                             const struct block *b, struct sum *to)
+{
+    struct sum t = *to; /* registers, not memory */
+
+    for (int k = 0; k < b->n; k++) {
+        const struct row row = pairs_row(b, k);
+        law(self, a, &row, &t);
+    }
+    *to = t;
+}
+
 struct kernel_use; /* space/kernel.h */
 
 /* One law at work between two kinds. */
@@ -82,11 +121,17 @@ struct pairs_work {
 
 enum { PAIRS_LAWS = 12 };
 
+/* Adds what all laws of a table give on the rows of b to the sums of their slots. */
+struct pairs_table;
+typedef void pairs_laws(const struct pairs_table *table, const struct side *a, struct block *b,
+                        struct sum *sum);
+
 /* Everything that acts on owners of one kind from partners of one kind, in the
  * order in which sums are added; laws that share a kernel stand together. */
 struct pairs_table {
     int n;
     unsigned needs; /* NEED_ bits of all of them                             */
+    pairs_laws *laws; /* how they are run: plan/sum.h arranges it            */
     struct pairs_work work[PAIRS_LAWS];
 };
 

@@ -9,7 +9,7 @@
  *
  * Wendland, Adv. Comput. Math. 4 (1995) 389-396; Dehnen, Aly, Mon. Not. R.
  * Astron. Soc. 425 (2012) 1068-1082.  Checked in tests/unit/space-kernels.c. */
-#include "space/kernel.h"
+#include "space/wendland-c2.h"
 
 #include <math.h>
 
@@ -34,33 +34,24 @@ static double curvature(double q)
     return -20 * t * t * (1 - 4 * q);
 }
 
-static inline lanes gradient_of(double inverse, double factor, lanes r, lanes m)
-{
-    const lanes t = lanes_positive(1 - inverse * r);
-
-    return factor * m * t * (t * t);
-}
-
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = -20 * scale * inverse * inverse;
+    const struct wendland_c2 c = wendland_c2_make(support, scale);
 
     for (int k = 0; k < n; k++)
-        g[k] = gradient_of(inverse, factor, r[k], m[k]);
+        g[k] = wendland_c2_gradient(&c, r[k], m[k]);
 }
 
 static void both(double support, double scale, int n, const lanes *r, const lanes *r2,
                  const lanes *m, lanes *restrict g, lanes *restrict g_r2)
 {
-    const double inverse = 1 / support, eta2 = kernel_softening(support);
-    const double factor = -20 * scale * inverse * inverse;
+    const struct wendland_c2 c = wendland_c2_make(support, scale);
 
     for (int k = 0; k < n; k++) {
-        const lanes gk = gradient_of(inverse, factor, r[k], m[k]);
+        const lanes gk = wendland_c2_gradient(&c, r[k], m[k]);
         g[k] = gk;
-        g_r2[k] = gk / (r2[k] + eta2);
+        g_r2[k] = wendland_c2_softened(&c, gk, r2[k]);
     }
 }
 

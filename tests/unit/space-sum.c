@@ -88,6 +88,7 @@ static void make_tables(struct work *w, double support)
             t->work[t->n++] = (struct pairs_work){ wide.laws[0], NULL, &w->kernel[0], 1,
                                                   NEED_GRADW };
             t->needs = NEED_X | NEED_P2 | NEED_GRADW | NEED_XV;
+            w->engine->arrange(t, false);
             if (a > KIND_WALL || b > KIND_WALL)
                 continue;
             t->work[t->n++] = (struct pairs_work){ wide.laws[1], &strength, &w->kernel[1], 2,

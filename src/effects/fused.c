@@ -1,0 +1,115 @@
+/* fused.c -- the loops of usual tables: a line each. */
+#include "effects/fused.h"
+
+#include "effects/artificial-viscosity.h"
+#include "effects/density-diffusion.h"
+#include "effects/density-rate.h"
+#include "effects/effects.h"
+#include "effects/laminar-viscosity.h"
+#include "effects/pressure-force.h"
+#include "space/wendland-c2.h"
+
+#include <stddef.h>
+
+enum { MOST = 4 }; /* laws in one loop: more do not fit into the registers */
+
+/* Row k of b with the gradients that gather_kernel() would have left there. */
+LANES_INLINE struct row with_gradient(const struct wendland_c2 *c, const struct block *b, int k)
+{
+    struct row row = pairs_row(b, k);
+
+    row.gw = wendland_c2_gradient(c, b->r[k], b->mm[k]);
+    row.gw_r2 = wendland_c2_softened(c, row.gw, row.r2);
+    return row;
+}
+
+/* The laws are constants, NULL behind the last. */
+LANES_INLINE void run(const struct pairs_table *table, const struct side *a,
+                      const struct block *b, struct sum *sum, pairs_row_law *first,
+                      pairs_row_law *second, pairs_row_law *third, pairs_row_law *fourth)
+{
+    const struct pairs_work *w = table->work;
+    const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
+    const int n = 2 + (third != NULL) + (fourth != NULL);
+    struct sum t[MOST];
+
+    for (int i = 0; i < n; i++)
+        t[i] = sum[w[i].slot];
+    for (int k = 0; k < b->n; k++) {
+        const struct row row = with_gradient(&c, b, k);
+
+        first(w[0].self, a, &row, &t[0]);
+        second(w[1].self, a, &row, &t[1]);
+        if (third)
+            third(w[2].self, a, &row, &t[2]);
+        if (fourth)
+            fourth(w[3].self, a, &row, &t[3]);
+    }
+    for (int i = 0; i < n; i++)
+        sum[w[i].slot] = t[i];
+}
+
+#define LOOP(name, first, second, third, fourth)                                           \
+    static void name(const struct pairs_table *table, const struct side *a,                \
+                     struct block *b, struct sum *sum)                                     \
+    {                                                                                      \
+        run(table, a, b, sum, first, second, third, fourth);                               \
+    }
+
+LOOP(rate_pressure, density_rate_row, pressure_force_row, NULL, NULL)
+LOOP(rate_pressure_artificial, density_rate_row, pressure_force_row, artificial_viscosity_row,
+     NULL)
+LOOP(rate_pressure_laminar, density_rate_row, pressure_force_row, laminar_viscosity_row, NULL)
+LOOP(rate_pressure_diffusion, density_rate_row, pressure_force_row, density_diffusion_row, NULL)
+LOOP(rate_pressure_artificial_diffusion, density_rate_row, pressure_force_row,
+     artificial_viscosity_row, density_diffusion_row)
+LOOP(rate_pressure_laminar_diffusion, density_rate_row, pressure_force_row,
+     laminar_viscosity_row, density_diffusion_row)
+LOOP(pressure_artificial, pressure_force_row, artificial_viscosity_row, NULL, NULL)
+LOOP(pressure_laminar, pressure_force_row, laminar_viscosity_row, NULL, NULL)
+LOOP(rate_diffusion, density_rate_row, density_diffusion_row, NULL, NULL)
+
+#define RATE &LANE_NAME(effects_continuity)
+#define PRESSURE &LANE_NAME(effects_pressure_force)
+#define ARTIFICIAL &LANE_NAME(effects_artificial_viscosity)
+#define LAMINAR &LANE_NAME(effects_laminar_viscosity)
+#define DIFFUSION &LANE_NAME(effects_density_diffusion)
+
+extern const struct part LANE_NAME(effects_continuity), LANE_NAME(effects_pressure_force),
+    LANE_NAME(effects_artificial_viscosity), LANE_NAME(effects_laminar_viscosity),
+    LANE_NAME(effects_density_diffusion);
+
+static const struct {
+    const struct part *part[MOST + 1]; /* whose laws, in table order, NULL-ended */
+    pairs_laws *laws;
+} fused[] = {
+    { { RATE, PRESSURE }, rate_pressure },
+    { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial },
+    { { RATE, PRESSURE, LAMINAR }, rate_pressure_laminar },
+    { { RATE, PRESSURE, DIFFUSION }, rate_pressure_diffusion },
+    { { RATE, PRESSURE, ARTIFICIAL, DIFFUSION }, rate_pressure_artificial_diffusion },
+    { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion },
+    { { PRESSURE, ARTIFICIAL }, pressure_artificial },
+    { { PRESSURE, LAMINAR }, pressure_laminar },
+    { { RATE, DIFFUSION }, rate_diffusion },
+};
+
+/* A part that chose another law than its usual one is another part here. */
+static bool same(const struct pairs_table *table, const struct part *const *part)
+{
+    int n = 0;
+
+    for (; part[n]; n++)
+        if (n == table->n || table->work[n].law != part[n]->pairs
+            || table->work[n].kernel != table->work[0].kernel)
+            return false;
+    return n == table->n && table->work[0].kernel->kernel == &kernel_wendland_c2;
+}
+
+pairs_laws *fused_laws(const struct pairs_table *table)
+{
+    for (size_t i = 0; i < sizeof fused / sizeof *fused; i++)
+        if (same(table, fused[i].part))
+            return fused[i].laws;
+    return NULL;
+}

@@ -1,0 +1,146 @@
+/* fused.c -- laws in one loop give what they give one after the other, to the bit, and
+ * every loop that is written is met here. */
+#include "tank.h"
+
+#include "plan/inside.h"
+
+#include <stdlib.h>
+#include <string.h>
+#define LANES 2 /* only sizes without lanes are used here */
+#include "space/pairs.h"
+
+static const char *const physics[] = {
+    "effects = { continuity = { }; pressure = { }; };",
+    "effects = { continuity = { }; pressure = { }; density-diffusion = { delta = 0.1; }; };",
+    "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"
+    " density-diffusion = { delta = 0.1; }; };",
+    "walls = \"adami\"; effects = { continuity = { }; pressure = { };"
+    " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };",
+};
+enum { PHYSICS = sizeof physics / sizeof physics[0] };
+
+static const char *const wide[] = { "2", "4", "8" };
+enum { WIDTHS = sizeof wide / sizeof wide[0] };
+
+enum { HALVES = 3, TABLES = HALVES * KINDS * KINDS, LOOPS = 9 };
+static const enum plan_which half[HALVES] = { PLAN_EXPLICIT, PLAN_DENSITY, PLAN_VELOCITY };
+
+/* All tables of a plan. */
+static struct pairs_table *tables(const struct tank *t, int i)
+{
+    struct pairs_table *const half_table[HALVES] = { t->plan->table, t->plan->rates,
+                                                     t->plan->forces };
+
+    return &half_table[i / (KINDS * KINDS)][i % (KINDS * KINDS)];
+}
+
+static void make(struct tank *t, const char *which)
+{
+    tank_make(t, tank_bare_water, tank_frame, "kernel = { support = 2.5; };", which, NULL);
+    tank_shake(t, 7, 0.2, 1.0, 0.02);
+}
+
+/* Rates of the whole and of both halves, and forces on the tank. */
+static double *everything(struct tank *t)
+{
+    double *all = test_malloc(HALVES * (t->n + DIM) * sizeof *all);
+
+    for (int h = 0; h < HALVES; h++) {
+        double *rates = all + h * (t->n + DIM);
+
+        assert_int_equal(plan_rhs(t->plan, half[h], 0.01, t->y, rates), 0);
+        memcpy(rates + t->n, plan_force(t->plan, 1), DIM * sizeof *rates);
+    }
+    return all;
+}
+
+/* Notes the loops that are in use; how many were new. */
+static int note_loops(const struct tank *t, pairs_laws **loops, int n)
+{
+    for (int i = 0; i < TABLES; i++) {
+        struct pairs_table one = *tables(t, i);
+        int k = 0;
+
+        t->plan->engine->sum->arrange(&one, false);
+        if (tables(t, i)->n == 0 || tables(t, i)->laws == one.laws)
+            continue;
+        while (k < n && loops[k] != tables(t, i)->laws)
+            k++;
+        if (k == n)
+            loops[n++] = tables(t, i)->laws;
+    }
+    return n;
+}
+
+static void check_width(const char *width)
+{
+    pairs_laws *loops[TABLES];
+    int n = 0;
+
+    setenv("STIFFWATER_LANES", width, 1);
+    for (int which = 0; which < PHYSICS; which++)
+        for (int without = 0; without < 2; without++) {
+            struct tank t;
+            char text[400], *diffusion;
+
+            snprintf(text, sizeof text, "%s", physics[which]);
+            diffusion = strstr(text, " density-diffusion");
+            if (without && diffusion)
+                strcpy(diffusion, " };");
+            make(&t, text);
+            n = note_loops(&t, loops, n);
+            double *fused = everything(&t);
+            for (int i = 0; i < TABLES; i++)
+                t.plan->engine->sum->arrange(tables(&t, i), false);
+            double *in_turn = everything(&t);
+            check(memcmp(fused, in_turn, HALVES * (t.n + DIM) * sizeof *fused) == 0,
+                  "%s, lanes %s: other bits in one loop", text, width);
+            test_free(fused);
+            test_free(in_turn);
+            tank_free(&t);
+        }
+    check(n == LOOPS, "lanes %s: %d loops of %d were met", width, n, LOOPS);
+    unsetenv("STIFFWATER_LANES");
+}
+
+static void one_loop_gives_the_same_bits(void **state)
+{
+    (void)state;
+    for (int l = 0; l < WIDTHS; l++)
+        check_width(wide[l]);
+}
+
+/* A law that is not the usual one of its part, a law between, or another kernel. */
+static void what_no_loop_is_written_for_runs_in_turn(void **state)
+{
+    static const char *const others[] = {
+        "kernel = { support = 2.5; }; effects = { continuity = { }; pressure = { };"
+        " artificial-viscosity = { only_approaching = true; }; };",
+        "kernel = { support = 2.5; }; effects = { continuity = { }; pressure = { };"
+        " artificial-viscosity = { }; laminar-viscosity = { }; };",
+        "kernel = { type = \"cubic-spline\"; support = 2.5; }; effects = { continuity = { };"
+        " pressure = { }; };",
+        TANK_SEED_KERNELS "effects = { continuity = { }; pressure = { }; };",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        struct tank t;
+
+        tank_make(&t, tank_bare_water, tank_frame, others[i], NULL);
+        struct pairs_table *whole = tables(&t, KIND_FLUID * KINDS + KIND_FLUID), one = *whole;
+        t.plan->engine->sum->arrange(&one, false);
+        check(whole->laws == one.laws, "%s: a loop for other laws is used", others[i]);
+        tank_free(&t);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_loop_gives_the_same_bits),
+        cmocka_unit_test(what_no_loop_is_written_for_runs_in_turn),
+    };
+
+    return cmocka_run_group_tests_name("fused", tests, NULL, NULL);
+}
