@@ -30,23 +30,25 @@ LANES_INLINE void run(const struct pairs_table *table, const struct side *a,
 {
     const struct pairs_work *w = table->work;
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
-    const int n = 2 + (third != NULL) + (fourth != NULL);
-    struct sum t[MOST];
+    struct sum one = sum[w[0].slot], two = sum[w[1].slot]; /* registers, not memory */
+    struct sum three = third ? sum[w[2].slot] : one, four = fourth ? sum[w[3].slot] : one;
 
-    for (int i = 0; i < n; i++)
-        t[i] = sum[w[i].slot];
     for (int k = 0; k < b->n; k++) {
         const struct row row = with_gradient(&c, b, k);
 
-        first(w[0].self, a, &row, &t[0]);
-        second(w[1].self, a, &row, &t[1]);
+        first(w[0].self, a, &row, &one);
+        second(w[1].self, a, &row, &two);
         if (third)
-            third(w[2].self, a, &row, &t[2]);
+            third(w[2].self, a, &row, &three);
         if (fourth)
-            fourth(w[3].self, a, &row, &t[3]);
+            fourth(w[3].self, a, &row, &four);
     }
-    for (int i = 0; i < n; i++)
-        sum[w[i].slot] = t[i];
+    sum[w[0].slot] = one;
+    sum[w[1].slot] = two;
+    if (third)
+        sum[w[2].slot] = three;
+    if (fourth)
+        sum[w[3].slot] = four;
 }
 
 #define LOOP(name, first, second, third, fourth)                                           \
