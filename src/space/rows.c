@@ -6,39 +6,77 @@
 
 #include <string.h>
 
-enum { SCANS = LANES / SCAN_OWNERS }; /* that it takes to find those of all lanes */
-
 typedef int quad __attribute__((vector_size(16), may_alias));
+typedef int row __attribute__((vector_size(4 * LANES)));
 
-static inline void store(int *to, quad four)
+static inline quad four(const int *near)
 {
-    memcpy(to, &four, sizeof four);
+    return *(const quad *)near;
+}
+
+static inline void store(int *to, row neighbours)
+{
+    memcpy(to, &neighbours, sizeof neighbours);
 }
 
 /* Four neighbours of each lane to four rows. */
+#if LANES > 2
+#if LANES == 8
+/* Lanes l and l + 4 side by side. */
+static inline row part(int *const near[LANES], int l, int k)
+{
+    return __builtin_shufflevector(four(near[l] + k), four(near[l + 4] + k), 0, 1, 2, 3, 4, 5,
+                                   6, 7);
+}
+
+/* First and second, third and fourth of each four of a and b in turn. */
+static inline row first(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+
+static inline row second(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+#else
+static inline row part(int *const near[LANES], int l, int k)
+{
+    return four(near[l] + k);
+}
+
+static inline row first(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+}
+
+static inline row second(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+}
+#endif
+
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
-#if LANES > 2
-    for (int l = 0; l < LANES; l += 4) {
-        const quad a = *(const quad *)(near[l] + k), b = *(const quad *)(near[l + 1] + k);
-        const quad c = *(const quad *)(near[l + 2] + k), d = *(const quad *)(near[l + 3] + k);
-        const quad ac = __builtin_shufflevector(a, c, 0, 4, 1, 5);
-        const quad bd = __builtin_shufflevector(b, d, 0, 4, 1, 5);
-        const quad ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7);
-        const quad bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
+    const row a = part(near, 0, k), b = part(near, 1, k);
+    const row c = part(near, 2, k), d = part(near, 3, k);
 
-        store(to + l, __builtin_shufflevector(ac, bd, 0, 4, 1, 5));
-        store(to + l + LANES, __builtin_shufflevector(ac, bd, 2, 6, 3, 7));
-        store(to + l + 2 * LANES, __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5));
-        store(to + l + 3 * LANES, __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7));
-    }
-#else
-    const quad a = *(const quad *)(near[0] + k), b = *(const quad *)(near[1] + k);
-
-    store(to, __builtin_shufflevector(a, b, 0, 4, 1, 5));
-    store(to + 4, __builtin_shufflevector(a, b, 2, 6, 3, 7));
-#endif
+    store(to, first(first(a, c), first(b, d)));
+    store(to + LANES, second(first(a, c), first(b, d)));
+    store(to + 2 * LANES, first(second(a, c), second(b, d)));
+    store(to + 3 * LANES, second(second(a, c), second(b, d)));
 }
+#else
+static inline void transpose(int *const near[LANES], int k, int *to)
+{
+    const quad a = four(near[0] + k), b = four(near[1] + k);
+    const quad low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const quad high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+
+    memcpy(to, &low, sizeof low);
+    memcpy(to + 4, &high, sizeof high);
+}
+#endif
 
 /* Pads a lane's n neighbours to the longest; SCAN_WIDE at a time, so that the usual
  * case has no loop to mispredict. */
@@ -55,13 +93,10 @@ static inline void pad(int *near, int n, int rows, int dummy)
 /* Pads the lanes to the longest and appends the rows. */
 static int append(struct list_store *store, const struct scan *s, int partner, int dummy)
 {
-    int rows = 0, count[LANES], *near[LANES];
+    int rows = 0;
 
-    for (int l = 0; l < LANES; l++) {
-        count[l] = s[l / SCAN_OWNERS].count[l % SCAN_OWNERS];
-        near[l] = s[l / SCAN_OWNERS].near[l % SCAN_OWNERS];
-        rows = count[l] > rows ? count[l] : rows;
-    }
+    for (int l = 0; l < LANES; l++)
+        rows = s->count[l] > rows ? s->count[l] : rows;
     if (rows == 0)
         return 0;
     const size_t want = store->used + (size_t)(rows + 4) * LANES;
@@ -72,18 +107,12 @@ static int append(struct list_store *store, const struct scan *s, int partner, i
         return 0;
     }
     for (int l = 0; l < LANES; l++)
-        pad(near[l], count[l], rows, dummy);
+        pad(s->near[l], s->count[l], rows, dummy);
     for (int k = 0; k < rows; k += 4)
-        transpose(near, k, store->j + store->used + (size_t)k * LANES);
+        transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
     store->used += (size_t)rows * LANES;
     return rows;
-}
-
-/* Of one scan, when so many are left. */
-static int owners_of(int left)
-{
-    return left < 0 ? 0 : left < SCAN_OWNERS ? left : SCAN_OWNERS;
 }
 
 static void find_rows(struct list *list, struct list_store *store, struct scan *s, int g)
@@ -94,16 +123,12 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
     const size_t before = store->founds;
     long rows = 0;
 
-    for (int i = 0; i < SCANS; i++)
-        scan_group(&s[i], list->group_slot[g] + i * SCAN_OWNERS,
-                   owners_of(left - i * SCAN_OWNERS));
+    scan_group(s, list->group_slot[g], left < LANES ? left : LANES);
     for (int partner = 0; partner < KINDS; partner++) {
         if (!(list->def.acts[kind] & KIND_BIT(partner))
             || list->start[partner] == list->start[partner + 1])
             continue;
-        for (int i = 0; i < SCANS; i++)
-            scan_near(&s[i], &own->cells[partner],
-                      list->offset ? &own->image_cells[partner] : NULL);
+        scan_near(s, &own->cells[partner], list->offset ? &own->image_cells[partner] : NULL);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);
@@ -114,16 +139,15 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
 static void find_all(struct list *list, struct list_store *store, int from, int to)
 {
     const size_t room = ((size_t)list->listed + 2 * SCAN_WIDE + 3) / 4 * 4;
-    struct scan s[SCANS];
+    struct scan s;
 
     if (!list_grow((void **)&store->near, &store->near_room, LANES * room, sizeof(int))) {
         store->failed = true;
         return;
     }
-    for (int i = 0; i < SCANS; i++)
-        scan_start(&s[i], list, store->near + (size_t)(i * SCAN_OWNERS) * room, room);
+    scan_start(&s, list, store->near, room);
     for (int g = from; g < to && !store->failed; g++)
-        find_rows(list, store, s, g);
+        find_rows(list, store, &s, g);
 }
 
 static int create(struct list **list, const struct list_def *def)
