@@ -8,7 +8,7 @@
 #include "space/list.h"
 
 enum {
-    LIST_PAD = 32,              /* places are read so far beyond the last slot */
+    LIST_PAD = 64,              /* places are read so far beyond the last slot */
     LIST_UNITS = 1 << 13,       /* of places in support + skin                 */
     LIST_WORDS = (DIM + 1) / 2  /* of two coordinates each                     */
 };

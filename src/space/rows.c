@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-enum { SCANS = LANES / SCAN_OWNERS }; /* that it takes to find those of all lanes */
-
 typedef int quad __attribute__((vector_size(16), may_alias));
 
 static inline void store(int *to, quad four)
@@ -55,13 +53,10 @@ static inline void pad(int *near, int n, int rows, int dummy)
 /* Pads the lanes to the longest and appends the rows. */
 static int append(struct list_store *store, const struct scan *s, int partner, int dummy)
 {
-    int rows = 0, count[LANES], *near[LANES];
+    int rows = 0;
 
-    for (int l = 0; l < LANES; l++) {
-        count[l] = s[l / SCAN_OWNERS].count[l % SCAN_OWNERS];
-        near[l] = s[l / SCAN_OWNERS].near[l % SCAN_OWNERS];
-        rows = count[l] > rows ? count[l] : rows;
-    }
+    for (int l = 0; l < LANES; l++)
+        rows = s->count[l] > rows ? s->count[l] : rows;
     if (rows == 0)
         return 0;
     const size_t want = store->used + (size_t)(rows + 4) * LANES;
@@ -72,18 +67,12 @@ static int append(struct list_store *store, const struct scan *s, int partner, i
         return 0;
     }
     for (int l = 0; l < LANES; l++)
-        pad(near[l], count[l], rows, dummy);
+        pad(s->near[l], s->count[l], rows, dummy);
     for (int k = 0; k < rows; k += 4)
-        transpose(near, k, store->j + store->used + (size_t)k * LANES);
+        transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
     store->used += (size_t)rows * LANES;
     return rows;
-}
-
-/* Of one scan, when so many are left. */
-static int owners_of(int left)
-{
-    return left < 0 ? 0 : left < SCAN_OWNERS ? left : SCAN_OWNERS;
 }
 
 static void find_rows(struct list *list, struct list_store *store, struct scan *s, int g)
@@ -94,16 +83,12 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
     const size_t before = store->founds;
     long rows = 0;
 
-    for (int i = 0; i < SCANS; i++)
-        scan_group(&s[i], list->group_slot[g] + i * SCAN_OWNERS,
-                   owners_of(left - i * SCAN_OWNERS));
+    scan_group(s, list->group_slot[g], left < LANES ? left : LANES);
     for (int partner = 0; partner < KINDS; partner++) {
         if (!(list->def.acts[kind] & KIND_BIT(partner))
             || list->start[partner] == list->start[partner + 1])
             continue;
-        for (int i = 0; i < SCANS; i++)
-            scan_near(&s[i], &own->cells[partner],
-                      list->offset ? &own->image_cells[partner] : NULL);
+        scan_near(s, &own->cells[partner], list->offset ? &own->image_cells[partner] : NULL);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);
@@ -114,16 +99,15 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
 static void find_all(struct list *list, struct list_store *store, int from, int to)
 {
     const size_t room = ((size_t)list->listed + 2 * SCAN_WIDE + 3) / 4 * 4;
-    struct scan s[SCANS];
+    struct scan s;
 
     if (!list_grow((void **)&store->near, &store->near_room, LANES * room, sizeof(int))) {
         store->failed = true;
         return;
     }
-    for (int i = 0; i < SCANS; i++)
-        scan_start(&s[i], list, store->near + (size_t)(i * SCAN_OWNERS) * room, room);
+    scan_start(&s, list, store->near, room);
     for (int g = from; g < to && !store->failed; g++)
-        find_rows(list, store, s, g);
+        find_rows(list, store, &s, g);
 }
 
 static int create(struct list **list, const struct list_def *def)

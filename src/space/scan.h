@@ -1,60 +1,114 @@
-/* scan.h -- finds the neighbours of SCAN_OWNERS owners at a time.
+/* scan.h -- finds the neighbours of LANES owners at a time.
  *
  *     scan_start(&scan, list, memory, room);       once
  *     scan_group(&scan, group, owners);            for each group
- *     scan_near(&scan, &list->own->cells[kind], NULL);   near and count are made */
+ *     scan_near(&scan, &list->own->cells[kind], NULL);   near and count are made
+ *
+ * scan.c says which runs of slots hold all neighbours; who of them is one is found by
+ * scan-sift.c where the machine can compress a register (8 lanes), else by
+ * scan-table.c.
+ *
+ * Places are whole numbers of 16 bits, so that one instruction squares and adds
+ * two differences of each of SCAN_WIDE candidates.  They count modulo 8 radii:
+ * those in the cells around are nearer than 4, and where cells had to be coarse
+ * somebody far away may be listed, which changes no sum.  The radius is widened
+ * by more than all roundings together, so no pair is ever missed. */
 #ifndef SPACE_SCAN_H
 #define SPACE_SCAN_H
 
 #include "space/lanes.h"
 #include "space/list-private.h"
 
+#include <string.h>
+
 enum {
-    SCAN_OWNERS = LANES < 4 ? LANES : 4, /* more have too many around them    */
-    SCAN_WIDE = 2 * SCAN_OWNERS, /* candidates compared at a time             */
-    SCAN_HITS = 1 << SCAN_WIDE, /* outcomes                                   */
-    SCAN_CHUNKS = 128,          /* of SCAN_WIDE candidates collected at most  */
-    SCAN_BLOCK = 4              /* chunks collected without asking            */
+    SCAN_WIDE = 2 * LANES,      /* candidates compared at a time             */
+    SCAN_BLOCK = LANES == 8 ? DIM : 4, /* chunks of them taken without asking */
+    SCAN_RUNS = 32              /* noted at most                             */
 };
-_Static_assert(SCAN_WIDE <= (int)LIST_PAD, "places are read SCAN_WIDE at a time");
+_Static_assert(SCAN_BLOCK * SCAN_WIDE <= (int)LIST_PAD, "places are read as far");
 
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef unsigned scan_sums __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef unsigned short scan_places __attribute__((vector_size(4 * SCAN_WIDE)));
 
+/* Candidates: slots from..to-1. */
+struct scan_run {
+    int from, to;
+};
+
+#if LANES == 8
+enum { SCAN_MOST = 1024 }; /* candidates sifted before they are compared */
+
+struct scan_work {
+    _Alignas(64) int slot[SCAN_MOST + SCAN_WIDE]; /* who is near the box     */
+    _Alignas(64) int place[LIST_WORDS][SCAN_MOST + SCAN_WIDE]; /* their places */
+};
+#else
+enum {
+    SCAN_HITS = 1 << SCAN_WIDE, /* outcomes of comparing                     */
+    SCAN_CHUNKS = 128           /* of SCAN_WIDE candidates collected at most */
+};
+
+struct scan_work {
+    unsigned char looks[LANES]; /* all bits: looks for neighbours, else 0    */
+    int chunks;                 /* of SCAN_WIDE consecutive slots            */
+    int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first slot of each chunk          */
+    unsigned char there[SCAN_CHUNKS + SCAN_BLOCK][LANES]; /* bit i: slot i counts */
+    scan_ints hit[SCAN_HITS];   /* the set bits of a mask in turn            */
+};
+#endif
+
 struct scan {
-    int count[SCAN_OWNERS];  /* neighbours found of each owner               */
-    int *near[SCAN_OWNERS];  /* [count, and SCAN_WIDE more] their slots      */
+    int count[LANES];  /* neighbours found of each owner                     */
+    int *near[LANES];  /* [count, and SCAN_WIDE more] their slots            */
 
     /* The group at work. */
-    int group, owners;           /* first slot, lanes in use                 */
-    double low[DIM], high[DIM];  /* the box around them, and the reach   [m] */
-    bool apart;                  /* they are far from one another            */
-    unsigned char looks[SCAN_OWNERS]; /* all bits: looks for neighbours, else 0 */
-    scan_places owner[SCAN_OWNERS][LIST_WORDS]; /* places of owners          */
-
-    /* Candidates in chunks of SCAN_WIDE consecutive slots. */
-    int chunks;
-    int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first slot of each chunk          */
-    unsigned char there[SCAN_CHUNKS + SCAN_BLOCK][SCAN_OWNERS]; /* bit i: slot i counts */
+    int group, owners;          /* first slot, lanes in use                  */
+    bool apart;                 /* they are far from one another             */
+    int first, last;            /* lanes first..last-1 look for neighbours   */
+    double low[DIM], high[DIM]; /* the box around these                [m]   */
+    int runs;
+    struct scan_run run[SCAN_RUNS]; /* ascending, none is empty              */
 
     /* The same for all groups. */
     const struct list *list;
-    double reach;             /* widened radius                        [m]    */
-    int bound;                /* its square                          [units^2] */
-    scan_ints hit[SCAN_HITS]; /* the set bits of a mask in turn               */
+    double wide, reach;     /* widened radius                  [units], [m]  */
+    int bound;              /* its square                          [units^2] */
+    struct scan_work work;  /* of scan-sift.c or scan-table.c                */
 };
 
-/* near[] is [SCAN_OWNERS][room] of the caller, room at least listed + 2 SCAN_WIDE. */
+/* near[] is [LANES][room] of the caller, room at least listed + 2 SCAN_WIDE. */
 #define scan_start LANE_NAME(scan_start)
 void scan_start(struct scan *s, const struct list *list, int *near, size_t room);
 
-/* `owners` may be 0: then nobody is found. */
 #define scan_group LANE_NAME(scan_group)
 void scan_group(struct scan *s, int group, int owners);
 
 /* Of the cells of a kind, then of those of its images (NULL: nothing is periodic). */
 #define scan_near LANE_NAME(scan_near)
 void scan_near(struct scan *s, const struct cells *c, const struct cells *images);
+
+/* The part of scan-sift.c and scan-table.c: once before all; takes all runs, so that
+ * none is left. */
+#define scan_prepare LANE_NAME(scan_prepare)
+void scan_prepare(struct scan *s);
+#define scan_take LANE_NAME(scan_take)
+void scan_take(struct scan *s);
+
+/* A word of SCAN_WIDE places. */
+static inline scan_places scan_places_at(const int *place)
+{
+    scan_places p;
+
+    memcpy(&p, place, sizeof p);
+    return p;
+}
+
+/* The word of an owner, for comparing with as many. */
+static inline scan_places scan_owner(const struct scan *s, int lane, int word)
+{
+    return (scan_places)(s->list->own->place[word][s->group + lane] - (scan_ints){ 0 });
+}
 
 #endif
