@@ -7,36 +7,76 @@
 #include <string.h>
 
 typedef int quad __attribute__((vector_size(16), may_alias));
+typedef int row __attribute__((vector_size(4 * LANES)));
 
-static inline void store(int *to, quad four)
+static inline quad four(const int *near)
 {
-    memcpy(to, &four, sizeof four);
+    return *(const quad *)near;
+}
+
+static inline void store(int *to, row neighbours)
+{
+    memcpy(to, &neighbours, sizeof neighbours);
 }
 
 /* Four neighbours of each lane to four rows. */
+#if LANES > 2
+#if LANES == 8
+/* Lanes l and l + 4 side by side. */
+static inline row part(int *const near[LANES], int l, int k)
+{
+    return __builtin_shufflevector(four(near[l] + k), four(near[l + 4] + k), 0, 1, 2, 3, 4, 5,
+                                   6, 7);
+}
+
+/* First and second, third and fourth of each four of a and b in turn. */
+static inline row first(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+
+static inline row second(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+#else
+static inline row part(int *const near[LANES], int l, int k)
+{
+    return four(near[l] + k);
+}
+
+static inline row first(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+}
+
+static inline row second(row a, row b)
+{
+    return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+}
+#endif
+
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
-#if LANES > 2
-    for (int l = 0; l < LANES; l += 4) {
-        const quad a = *(const quad *)(near[l] + k), b = *(const quad *)(near[l + 1] + k);
-        const quad c = *(const quad *)(near[l + 2] + k), d = *(const quad *)(near[l + 3] + k);
-        const quad ac = __builtin_shufflevector(a, c, 0, 4, 1, 5);
-        const quad bd = __builtin_shufflevector(b, d, 0, 4, 1, 5);
-        const quad ac2 = __builtin_shufflevector(a, c, 2, 6, 3, 7);
-        const quad bd2 = __builtin_shufflevector(b, d, 2, 6, 3, 7);
+    const row a = part(near, 0, k), b = part(near, 1, k);
+    const row c = part(near, 2, k), d = part(near, 3, k);
 
-        store(to + l, __builtin_shufflevector(ac, bd, 0, 4, 1, 5));
-        store(to + l + LANES, __builtin_shufflevector(ac, bd, 2, 6, 3, 7));
-        store(to + l + 2 * LANES, __builtin_shufflevector(ac2, bd2, 0, 4, 1, 5));
-        store(to + l + 3 * LANES, __builtin_shufflevector(ac2, bd2, 2, 6, 3, 7));
-    }
-#else
-    const quad a = *(const quad *)(near[0] + k), b = *(const quad *)(near[1] + k);
-
-    store(to, __builtin_shufflevector(a, b, 0, 4, 1, 5));
-    store(to + 4, __builtin_shufflevector(a, b, 2, 6, 3, 7));
-#endif
+    store(to, first(first(a, c), first(b, d)));
+    store(to + LANES, second(first(a, c), first(b, d)));
+    store(to + 2 * LANES, first(second(a, c), second(b, d)));
+    store(to + 3 * LANES, second(second(a, c), second(b, d)));
 }
+#else
+static inline void transpose(int *const near[LANES], int k, int *to)
+{
+    const quad a = four(near[0] + k), b = four(near[1] + k);
+    const quad low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const quad high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+
+    memcpy(to, &low, sizeof low);
+    memcpy(to + 4, &high, sizeof high);
+}
+#endif
 
 /* Pads a lane's n neighbours to the longest; SCAN_WIDE at a time, so that the usual
  * case has no loop to mispredict. */

@@ -83,7 +83,6 @@ static const scan_ints counting = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13
  * number n and following; returns the next n. */
 static inline int sift(struct scan_work *to, const struct sieve *sieve, int at, int end, int n)
 {
-    const scan_ints slot = counting + at;
     scan_places place[LIST_WORDS];
     scan_sums r2 = { 0 };
 
@@ -91,11 +90,16 @@ static inline int sift(struct scan_work *to, const struct sieve *sieve, int at, 
         place[w] = scan_places_at(sieve->places[w] + at);
         r2 += (scan_sums)squares(outside(place[w], sieve->centre[w], sieve->half[w]));
     }
-    const __mmask16 hits = _mm512_mask_cmplt_epi32_mask(below(r2, sieve->bound), (__m512i)slot,
-                                                        (__m512i)(end - (scan_ints){ 0 }));
-    keep(to->slot + n, slot, hits);
-    for (int w = 0; w < LIST_WORDS; w++)
-        keep(to->place[w] + n, (scan_ints)place[w], hits);
+    const __mmask16 hits = _mm512_mask_cmplt_epi32_mask(below(r2, sieve->bound), (__m512i)counting,
+                                                        (__m512i)(end - at - (scan_ints){ 0 }));
+    const __m512i hit = _mm512_maskz_compress_epi32(hits, (__m512i)counting);
+    const scan_ints slot = (scan_ints)hit + at;
+
+    memcpy(to->slot + n, &slot, sizeof slot);
+    for (int w = 0; w < LIST_WORDS; w++) {
+        const __m512i sifted = _mm512_permutexvar_epi32(hit, (__m512i)place[w]);
+        memcpy(to->place[w] + n, &sifted, sizeof sifted);
+    }
     return n + __builtin_popcount(hits);
 }
 

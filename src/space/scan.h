@@ -23,7 +23,7 @@
 
 enum {
     SCAN_WIDE = 2 * LANES,      /* candidates compared at a time             */
-    SCAN_BLOCK = LANES == 8 ? DIM : 4, /* chunks of them taken without asking */
+    SCAN_BLOCK = LANES == 8 ? 2 : 4, /* chunks of them taken without asking */
     SCAN_RUNS = 32              /* noted at most                             */
 };
 _Static_assert(SCAN_BLOCK * SCAN_WIDE <= (int)LIST_PAD, "places are read as far");
