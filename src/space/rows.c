@@ -128,7 +128,7 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
         if (!(list->def.acts[kind] & KIND_BIT(partner))
             || list->start[partner] == list->start[partner + 1])
             continue;
-        scan_near(s, &own->cells[partner], list->offset ? &own->image_cells[partner] : NULL);
+        scan_near(s, partner);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);

@@ -87,8 +87,10 @@ void scan_group(struct scan *s, int group, int owners)
         s->apart |= s->high[d] - s->low[d] > APART * s->reach;
 }
 
-static void take_box(struct scan *s, const struct cells *c)
+/* Everybody of a kind, then of its images, who may be near the box. */
+static void take_box(struct scan *s, int kind)
 {
+    const struct list_private *own = s->list->own;
     struct cells_window w;
     double low[DIM], high[DIM];
 
@@ -96,29 +98,23 @@ static void take_box(struct scan *s, const struct cells *c)
         low[d] = s->low[d] - s->reach;
         high[d] = s->high[d] + s->reach;
     }
-    if (cells_window(c, low, high, &w))
-        note_window(s, c, &w);
-}
-
-/* Owners so far apart that their common box holds too many: one by one. */
-static void take_apart(struct scan *s, const struct cells *c)
-{
-    for (int l = 0; l < s->owners; l++) {
-        let_look(s, l, l + 1);
-        take_box(s, c);
-        if (s->runs > 0)
-            scan_take(s);
-    }
-}
-
-void scan_near(struct scan *s, const struct cells *c, const struct cells *images)
-{
-    memset(s->count, 0, sizeof s->count);
-    for (; c; c = c == images ? NULL : images)
-        if (s->apart)
-            take_apart(s, c);
-        else
-            take_box(s, c);
+    if (cells_window(&own->cells[kind], low, high, &w))
+        note_window(s, &own->cells[kind], &w);
+    if (s->list->offset && images_near(&own->images, s->low, s->high)
+        && cells_window(&own->image_cells[kind], low, high, &w))
+        note_window(s, &own->image_cells[kind], &w);
     if (s->runs > 0)
         scan_take(s);
+}
+
+/* Owners so far apart that their common box holds too many look one by one. */
+void scan_near(struct scan *s, int kind)
+{
+    memset(s->count, 0, sizeof s->count);
+    if (!s->apart)
+        take_box(s, kind);
+    for (int l = 0; l < s->owners && s->apart; l++) {
+        let_look(s, l, l + 1);
+        take_box(s, kind);
+    }
 }

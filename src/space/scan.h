@@ -2,7 +2,7 @@
  *
  *     scan_start(&scan, list, memory, room);       once
  *     scan_group(&scan, group, owners);            for each group
- *     scan_near(&scan, &list->own->cells[kind], NULL);   near and count are made
+ *     scan_near(&scan, kind);                      near and count are made
  *
  * scan.c says which runs of slots hold all neighbours; who of them is one is found by
  * scan-sift.c where the machine can compress a register (8 lanes), else by
@@ -85,9 +85,9 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 #define scan_group LANE_NAME(scan_group)
 void scan_group(struct scan *s, int group, int owners);
 
-/* Of the cells of a kind, then of those of its images (NULL: nothing is periodic). */
+/* Of one kind, its images last. */
 #define scan_near LANE_NAME(scan_near)
-void scan_near(struct scan *s, const struct cells *c, const struct cells *images);
+void scan_near(struct scan *s, int kind);
 
 /* The part of scan-sift.c and scan-table.c: once before all; takes all runs, so that
  * none is left. */
