@@ -63,18 +63,22 @@ static const double *position(const struct scan *s, int lane)
 /* From now on lanes first..last-1 look for neighbours. */
 static void let_look(struct scan *s, int first, int last)
 {
+    double low[DIM], high[DIM];
+
     s->first = first;
     s->last = last;
-    memcpy(s->low, position(s, first), sizeof s->low);
-    memcpy(s->high, s->low, sizeof s->high);
+    memcpy(low, position(s, first), sizeof low);
+    memcpy(high, low, sizeof high);
     for (int l = first + 1; l < last; l++) {
         const double *x = position(s, l);
 
         for (int d = 0; d < DIM; d++) {
-            s->low[d] = x[d] < s->low[d] ? x[d] : s->low[d];
-            s->high[d] = x[d] > s->high[d] ? x[d] : s->high[d];
+            low[d] = x[d] < low[d] ? x[d] : low[d];
+            high[d] = x[d] > high[d] ? x[d] : high[d];
         }
     }
+    memcpy(s->low, low, sizeof low);
+    memcpy(s->high, high, sizeof high);
 }
 
 void scan_group(struct scan *s, int group, int owners)
