@@ -6,6 +6,9 @@
 
 #include <string.h>
 
+/* So many entries ahead of those written are fetched, as stores wait for their lines. */
+enum { AHEAD = 512, LINE = 64 / sizeof(int) };
+
 typedef int quad __attribute__((vector_size(16), may_alias));
 typedef int row __attribute__((vector_size(4 * LANES)));
 
@@ -108,8 +111,13 @@ static int append(struct list_store *store, const struct scan *s, int partner, i
     }
     for (int l = 0; l < LANES; l++)
         pad(s->near[l], s->count[l], rows, dummy);
-    for (int k = 0; k < rows; k += 4)
-        transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
+    for (int k = 0; k < rows; k += 4) {
+        int *to = store->j + store->used + (size_t)k * LANES;
+
+        for (int i = 0; i < 4 * LANES; i += LINE)
+            __builtin_prefetch(to + AHEAD + i, 1);
+        transpose(s->near, k, to);
+    }
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
     store->used += (size_t)rows * LANES;
     return rows;
