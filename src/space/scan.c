@@ -1,6 +1,12 @@
 /* scan.c -- finds neighbours among all who are in the cells around. */
 #include "space/scan.h"
 
+#if LANES == 8
+#include "space/scan-sift.h"
+#else
+#include "space/scan-table.h"
+#endif
+
 #include <float.h>
 #include <math.h>
 
@@ -9,17 +15,8 @@ enum {
     APART = LANES < 8 ? 1 : 2 /* owners spread over so many radii look alone */
 };
 
-/* Candidates in ascending slots. */
-static inline void note_run(struct scan *s, int from, int to)
-{
-    if (s->runs == SCAN_RUNS)
-        scan_take(s);
-    s->run[s->runs] = (struct scan_run){ from, to };
-    s->runs += from < to;
-}
-
 /* Everybody in the window, in ascending slots. */
-static void note_window(struct scan *s, const struct cells *c, const struct cells_window *w)
+static void take_window(struct scan *s, const struct cells *c, const struct cells_window *w)
 {
     const int more = w->high[0] - w->low[0] + 1;
 #if DIM == 3
@@ -34,7 +31,7 @@ static void note_window(struct scan *s, const struct cells *c, const struct cell
         for (int y = from; y <= to; y++) {
             const int *start = c->start + cells_first(c, w, row + y);
 
-            note_run(s, start[0], start[more]);
+            take_run(s, start[0], start[more]);
         }
     }
 }
@@ -46,13 +43,12 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
     const double radius = list->def.support + list->def.skin;
 
     s->list = list;
-    s->runs = 0;
     s->wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 4;
     s->reach = s->wide / list->own->per_metre;
     s->bound = (int)fmin(s->wide * s->wide, FARTHEST);
     for (int l = 0; l < LANES; l++)
         s->near[l] = near + (size_t)l * room;
-    scan_prepare(s);
+    prepare(s);
 }
 
 static const double *position(const struct scan *s, int lane)
@@ -79,6 +75,7 @@ static void let_look(struct scan *s, int first, int last)
     }
     memcpy(s->low, low, sizeof low);
     memcpy(s->high, high, sizeof high);
+    set_lanes(s);
 }
 
 void scan_group(struct scan *s, int group, int owners)
@@ -103,12 +100,11 @@ static void take_box(struct scan *s, int kind)
         high[d] = s->high[d] + s->reach;
     }
     if (cells_window(&own->cells[kind], low, high, &w))
-        note_window(s, &own->cells[kind], &w);
+        take_window(s, &own->cells[kind], &w);
     if (s->list->offset && images_near(&own->images, s->low, s->high)
         && cells_window(&own->image_cells[kind], low, high, &w))
-        note_window(s, &own->image_cells[kind], &w);
-    if (s->runs > 0)
-        scan_take(s);
+        take_window(s, &own->image_cells[kind], &w);
+    take_rest(s);
 }
 
 /* Owners so far apart that their common box holds too many look one by one. */
