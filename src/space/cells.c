@@ -77,8 +77,10 @@ int cells_grid(struct list *list, struct cells *c, const double *high, int n)
     memset(c->n, 0, sizeof c->n);
     if (n > 0) {
         cells = (size_t)resize(c, high, radius, 8.0 * n + 4096);
-        for (int d = 0; d < DIM; d++)
+        for (int d = 0; d < DIM; d++) {
             c->n[d] = (int)((high[d] - c->low[d]) * c->per_metre[d]) + 1;
+            list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
+        }
     }
     if (!list_grow((void **)&c->start, &c->room, cells + 2, sizeof *c->start))
         return list_no_memory(list);
@@ -184,8 +186,6 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         double high[DIM];
         const int inside = bounds(list, cloud, kind, c->low, high);
 
-        for (int d = 0; d < DIM && inside > 0; d++)
-            list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
         TRY(cells_grid(list, c, high, inside));
         count(list, cloud, kind, c);
         place(list, kind, c);

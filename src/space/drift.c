@@ -123,16 +123,13 @@ int drift_note(struct list *list, const struct cloud *cloud)
     TRY(make_room(list, drift, blocks));
     memset(drift->kinds, 0, blocks);
     for (int kind = 0; kind < KINDS; kind++) {
-        const double *x = cloud->x[kind];
         double at[DIM];
 
-        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++, x += DIM) {
-            drift->block[i] = -1;
-            if (list->slot[i] < 0)
-                continue;
-            place(list, list->slot[i], x, at);
-            enter(drift, i, kind, at);
-        }
+        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++)
+            if (list->slot[i] >= 0)
+                enter(drift, i, kind, list->own->stand + (size_t)i * DIM);
+            else
+                drift->block[i] = -1;
         for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
             const int i = list->order[s] - list->def.from[kind];
             place(list, s, cloud->x[kind] + (size_t)i * DIM, at);

@@ -25,6 +25,18 @@ bool images_any(const struct list_def *def)
     return false;
 }
 
+static void set_sides(struct images *to, const struct list_def *def)
+{
+    const double reach = (def->support + def->skin) * (1 + wider);
+
+    for (int d = 0; d < DIM; d++) {
+        const bool repeats = def->period[d] > 0;
+
+        to->low[d] = repeats ? def->side[d] + reach : -INFINITY;
+        to->high[d] = repeats ? def->side[d] + def->period[d] - reach : INFINITY;
+    }
+}
+
 int images_create(struct list *list)
 {
     struct images *to = &list->own->images;
@@ -32,18 +44,19 @@ int images_create(struct list *list)
 
     if (!images_any(&list->def))
         return STATUS_DONE;
+    set_sides(to, &list->def);
     to->home = status_alloc(n, sizeof *to->home);
     to->turns = status_alloc(n, sizeof *to->turns);
-    return to->home && to->turns ? STATUS_DONE : STATUS_FAILED;
+    list->offset = status_alloc(n, sizeof *list->offset);
+    list->own->offset_room = n;
+    return to->home && to->turns && list->offset ? STATUS_DONE : STATUS_FAILED;
 }
 
 void images_free(struct images *images)
 {
     free(images->home);
     free(images->turns);
-    free(images->of);
-    free(images->shift);
-    free(images->rank);
+    free(images->all);
     *images = (struct images){ 0 };
 }
 
@@ -57,9 +70,11 @@ static double moved(const struct list_def *def, int d, double x, int turns)
  * such a position is worth anything. */
 static int turns_of(const struct list_def *def, int d, double x)
 {
-    const double turns = def->period[d] > 0 ? -floor((x - def->side[d]) / def->period[d]) : 0;
+    const double lengths = def->period[d] > 0 ? (x - def->side[d]) / def->period[d] : 0;
 
-    return fabs(turns) < 1e9 ? (int)turns : 0;
+    if (!(fabs(lengths) < 1e9))
+        return 0;
+    return (lengths < (int)lengths) - (int)lengths; /* -floor() */
 }
 
 void images_bring_home(struct list *list, const struct cloud *cloud)
@@ -81,115 +96,99 @@ void images_bring_home(struct list *list, const struct cloud *cloud)
     }
 }
 
-/* Shifts to all images of one who stands at x, to itself first; their number. */
-static int shifts_of(const struct list_def *def, const double *x, int shift[IMAGES_EACH][DIM])
+/* Bit d: near a side of direction d. */
+static int sides_near(const struct images *images, const double *x)
 {
-    const double reach = (def->support + def->skin) * (1 + wider);
-    int n = 1;
+    int near = 0;
 
-    memset(shift[0], 0, sizeof shift[0]);
-    for (int d = 0; d < DIM; d++) {
-        const bool low = x[d] < def->side[d] + reach;
-        const bool high = x[d] > def->side[d] + def->period[d] - reach;
-        if (!(def->period[d] > 0) || !(low || high))
-            continue;
-        memcpy(shift + n, shift, (size_t)n * sizeof *shift);
-        for (int k = n; k < 2 * n; k++)
-            shift[k][d] = low ? 1 : -1;
-        n *= 2;
-    }
-    return n;
+    for (int d = 0; d < DIM; d++)
+        near |= ((x[d] < images->low[d]) | (x[d] > images->high[d])) << d;
+    return near;
 }
 
-static int add(struct list *list, int i, const int *shift)
+/* Images of one who is at x, for each choice of the sides it is near to. */
+static int add(struct list *list, int i, const double *x, int near)
 {
     struct images *to = &list->own->images;
-    const size_t want = (size_t)to->n + 1;
+    const size_t want = (size_t)to->n + IMAGES_EACH;
 
-    if (!list_grow((void **)&to->of, &to->of_room, want, sizeof *to->of)
-        || !list_grow((void **)&to->rank, &to->rank_room, want, sizeof *to->rank)
-        || !list_grow((void **)&to->shift, &to->shift_room, want, sizeof *to->shift))
+    if (!list_grow((void **)&to->all, &to->room, want, sizeof *to->all))
         return list_no_memory(list);
-    to->of[to->n] = i;
-    memcpy(to->shift[to->n++], shift, sizeof *to->shift);
-    return STATUS_DONE;
-}
+    for (int sides = 1; sides <= near; sides++) {
+        if (sides & ~near)
+            continue;
+        struct image *image = &to->all[to->n++];
+        image->of = i;
+        for (int d = 0; d < DIM; d++) {
+            const int shift = to->home[i][d] < to->low[d] ? 1 : -1;
 
-static int find(struct list *list)
-{
-    struct images *to = &list->own->images;
-    int shift[IMAGES_EACH][DIM];
-
-    to->n = 0;
-    for (int kind = 0; kind < KINDS; kind++) {
-        to->from[kind] = to->n;
-        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
-            if (list->slot[i] < 0)
-                continue;
-            const int n = shifts_of(&list->def, to->home[i], shift);
-            for (int k = 1; k < n; k++)
-                TRY(add(list, i, shift[k]));
+            image->turns[d] = to->turns[i][d] + (sides >> d & 1 ? shift : 0);
+            image->at[d] = moved(&list->def, d, x[d], image->turns[d]);
         }
     }
-    to->from[KINDS] = to->n;
     return STATUS_DONE;
 }
 
-/* Where image m stands, and how many lengths from its position. */
-static void place_of(const struct list *list, const struct cloud *cloud, int kind, int m,
-                     double *x, double *offset)
+static int find(struct list *list, const struct cloud *cloud, int kind)
 {
-    const struct images *all = &list->own->images;
-    const int i = all->of[m];
-    const double *from = cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM;
+    const int from = list->def.from[kind], end = list->def.from[kind + 1];
+    struct images *to = &list->own->images;
 
-    for (int d = 0; d < DIM; d++) {
-        const int turns = all->turns[i][d] + all->shift[m][d];
-        x[d] = moved(&list->def, d, from[d], turns);
-        offset[d] = turns * list->def.period[d];
+    to->from[kind] = to->n;
+    for (int i = from; i < end; i++) {
+        const int near = sides_near(to, to->home[i]);
+
+        if (near && list->slot[i] >= 0)
+            TRY(add(list, i, cloud->x[kind] + (size_t)(i - from) * DIM, near));
     }
+    to->from[kind + 1] = to->n;
+    return STATUS_DONE;
 }
 
-static int make_grid(struct list *list, const struct cloud *cloud, int kind)
+static int make_grid(struct list *list, int kind)
 {
     const struct images *all = &list->own->images;
     struct cells *c = &list->own->image_cells[kind];
-    double high[DIM], x[DIM], offset[DIM];
+    double high[DIM];
 
     for (int d = 0; d < DIM; d++) {
         c->low[d] = INFINITY;
         high[d] = -INFINITY;
     }
-    for (int m = all->from[kind]; m < all->from[kind + 1]; m++) {
-        place_of(list, cloud, kind, m, x, offset);
+    for (int m = all->from[kind]; m < all->from[kind + 1]; m++)
         for (int d = 0; d < DIM; d++) {
-            c->low[d] = fmin(c->low[d], x[d]);
-            high[d] = fmax(high[d], x[d]);
-            list->own->farthest = fmax(list->own->farthest, fabs(x[d]));
+            const double x = all->all[m].at[d];
+
+            c->low[d] = x < c->low[d] ? x : c->low[d];
+            high[d] = x > high[d] ? x : high[d];
         }
-    }
     return cells_grid(list, c, high, all->from[kind + 1] - all->from[kind]);
 }
 
-static int sort_kind(struct list *list, const struct cloud *cloud, int kind)
+static void set_offset(struct list *list, int slot, const int *turns)
+{
+    for (int d = 0; d < DIM; d++)
+        list->offset[slot][d] = turns[d] * list->def.period[d];
+}
+
+static int sort_kind(struct list *list, int kind)
 {
     struct images *all = &list->own->images;
     struct cells *c = &list->own->image_cells[kind];
-    double x[DIM], offset[DIM];
 
-    TRY(make_grid(list, cloud, kind));
+    TRY(make_grid(list, kind));
     for (int m = all->from[kind]; m < all->from[kind + 1]; m++) {
-        place_of(list, cloud, kind, m, x, offset);
-        all->rank[m] = cells_rank(c, x);
-        c->start[all->rank[m] + 2]++;
+        all->all[m].rank = cells_rank(c, all->all[m].at);
+        c->start[all->all[m].rank + 2]++;
     }
     cells_add_up(c, list->image[kind]);
     for (int m = all->from[kind]; m < all->from[kind + 1]; m++) {
-        const int s = c->start[all->rank[m] + 1]++;
+        const struct image *image = &all->all[m];
+        const int s = c->start[image->rank + 1]++;
 
-        place_of(list, cloud, kind, m, x, list->offset[s]);
-        list->order[s] = all->of[m];
-        cells_note(list, s, x);
+        list->order[s] = image->of;
+        set_offset(list, s, image->turns);
+        cells_note(list, s, image->at);
     }
     return STATUS_DONE;
 }
@@ -210,17 +209,19 @@ static int make_room(struct list *list)
 
 int images_sort(struct list *list, const struct cloud *cloud)
 {
-    const struct images *all = &list->own->images;
+    struct images *all = &list->own->images;
 
-    TRY(find(list));
+    all->n = 0;
+    for (int kind = 0; kind < KINDS; kind++)
+        TRY(find(list, cloud, kind));
     TRY(make_room(list));
-    for (int s = 0; s < list->start[KINDS]; s++)
-        for (int d = 0; d < DIM; d++)
-            list->offset[s][d] = all->turns[list->order[s]][d] * list->def.period[d];
+    for (int i = 0; i < list->n; i++)
+        if (list->slot[i] >= 0)
+            set_offset(list, list->slot[i], all->turns[i]);
     for (int kind = 0; kind < KINDS; kind++) {
         list->image[kind] = list->start[KINDS] + all->from[kind];
         list->image[kind + 1] = list->start[KINDS] + all->from[kind + 1];
-        TRY(sort_kind(list, cloud, kind));
+        TRY(sort_kind(list, kind));
     }
     return STATUS_DONE;
 }

@@ -13,16 +13,21 @@
 struct list;
 struct list_def;
 
+struct image {
+    int of, rank;          /* creation index of the original; cell           */
+    int turns[DIM];        /* lengths from its position to the image         */
+    double at[DIM];        /* where the image stands                   [m]   */
+};
+
 /* Starts as { 0 } and stays so where nothing is periodic. */
 struct images {
+    double low[DIM], high[DIM]; /* who stands between is not near a periodic side [m] */
     double (*home)[DIM];   /* [particles] places in the domain         [m]   */
     int (*turns)[DIM];     /* [particles] lengths that were added for it     */
     int n;
-    int from[KINDS + 1];   /* images of kind k, in order of creation         */
-    int *of;               /* [n] creation index of the original             */
-    int (*shift)[DIM];     /* [n] lengths from it to the image: -1, 0 or 1   */
-    int *rank;             /* [n] cell                                       */
-    size_t of_room, shift_room, rank_room;
+    struct image *all;     /* [n] those of kind k in order of creation: from[k] .. */
+    int from[KINDS + 1];
+    size_t room;
 };
 
 /* Is any direction periodic? */
@@ -32,11 +37,20 @@ bool images_any(const struct list_def *def);
 int images_create(struct list *list);
 void images_free(struct images *images);
 
+/* Are there images near the box low..high? */
+static inline bool images_near(const struct images *images, const double *low,
+                               const double *high)
+{
+    for (int d = 0; d < DIM; d++)
+        if (low[d] < images->low[d] || high[d] > images->high[d])
+            return true;
+    return false;
+}
+
 /* Before sorting: who stands where in the domain. */
 void images_bring_home(struct list *list, const struct cloud *cloud);
 
-/* After sorting: slots of images, their grids, all offsets. 0 or STATUS_FAILED (no
- * memory). */
+/* After sorting: images, their slots, grids, offsets. 0 or STATUS_FAILED (no memory). */
 int images_sort(struct list *list, const struct cloud *cloud);
 
 #endif

@@ -307,7 +307,7 @@ double list_bytes(double n, double slots, double entries)
                        + 1.5 * (sizeof(struct list_segment) + sizeof(struct list_found));
     const double place = DIM * sizeof(double), turns = DIM * sizeof(int);
     const double images = slots > n ? n * (place + turns) + slots * place
-                                          + (slots - n) * (turns + 2 * sizeof(int))
+                                          + (slots - n) * sizeof(struct image)
                                     : 0;
 
     return entries * sizeof(int) + n * (place + sizeof(int) + group / 4) + images

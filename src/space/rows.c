@@ -6,6 +6,9 @@
 
 #include <string.h>
 
+/* So many entries ahead of those written are fetched, as stores wait for their lines. */
+enum { AHEAD = 512, LINE = 64 / sizeof(int) };
+
 typedef int quad __attribute__((vector_size(16), may_alias));
 typedef int row __attribute__((vector_size(4 * LANES)));
 
@@ -108,8 +111,13 @@ static int append(struct list_store *store, const struct scan *s, int partner, i
     }
     for (int l = 0; l < LANES; l++)
         pad(s->near[l], s->count[l], rows, dummy);
-    for (int k = 0; k < rows; k += 4)
-        transpose(s->near, k, store->j + store->used + (size_t)k * LANES);
+    for (int k = 0; k < rows; k += 4) {
+        int *to = store->j + store->used + (size_t)k * LANES;
+
+        for (int i = 0; i < 4 * LANES; i += LINE)
+            __builtin_prefetch(to + AHEAD + i, 1);
+        transpose(s->near, k, to);
+    }
     store->found[store->founds++] = (struct list_found){ partner, rows, store->used };
     store->used += (size_t)rows * LANES;
     return rows;
@@ -128,7 +136,7 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
         if (!(list->def.acts[kind] & KIND_BIT(partner))
             || list->start[partner] == list->start[partner + 1])
             continue;
-        scan_near(s, &own->cells[partner], list->offset ? &own->image_cells[partner] : NULL);
+        scan_near(s, partner);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);

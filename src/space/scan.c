@@ -1,6 +1,12 @@
 /* scan.c -- finds neighbours among all who are in the cells around. */
 #include "space/scan.h"
 
+#if LANES == 8
+#include "space/scan-sift.h"
+#else
+#include "space/scan-table.h"
+#endif
+
 #include <float.h>
 #include <math.h>
 
@@ -9,17 +15,8 @@ enum {
     APART = LANES < 8 ? 1 : 2 /* owners spread over so many radii look alone */
 };
 
-/* Candidates in ascending slots. */
-static inline void note_run(struct scan *s, int from, int to)
-{
-    if (s->runs == SCAN_RUNS)
-        scan_take(s);
-    s->run[s->runs] = (struct scan_run){ from, to };
-    s->runs += from < to;
-}
-
 /* Everybody in the window, in ascending slots. */
-static void note_window(struct scan *s, const struct cells *c, const struct cells_window *w)
+static void take_window(struct scan *s, const struct cells *c, const struct cells_window *w)
 {
     const int more = w->high[0] - w->low[0] + 1;
 #if DIM == 3
@@ -34,7 +31,7 @@ static void note_window(struct scan *s, const struct cells *c, const struct cell
         for (int y = from; y <= to; y++) {
             const int *start = c->start + cells_first(c, w, row + y);
 
-            note_run(s, start[0], start[more]);
+            take_run(s, start[0], start[more]);
         }
     }
 }
@@ -46,13 +43,12 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
     const double radius = list->def.support + list->def.skin;
 
     s->list = list;
-    s->runs = 0;
     s->wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 4;
     s->reach = s->wide / list->own->per_metre;
     s->bound = (int)fmin(s->wide * s->wide, FARTHEST);
     for (int l = 0; l < LANES; l++)
         s->near[l] = near + (size_t)l * room;
-    scan_prepare(s);
+    prepare(s);
 }
 
 static const double *position(const struct scan *s, int lane)
@@ -63,18 +59,23 @@ static const double *position(const struct scan *s, int lane)
 /* From now on lanes first..last-1 look for neighbours. */
 static void let_look(struct scan *s, int first, int last)
 {
+    double low[DIM], high[DIM];
+
     s->first = first;
     s->last = last;
-    memcpy(s->low, position(s, first), sizeof s->low);
-    memcpy(s->high, s->low, sizeof s->high);
+    memcpy(low, position(s, first), sizeof low);
+    memcpy(high, low, sizeof high);
     for (int l = first + 1; l < last; l++) {
         const double *x = position(s, l);
 
         for (int d = 0; d < DIM; d++) {
-            s->low[d] = x[d] < s->low[d] ? x[d] : s->low[d];
-            s->high[d] = x[d] > s->high[d] ? x[d] : s->high[d];
+            low[d] = x[d] < low[d] ? x[d] : low[d];
+            high[d] = x[d] > high[d] ? x[d] : high[d];
         }
     }
+    memcpy(s->low, low, sizeof low);
+    memcpy(s->high, high, sizeof high);
+    set_lanes(s);
 }
 
 void scan_group(struct scan *s, int group, int owners)
@@ -87,8 +88,10 @@ void scan_group(struct scan *s, int group, int owners)
         s->apart |= s->high[d] - s->low[d] > APART * s->reach;
 }
 
-static void take_box(struct scan *s, const struct cells *c)
+/* Everybody of a kind, then of its images, who may be near the box. */
+static void take_box(struct scan *s, int kind)
 {
+    const struct list_private *own = s->list->own;
     struct cells_window w;
     double low[DIM], high[DIM];
 
@@ -96,29 +99,22 @@ static void take_box(struct scan *s, const struct cells *c)
         low[d] = s->low[d] - s->reach;
         high[d] = s->high[d] + s->reach;
     }
-    if (cells_window(c, low, high, &w))
-        note_window(s, c, &w);
+    if (cells_window(&own->cells[kind], low, high, &w))
+        take_window(s, &own->cells[kind], &w);
+    if (s->list->offset && images_near(&own->images, s->low, s->high)
+        && cells_window(&own->image_cells[kind], low, high, &w))
+        take_window(s, &own->image_cells[kind], &w);
+    take_rest(s);
 }
 
-/* Owners so far apart that their common box holds too many: one by one. */
-static void take_apart(struct scan *s, const struct cells *c)
-{
-    for (int l = 0; l < s->owners; l++) {
-        let_look(s, l, l + 1);
-        take_box(s, c);
-        if (s->runs > 0)
-            scan_take(s);
-    }
-}
-
-void scan_near(struct scan *s, const struct cells *c, const struct cells *images)
+/* Owners so far apart that their common box holds too many look one by one. */
+void scan_near(struct scan *s, int kind)
 {
     memset(s->count, 0, sizeof s->count);
-    for (; c; c = c == images ? NULL : images)
-        if (s->apart)
-            take_apart(s, c);
-        else
-            take_box(s, c);
-    if (s->runs > 0)
-        scan_take(s);
+    if (!s->apart)
+        take_box(s, kind);
+    for (int l = 0; l < s->owners && s->apart; l++) {
+        let_look(s, l, l + 1);
+        take_box(s, kind);
+    }
 }

@@ -2,11 +2,11 @@
  *
  *     scan_start(&scan, list, memory, room);       once
  *     scan_group(&scan, group, owners);            for each group
- *     scan_near(&scan, &list->own->cells[kind], NULL);   near and count are made
+ *     scan_near(&scan, kind);                      near and count are made
  *
  * scan.c says which runs of slots hold all neighbours; who of them is one is found by
- * scan-sift.c where the machine can compress a register (8 lanes), else by
- * scan-table.c.
+ * scan-sift.h where the machine can compress a register (8 lanes), else by
+ * scan-table.h.
  *
  * Places are whole numbers of 16 bits, so that one instruction squares and adds
  * two differences of each of SCAN_WIDE candidates.  They count modulo 8 radii:
@@ -21,36 +21,38 @@
 
 #include <string.h>
 
-enum {
-    SCAN_WIDE = 2 * LANES,      /* candidates compared at a time             */
-    SCAN_BLOCK = LANES == 8 ? 2 : 4, /* chunks of them taken without asking */
-    SCAN_RUNS = 32              /* noted at most                             */
-};
-_Static_assert(SCAN_BLOCK * SCAN_WIDE <= (int)LIST_PAD, "places are read as far");
+enum { SCAN_WIDE = 2 * LANES }; /* candidates compared at a time */
+_Static_assert(4 * SCAN_WIDE <= (int)LIST_PAD, "places are read as far beyond a run");
 
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef unsigned scan_sums __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef unsigned short scan_places __attribute__((vector_size(4 * SCAN_WIDE)));
 
-/* Candidates: slots from..to-1. */
-struct scan_run {
-    int from, to;
+#if LANES == 8
+enum {
+    SCAN_RUNS = 32,   /* runs of candidates collected at most                */
+    SCAN_MOST = 1024  /* candidates sifted before they are compared          */
 };
 
-#if LANES == 8
-enum { SCAN_MOST = 1024 }; /* candidates sifted before they are compared */
+struct scan_run {
+    int from, to; /* slots from..to-1 */
+};
 
 struct scan_work {
+    int runs;
+    struct scan_run run[SCAN_RUNS];
     _Alignas(64) int slot[SCAN_MOST + SCAN_WIDE]; /* who is near the box     */
     _Alignas(64) int place[LIST_WORDS][SCAN_MOST + SCAN_WIDE]; /* their places */
 };
 #else
 enum {
     SCAN_HITS = 1 << SCAN_WIDE, /* outcomes of comparing                     */
-    SCAN_CHUNKS = 128           /* of SCAN_WIDE candidates collected at most */
+    SCAN_CHUNKS = 128,          /* of SCAN_WIDE candidates collected at most */
+    SCAN_BLOCK = 4              /* chunks collected without asking           */
 };
 
 struct scan_work {
+    scan_places owner[LANES][LIST_WORDS]; /* places of owners                */
     unsigned char looks[LANES]; /* all bits: looks for neighbours, else 0    */
     int chunks;                 /* of SCAN_WIDE consecutive slots            */
     int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first slot of each chunk          */
@@ -68,14 +70,12 @@ struct scan {
     bool apart;                 /* they are far from one another             */
     int first, last;            /* lanes first..last-1 look for neighbours   */
     double low[DIM], high[DIM]; /* the box around these                [m]   */
-    int runs;
-    struct scan_run run[SCAN_RUNS]; /* ascending, none is empty              */
+    struct scan_work work;      /* of scan-sift.h or scan-table.h            */
 
     /* The same for all groups. */
     const struct list *list;
     double wide, reach;     /* widened radius                  [units], [m]  */
     int bound;              /* its square                          [units^2] */
-    struct scan_work work;  /* of scan-sift.c or scan-table.c                */
 };
 
 /* near[] is [LANES][room] of the caller, room at least listed + 2 SCAN_WIDE. */
@@ -85,16 +85,9 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
 #define scan_group LANE_NAME(scan_group)
 void scan_group(struct scan *s, int group, int owners);
 
-/* Of the cells of a kind, then of those of its images (NULL: nothing is periodic). */
+/* Of one kind, its images last. */
 #define scan_near LANE_NAME(scan_near)
-void scan_near(struct scan *s, const struct cells *c, const struct cells *images);
-
-/* The part of scan-sift.c and scan-table.c: once before all; takes all runs, so that
- * none is left. */
-#define scan_prepare LANE_NAME(scan_prepare)
-void scan_prepare(struct scan *s);
-#define scan_take LANE_NAME(scan_take)
-void scan_take(struct scan *s);
+void scan_near(struct scan *s, int kind);
 
 /* A word of SCAN_WIDE places. */
 static inline scan_places scan_places_at(const int *place)

@@ -1,8 +1,10 @@
-/* scan-sift.c -- sifts those who are near the owners' box out of all candidates, and
- * compares the rest with one owner after the other. */
+/* scan-sift.h -- a part of scan.c: sifts those who are near the owners' box out of all
+ * candidates, and compares the rest with one owner after the other. */
+#ifndef SPACE_SCAN_SIFT_H
+#define SPACE_SCAN_SIFT_H
+
 #include "space/scan.h"
 
-#if LANES == 8
 #include <immintrin.h>
 
 /* What candidates are compared with before all others: the box around the owners. */
@@ -130,29 +132,54 @@ static struct sieve sieve_of(const struct scan *s)
     return sieve;
 }
 
-void scan_prepare(struct scan *s)
+/* Two chunks at a time without asking whether both are needed: a mispredicted branch
+ * costs more. */
+static void take_runs(struct scan *s)
 {
-    (void)s;
-}
-
-/* Chunks SCAN_BLOCK at a time without asking whether they are all needed: a
- * mispredicted branch costs more. */
-void scan_take(struct scan *s)
-{
-    enum { BLOCK = SCAN_BLOCK * SCAN_WIDE };
+    enum { BLOCK = 2 * SCAN_WIDE };
     const struct sieve sieve = sieve_of(s);
     int n = 0;
 
-    for (int r = 0; r < s->runs; r++)
-        for (int at = s->run[r].from; at < s->run[r].to; at += BLOCK) {
+    for (int r = 0; r < s->work.runs; r++) {
+        const struct scan_run run = s->work.run[r];
+
+        for (int at = run.from; at < run.to; at += BLOCK) {
             if (n > SCAN_MOST - BLOCK) {
                 compare_all(s, &sieve, n);
                 n = 0;
             }
-            for (int c = 0; c < BLOCK; c += SCAN_WIDE)
-                n = sift(&s->work, &sieve, at + c, s->run[r].to, n);
+            n = sift(&s->work, &sieve, at, run.to, n);
+            n = sift(&s->work, &sieve, at + SCAN_WIDE, run.to, n);
         }
+    }
     compare_all(s, &sieve, n);
-    s->runs = 0;
+    s->work.runs = 0;
 }
+
+/* The slots from..to-1, in ascending runs. */
+static inline void take_run(struct scan *s, int from, int to)
+{
+    if (s->work.runs == SCAN_RUNS)
+        take_runs(s);
+    s->work.run[s->work.runs] = (struct scan_run){ from, to };
+    s->work.runs += from < to;
+}
+
+/* After the last run. */
+static void take_rest(struct scan *s)
+{
+    if (s->work.runs > 0)
+        take_runs(s);
+}
+
+static void prepare(struct scan *s)
+{
+    s->work.runs = 0;
+}
+
+static void set_lanes(struct scan *s)
+{
+    (void)s;
+}
+
 #endif

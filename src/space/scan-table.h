@@ -1,8 +1,10 @@
-/* scan-table.c -- compares runs of candidates with two or four owners; who is near is
- * looked up by the mask of the comparison. */
+/* scan-table.h -- a part of scan.c: compares runs of candidates with two or four owners
+ * at a time; who is near is looked up by the mask of the comparison. */
+#ifndef SPACE_SCAN_TABLE_H
+#define SPACE_SCAN_TABLE_H
+
 #include "space/scan.h"
 
-#if LANES < 8
 #if LANES > 2 || defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -60,11 +62,9 @@ static void flush(struct scan *s)
     scan_places owner[LANES][LIST_WORDS];
     int *end[LANES];
 
-    for (int l = 0; l < LANES; l++) {
-        for (int w = 0; w < LIST_WORDS; w++)
-            owner[l][w] = scan_owner(s, l, w);
+    memcpy(owner, s->work.owner, sizeof owner);
+    for (int l = 0; l < LANES; l++)
         end[l] = s->near[l] + s->count[l];
-    }
     for (int c = 0; c < s->work.chunks; c++) {
         const int at = s->work.slot[c];
 
@@ -115,11 +115,13 @@ static inline void collect(struct scan *s, int from, int to)
         leave_out_owners(s, from, first);
 }
 
-/* Collects a run of any length. */
-static inline void collect_run(struct scan *s, int from, int to)
+/* The slots from..to-1, in ascending runs. */
+static inline void take_run(struct scan *s, int from, int to)
 {
     enum { MOST = SCAN_CHUNKS * SCAN_WIDE };
 
+    if (from >= to)
+        return;
     if (s->work.chunks + (to - from) / SCAN_WIDE + 1 > SCAN_CHUNKS)
         flush(s);
     for (; to - from > MOST; from += MOST) {
@@ -127,6 +129,13 @@ static inline void collect_run(struct scan *s, int from, int to)
         flush(s);
     }
     collect(s, from, to);
+}
+
+/* After the last run. */
+static void take_rest(struct scan *s)
+{
+    if (s->work.chunks > 0)
+        flush(s);
 }
 
 /* Positions of the set bits of every mask, for compressing by table. */
@@ -142,19 +151,20 @@ static void make_hits(scan_ints *hit)
     }
 }
 
-void scan_prepare(struct scan *s)
+static void prepare(struct scan *s)
 {
     s->work.chunks = 0;
     make_hits(s->work.hit);
 }
 
-void scan_take(struct scan *s)
+/* After the lanes that look have changed. */
+static void set_lanes(struct scan *s)
 {
-    for (int l = 0; l < LANES; l++)
+    for (int l = 0; l < LANES; l++) {
+        for (int w = 0; w < LIST_WORDS; w++)
+            s->work.owner[l][w] = scan_owner(s, l, w);
         s->work.looks[l] = l >= s->first && l < s->last ? SCAN_HITS - 1 : 0;
-    for (int r = 0; r < s->runs; r++)
-        collect_run(s, s->run[r].from, s->run[r].to);
-    flush(s);
-    s->runs = 0;
+    }
 }
+
 #endif
