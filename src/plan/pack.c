@@ -26,21 +26,20 @@ static void write_far(const struct plan *p, int number, double *r)
     r[RECORD_IRHO] = 1 / p->scales.rho0;
 }
 
-static void write_place(double *r, const double *x)
+/* Where a slot stands whose particle is at x; offset NULL: nothing is periodic. */
+static void write_place(double *r, const double *x, const double *offset)
 {
-    r[RECORD_X] = x[0];
-    r[RECORD_X + 1] = x[1];
+    r[RECORD_X] = offset ? x[0] + offset[0] : x[0];
+    r[RECORD_X + 1] = offset ? x[1] + offset[1] : x[1];
 #if DIM == 3
-    r[RECORD_Z] = x[2];
+    r[RECORD_Z] = offset ? x[2] + offset[2] : x[2];
 #endif
 }
 
-static void write_record(double *r, const double *x, const double *u, double rho, double press,
-                         double m)
+static void write_rest(double *r, const double *u, double rho, double press, double m)
 {
     const double irho = 1 / rho;
 
-    write_place(r, x);
     r[RECORD_V] = u[0];
     r[RECORD_V + 1] = u[1];
 #if DIM == 3
@@ -52,26 +51,22 @@ static void write_record(double *r, const double *x, const double *u, double rho
     r[RECORD_IRHO] = irho;
 }
 
-/* Where a slot stands whose particle is at x. */
-static const double *place_of(const struct list *l, int slot, const double *x, double *place)
-{
-    for (int d = 0; d < DIM; d++)
-        place[d] = x[d] + l->offset[slot][d];
-    return place;
-}
-
 /* Slots from..to-1, all of kind k.  Returns the first slot whose density is out
- * of bounds, or -1. */
+ * of bounds, or -1.  What the second loop reads is scattered, so the first asks
+ * for it. */
 static int pack_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
                       int k, int from, int to)
 {
     const double low = p->in.eos.lowest * p->scales.rho0, high = p->in.eos.highest * p->scales.rho0;
     const struct list *l = w->list;
     const int first = v->p->from[k];
-    double rho[CHUNK], press[CHUNK], place[DIM];
+    double rho[CHUNK], press[CHUNK];
 
     for (int s = from; s < to; s++) {
-        const int i = l->order[s] - first;
+        const int c = l->order[s], i = c - first;
+        __builtin_prefetch(v->x[k] + (size_t)i * DIM);
+        __builtin_prefetch(v->u[k] + (size_t)i * DIM);
+        __builtin_prefetch(v->p->m + c);
         rho[s - from] = v->rho[k] ? v->rho[k][i] : p->scales.rho0;
         if (!(rho[s - from] >= low && rho[s - from] <= high))
             return s;
@@ -83,31 +78,40 @@ static int pack_chunk(const struct plan *p, struct plan_workspace *w, const stru
         const int c = l->order[s], i = c - first;
         const double *x = v->x[k] + (size_t)i * DIM;
         double *r = w->record + (size_t)s * RECORD;
-        if (list_inside(&p->list_def, x))
-            write_record(r, l->offset ? place_of(l, s, x, place) : x,
-                         v->u[k] + (size_t)i * DIM, rho[s - from], press[s - from], v->p->m[c]);
-        else
+        if (!list_inside(&p->list_def, x)) {
             write_far(p, s + 1, r);
+            continue;
+        }
+        write_place(r, x, l->offset ? l->offset[s] : NULL);
+        write_rest(r, v->u[k] + (size_t)i * DIM, rho[s - from], press[s - from], v->p->m[c]);
     }
     return -1;
 }
 
-/* Images from..to-1 of kind k have all but their place of their originals. */
+/* Images from..to-1 of kind k have all but their place of their originals; these are
+ * scattered, and asked for first. */
 static void copy_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
                        int k, int from, int to)
 {
     const struct list *l = w->list;
+    const double *original[CHUNK];
 
     for (int s = from; s < to; s++) {
         const int c = l->order[s];
-        const double *x = v->x[k] + (size_t)(c - v->p->from[k]) * DIM;
-        double *r = w->record + (size_t)s * RECORD, place[DIM];
+        original[s - from] = w->record + (size_t)l->slot[c] * RECORD;
+        __builtin_prefetch(original[s - from]);
+        __builtin_prefetch(original[s - from] + RECORD - 1);
+        __builtin_prefetch(v->x[k] + (size_t)(c - v->p->from[k]) * DIM);
+    }
+    for (int s = from; s < to; s++) {
+        const double *x = v->x[k] + (size_t)(l->order[s] - v->p->from[k]) * DIM;
+        double *r = w->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
             write_far(p, s + 1, r);
             continue;
         }
-        memcpy(r, w->record + (size_t)l->slot[c] * RECORD, RECORD * sizeof *r);
-        write_place(r, place_of(l, s, x, place));
+        memcpy(r, original[s - from], RECORD * sizeof *r);
+        write_place(r, x, l->offset[s]);
     }
 }
 

@@ -92,13 +92,17 @@ struct list_engine {
 };
 extern const struct list_engine list_engine_lanes2, list_engine_lanes4, list_engine_lanes8;
 
-/* Inside the box? NaN is outside. */
+/* Inside the box? NaN is outside.  Without a loop or branches: everybody is asked in
+ * every right-hand side. */
 static inline bool list_inside(const struct list_def *def, const double *x)
 {
-    for (int d = 0; d < DIM; d++)
-        if (!(x[d] >= def->low[d] && x[d] <= def->high[d]))
-            return false;
-    return true;
+    const double *low = def->low, *high = def->high;
+    bool inside = (x[0] >= low[0]) & (x[0] <= high[0]) & (x[1] >= low[1]) & (x[1] <= high[1]);
+
+#if DIM == 3
+    inside &= (x[2] >= low[2]) & (x[2] <= high[2]);
+#endif
+    return inside;
 }
 
 /* Entries in all rows, padding included. */
