@@ -126,6 +126,17 @@ static void look_closer(const struct list *list, int i, const double *x, struct 
     c->back |= list->slot[i] < 0 && list_inside(&list->def, x);
 }
 
+/* |a - b|^2, written out: everybody is asked in every right-hand side. */
+static inline double distance2(const double *a, const double *b)
+{
+    double sum = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+
+#if DIM == 3
+    sum += (a[2] - b[2]) * (a[2] - b[2]);
+#endif
+    return sum;
+}
+
 /* Displacements of the particles from..to-1 of one kind, x of the first; those
  * left out have an infinite `built`, so they are always looked at. */
 static void check_range(const struct list *list, const double *x, int from, int to,
@@ -134,14 +145,9 @@ static void check_range(const struct list *list, const double *x, int from, int 
     const double *built = list->own->built + (size_t)DIM * (size_t)from;
     const double limit = list->def.skin / 2;
 
-    for (int i = from; i < to; i++, x += DIM, built += DIM) {
-        double far = 0;
-
-        for (int d = 0; d < DIM; d++)
-            far += (x[d] - built[d]) * (x[d] - built[d]);
-        if (!(far <= limit * limit))
+    for (int i = from; i < to; i++, x += DIM, built += DIM)
+        if (!(distance2(x, built) <= limit * limit))
             look_closer(list, i, x, c);
-    }
 }
 
 static struct check check(const struct list *list, const struct cloud *cloud)
