@@ -136,6 +136,8 @@ void tank_shake(struct tank *t, unsigned seed, double far, double fast, double d
 
 void tank_rates(struct tank *t, double time, const double *y, double *ydot)
 {
+    for (long i = 0; i < t->n; i++)
+        ydot[i] = NAN; /* all of it has to be written */
     if (plan_rhs(t->plan, PLAN_ALL, time, y, ydot) != STATUS_DONE)
         fail_msg("refused: %s", plan_refusal(t->plan));
 }
