@@ -64,8 +64,9 @@ struct plan_workspace {
     struct list *list;
     double *record;  /* [slots][RECORD], 64-byte aligned                      */
     size_t slots;    /* room for so many; with images it may grow             */
-    double *f;       /* [n][DIM] by slot                                      */
-    double *drho;    /* [n] by slot                                           */
+    double *f;       /* [n][DIM] by slot; of the fluid only what struct sum_rates
+                        leaves there                                          */
+    double *drho;    /* [n] likewise                                          */
     double *power;   /* [slots]                                               */
     double *apart;   /* [n][DIM] lent while one pass is for both sides: f of the
                         implicit law by slot; else NULL                       */
@@ -165,7 +166,7 @@ int plan_fields(struct plan *p, struct plan_workspace *w, struct view *v);
  * power of driven walls; forces on the points of one skin.  push: see struct sum_job; it
  * is added to. */
 int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
-             double (*push)[DIM]);
+             double (*push)[DIM], struct sum_rates to);
 void plan_solids_sum(struct plan *p, const struct plan_workspace *w);
 void plan_skin_force(const struct plan *p, const struct plan_workspace *w, struct plan_body *b);
 

@@ -8,15 +8,17 @@
 
 #include <string.h>
 
+enum { COPIED = 4096 }; /* numbers at a time */
+
 int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table *table,
-             double (*push)[DIM])
+             double (*push)[DIM], struct sum_rates to)
 {
     const bool faces = p->face && face_among(p, table);
     const struct sum_job job = {
         .list = w->list, .record = w->record, .table = table, .slots = p->slots,
         .later = p->later, .push = (const double (*)[DIM])push, .gamma = p->scales.gamma,
         .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
-        .f = w->f, .drho = w->drho, .power = w->power,
+        .f = w->f, .drho = w->drho, .power = w->power, .rates = to,
         .apart = w->apart, .apart_slot = w->apart ? p->stiff->slot : 0,
     };
 
@@ -35,7 +37,7 @@ int plan_sum(struct plan *p, struct plan_workspace *w, const struct pairs_table 
 /* Forces and power of the explicit laws; with w->apart those of the implicit law, too,
  * each where it belongs. */
 static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which which,
-                    double (*push)[DIM])
+                    double (*push)[DIM], struct sum_rates to)
 {
     const struct pairs_table *table = which == PLAN_DENSITY                 ? p->rates
                                       : which == PLAN_VELOCITY              ? p->forces
@@ -44,7 +46,7 @@ static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which wh
 
     if (p->particles->n == 0)
         return STATUS_DONE;
-    TRY(plan_sum(p, w, table, push));
+    TRY(plan_sum(p, w, table, push, to));
     if (w->apart) {
         w->power_apart = w->power[p->stiff->slot];
         w->power[p->stiff->slot] = 0;
@@ -54,25 +56,63 @@ static int sum_laws(struct plan *p, struct plan_workspace *w, enum plan_which wh
     return STATUS_DONE;
 }
 
-/* Rates of the fluid to their places in ydot, x' = u, u' = f/m: one pass in the order
- * of ydot, as scattered writes wait longer than scattered reads. */
-static void spread_fluid(const struct plan *p, const struct plan_workspace *w,
-                         const struct view *v, double *ydot)
+/* Rates of the fluid that sums over pairs write to ydot at once: where its viscosity acts
+ * at faces, forces are not known before these have added theirs. */
+static struct sum_rates rates_in(const struct plan *p, enum plan_which which, double *ydot)
+{
+    const int rho = p->density_row[KIND_FLUID];
+    struct sum_rates to = { 0 };
+
+    if (p->row_x < 0)
+        return to;
+    if (which != PLAN_DENSITY && !p->face)
+        to.u = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
+    if (which != PLAN_VELOCITY && rho >= 0)
+        to.rho = ydot + layout_at(&p->layout, rho);
+    return to;
+}
+
+/* Who has left the domain is in no sum. */
+static void stop_outsiders(const struct plan *p, const struct list *l, struct sum_rates to)
+{
+    const int n = particles_count(p->particles, KIND_FLUID);
+
+    for (int i = 0; i < n && l->start[KIND_FLUID + 1] < n; i++) {
+        if (l->slot[i] >= 0)
+            continue;
+        if (to.u)
+            memset(to.u[i], 0, sizeof to.u[i]);
+        if (to.rho)
+            to.rho[i] = 0;
+    }
+}
+
+/* x' = u. */
+static void copy_velocities(const struct plan *p, const struct view *v, double *ydot)
+{
+    const int n = DIM * particles_count(v->p, KIND_FLUID);
+    double *xdot = ydot + layout_at(&p->layout, p->row_x);
+
+#pragma omp parallel for schedule(static) if (n > 4 * COPIED)
+    for (int i = 0; i < n; i += COPIED)
+        memcpy(xdot + i, v->u[KIND_FLUID] + i,
+               (size_t)(n - i < COPIED ? n - i : COPIED) * sizeof *xdot);
+}
+
+/* u' = f/m from slots: one pass in the order of ydot, as scattered writes wait longer
+ * than scattered reads. */
+static void spread_forces(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
     const struct list *l = w->list;
-    const int n = particles_count(v->p, KIND_FLUID);
-    const double (*u)[DIM] = (const double (*)[DIM])v->u[KIND_FLUID];
-    double (*xdot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_x));
+    const int n = particles_count(p->particles, KIND_FLUID);
     double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
 
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int i = 0; i < n; i++) {
         const int s = l->slot[i]; /* -1: has left the domain */
-        const double im = 1 / v->p->m[i];
-        for (int d = 0; d < DIM; d++) {
-            xdot[i][d] = u[i][d];
+        const double im = 1 / p->particles->m[i];
+        for (int d = 0; d < DIM; d++)
             udot[i][d] = s < 0 ? 0 : w->f[(size_t)s * DIM + d] * im;
-        }
     }
 }
 
@@ -97,12 +137,12 @@ static double drift_power(const struct plan *p, const struct view *v)
     return power;
 }
 
-/* Rates of density of those that have one of their own. */
+/* Rates of density of solids that have one of their own. */
 static void spread_densities(const struct plan *p, const struct plan_workspace *w, double *ydot)
 {
     const struct list *l = w->list;
 
-    for (int k = 0; k < KINDS; k++) {
+    for (int k = KIND_FLUID + 1; k < KINDS; k++) {
         const int first = p->particles->from[k], n = particles_count(p->particles, k);
         double *rhodot;
         if (p->density_row[k] < 0)
@@ -202,8 +242,11 @@ static void spread(const struct plan *p, const struct plan_workspace *w, enum pl
 {
     if (p->row_x < 0)
         return;
-    if (which != PLAN_DENSITY)
-        spread_fluid(p, w, v, ydot);
+    stop_outsiders(p, w->list, rates_in(p, which, ydot));
+    if (!(which & (PLAN_DENSITY | PLAN_VELOCITY))) /* halves move nobody */
+        copy_velocities(p, v, ydot);
+    if (which != PLAN_DENSITY && p->face)
+        spread_forces(p, w, ydot);
     if (which != PLAN_VELOCITY)
         spread_densities(p, w, ydot);
 }
@@ -265,7 +308,7 @@ int plan_rates(struct plan *p, struct plan_workspace *w, enum plan_which which, 
 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, w, &v));
-    TRY(sum_laws(p, w, which, pushes(p, which, &v, ydot)));
+    TRY(sum_laws(p, w, which, pushes(p, which, &v, ydot), rates_in(p, which, ydot)));
     spread(p, w, which, &v, ydot);
     if (which & (PLAN_DENSITY | PLAN_VELOCITY))
         halve(p, w, which, &v, y, ydot);

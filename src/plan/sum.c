@@ -157,8 +157,45 @@ static inline void add_power(lanes power, int turn, parts *part)
         part[turn] += of[i];
 }
 
+static struct sum_rates rates_of(const struct sum_job *job, int kind)
+{
+    return kind == KIND_FLUID ? job->rates : (struct sum_rates){ 0 };
+}
+
+/* Asks for the places to which write_rates() will write: scattered, they would be waited
+ * for.  (Left to itself, the compiler drops calls that do nothing else.) */
+LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, int owners)
+{
+    const struct sum_rates to = rates_of(job, kind);
+    const int *order = job->list->order + first;
+
+    for (int l = 0; l < owners && to.u; l++)
+        __builtin_prefetch(to.u[order[l]], 1);
+    for (int l = 0; l < owners && to.rho; l++)
+        __builtin_prefetch(to.rho + order[l], 1);
+}
+
+static void write_rates(const struct sum_job *job, int kind, int first, int owners, lanes m,
+                        struct sum all)
+{
+    const struct sum_rates to = rates_of(job, kind);
+    const int *order = job->list->order + first;
+    const lanes im = 1 / m;
+
+    for (int d = 0; d < DIM && to.u; d++)
+        all.f[d] *= im;
+    for (int l = 0; l < owners; l++) {
+        double *f = to.u ? to.u[order[l]] : job->f + (size_t)(first + l) * DIM;
+        double *drho = to.rho ? to.rho + order[l] : job->drho + first + l;
+
+        for (int d = 0; d < DIM; d++)
+            f[d] = all.f[d][l];
+        *drho = all.drho[l];
+    }
+}
+
 /* Adds the sums in order of slots, writes the rates, books the power. */
-static void finish_group(const struct sum_job *job, int first, int owners, int turn,
+static void finish_group(const struct sum_job *job, int kind, int first, int owners, int turn,
                          struct side *a, const struct sum *part, struct chunk_power *book)
 {
     struct sum all = { 0 };
@@ -180,24 +217,21 @@ static void finish_group(const struct sum_job *job, int first, int owners, int t
             power += a->v[d] * part[s].f[d];
         add_power(power, turn, book->part[s]);
     }
-    for (int l = 0; l < owners; l++) {
-        for (int d = 0; d < DIM; d++)
-            job->f[(size_t)(first + l) * DIM + (size_t)d] = all.f[d][l];
-        job->drho[first + l] = all.drho[l];
-    }
+    write_rates(job, kind, first, owners, a->m, all);
     if (job->apart)
         set_apart(job, first, owners, part);
 }
 
 /* Nobody near: rates of exactly 0. */
-static void clear_slots(const struct sum_job *job, int first, int owners)
+static void clear_slots(const struct sum_job *job, int kind, int first, int owners)
 {
-    const size_t from = (size_t)first, n = (size_t)owners;
+    const struct sum none = { 0 };
 
-    memset(job->f + from * DIM, 0, n * DIM * sizeof *job->f);
-    memset(job->drho + from, 0, n * sizeof *job->drho);
+    for (int n = 0; n < owners; n += LANES)
+        write_rates(job, kind, first + n, owners - n < LANES ? owners - n : LANES,
+                    (lanes){0} + 1, none);
     if (job->apart)
-        memset(job->apart + from * DIM, 0, n * DIM * sizeof *job->apart);
+        memset(job->apart + (size_t)first * DIM, 0, (size_t)owners * DIM * sizeof *job->apart);
 }
 
 static void sum_group(const struct sum_job *job, int g, int turn, struct block *b,
@@ -210,9 +244,10 @@ static void sum_group(const struct sum_job *job, int g, int turn, struct block *
     struct side a;
 
     if (list->segment_from[g] == list->segment_from[g + 1]) {
-        clear_slots(job, first, owners);
+        clear_slots(job, kind, first, owners);
         return;
     }
+    expect_rates(job, kind, first, owners);
     gather_side(job->record, first, end, list->listed, &a);
     memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
@@ -223,7 +258,7 @@ static void sum_group(const struct sum_job *job, int g, int turn, struct block *
         if (table->n > 0) /* the list also serves fields */
             sum_segment(job, table, segment, &a, b, part);
     }
-    finish_group(job, first, owners, turn, &a, part, book);
+    finish_group(job, kind, first, owners, turn, &a, part, book);
 }
 
 /* The parts of one sum of power in one order for every lane width. */
@@ -257,7 +292,8 @@ static void clear_idle(const struct sum_job *job)
 
     for (int kind = 0; kind < KINDS; kind++)
         if (list->group_from[kind] == list->group_from[kind + 1])
-            clear_slots(job, list->start[kind], list->start[kind + 1] - list->start[kind]);
+            clear_slots(job, kind, list->start[kind],
+                        list->start[kind + 1] - list->start[kind]);
 }
 
 static int make_room(struct sum_scratch *scratch, int n, int slots)

@@ -20,6 +20,13 @@ enum {
     SUM_SLOTS = 16   /* rows of the book at most                              */
 };
 
+/* Where rates of the fluid go, by creation index: instead of to their slots, so that
+ * nobody has to carry them there.  NULL: to their slots. */
+struct sum_rates {
+    double (*u)[DIM]; /* [fluid][DIM] f/m instead of f              [m/s^2]   */
+    double *rho;      /* [fluid] instead of drho              [kg/m^D/s]      */
+};
+
 struct sum_job {
     const struct list *list;
     const double *record;              /* [listed+1][RECORD], 64-byte aligned */
@@ -36,6 +43,8 @@ struct sum_job {
     double *f;                         /* [particles][DIM] force on a slot [N] */
     double *drho;                      /* [particles] rate of density of a slot
                                           [kg/m^D/s]: divided by the mass     */
+    struct sum_rates rates;            /* those of fluid that is not listed stay
+                                          as they are                         */
     double *power;                     /* [slots] v.f + p2 m drho over all
                                           owners [W]                          */
     double *apart;                     /* [particles][DIM] where forces of the row

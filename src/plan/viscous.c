@@ -182,7 +182,7 @@ int viscous_rates(struct plan *p, double t, const double *y, double *ydot)
 
     plan_view_make(p, t, y, &v);
     TRY(plan_fields(p, &p->main, &v));
-    TRY(plan_sum(p, &p->main, p->viscous->table, NULL));
+    TRY(plan_sum(p, &p->main, p->viscous->table, NULL, (struct sum_rates){ 0 }));
     spread_rates(p, t, y, ydot);
     return STATUS_DONE;
 }

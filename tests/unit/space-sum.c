@@ -35,6 +35,7 @@ struct work {
     struct kernel_use kernel[2];
     struct pairs_table table[KINDS * KINDS];
     double *record, *f, *drho, power[SLOTS];
+    struct sum_rates rates;
 };
 
 static struct fields *make_fields(const struct space_cloud *c)
@@ -129,7 +130,7 @@ static void add_up(struct work *w, const struct list *list)
     struct sum_scratch scratch = { 0 };
     const struct sum_job job = {
         .list = list, .record = w->record, .table = w->table, .slots = SLOTS,
-        .f = w->f, .drho = w->drho, .power = w->power,
+        .f = w->f, .drho = w->drho, .power = w->power, .rates = w->rates,
     };
 
     for (int i = 0; i < list->listed * DIM; i++)
@@ -376,6 +377,45 @@ void sum_writes_every_slot(void **state)
         test_free(of);
         space_cloud_free(c);
     }
+}
+
+/* Rates of the fluid go where they are wanted, those of others to their slots. */
+void sum_writes_rates_in_place(void **state)
+{
+    struct space_cloud *c = space_cloud(mixed, 0.2, 0.1);
+    struct fields *of = make_fields(c);
+    const int n = mixed[KIND_FLUID];
+
+    (void)state;
+    for (int e = 0; e < space_engines(); e++) {
+        struct work *w = work(e, c, of), placed = *w;
+        const struct list *l = w->list;
+
+        placed.f = test_malloc((size_t)c->n * DIM * sizeof(double));
+        placed.drho = test_malloc((size_t)c->n * sizeof(double));
+        placed.rates.u = test_malloc((size_t)n * sizeof *placed.rates.u);
+        placed.rates.rho = test_malloc((size_t)n * sizeof *placed.rates.rho);
+        add_up(&placed, l);
+        for (int s = 0; s < l->listed; s++) {
+            const int i = l->order[s];
+            const double *u = i < n ? placed.rates.u[i] : placed.f + s * DIM;
+            const double rho = i < n ? placed.rates.rho[i] : placed.drho[s];
+            const double per = i < n ? 1 / of[i].m : 1;
+
+            check(rho == w->drho[s], "rate of %d: %g, %g in its slot", i, rho, w->drho[s]);
+            for (int d = 0; d < DIM; d++)
+                check(u[d] == w->f[s * DIM + d] * per, "%d is accelerated by %g, in its slot %g", i,
+                      u[d], w->f[s * DIM + d] * per);
+        }
+        check(memcmp(w->power, placed.power, sizeof w->power) == 0, "the same book");
+        test_free(placed.f);
+        test_free(placed.drho);
+        test_free(placed.rates.u);
+        test_free(placed.rates.rho);
+        work_free(w);
+    }
+    test_free(of);
+    space_cloud_free(c);
 }
 
 /* Both sides of a pair get opposite forces: they add up to rounding. */

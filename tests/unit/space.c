@@ -125,6 +125,7 @@ int main(void)
         cmocka_unit_test(sum_same_bits_lanes_and_threads),
         cmocka_unit_test(sum_padding_adds_nothing),
         cmocka_unit_test(sum_writes_every_slot),
+        cmocka_unit_test(sum_writes_rates_in_place),
         cmocka_unit_test(sum_keeps_momentum),
     };
 

@@ -80,6 +80,7 @@ void sum_agrees_with_brute_force(void **state);
 void sum_same_bits_lanes_and_threads(void **state);
 void sum_padding_adds_nothing(void **state);
 void sum_writes_every_slot(void **state);
+void sum_writes_rates_in_place(void **state);
 void sum_keeps_momentum(void **state);
 
 #endif
