@@ -3,11 +3,11 @@
  *
  * A plan made from a scene (see water.h) answers plan_rhs().  All times are CPU
  * time on one thread in ns per particle: those of water and of walls, as both have
- * rates or forces to be asked for.  A star marks water without walls in a domain that
- * repeats in all directions; at 2.45 dx everybody has 66 neighbours there.  Its images
- * cost time but are not counted as particles.  RHS is the median of 7,
- * its parts are the least of 7, as differences of medians say little on a machine
- * with other work:
+ * rates or forces to be asked for.  A plus marks a cube of water and nothing else; at
+ * 2.5 dx it has 66 neighbours in the mean.  A star marks water in a domain that repeats
+ * in all directions; at 2.45 dx everybody has 66 neighbours there.  Its images cost time
+ * but are not counted as particles.  RHS is the median of 7, its parts are the least of
+ * 7, as differences of medians say little on a machine with other work:
  *
  *     gather   neighbours fetched, separations and roots formed
  *     laws     kernel gradient, its division by r^2 + 0.01 hs^2, and the laws
@@ -207,7 +207,7 @@ static void report(struct water *w, const struct water_def *def, double share)
     const char *same = threads_agree(w, &hash);
     printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
            " |%6.1f %6.1f (%.1f-%.1f) %6.2f %6.1f  %016" PRIx64 " %s\n",
-           DIM, def->endless ? '*' : ' ', w->fluid, w->all, width, support, skin, 100 * share,
+           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support, skin, 100 * share,
            useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
            share * t.rebuild, t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
            1e3 * useful / t.rhs.median, hash, same);
@@ -348,6 +348,7 @@ static const struct water_def usual = { .n = 50000, .support = 2.5, .skin = 0.05
 static void cases(void)
 {
     run(&usual, 0.2);
+    run(&(struct water_def){ .n = 50000, .support = 2.5, .skin = 0.05, .alone = true }, 0.2);
     run(&(struct water_def){ .n = 50000, .support = 2.45, .skin = 0.05, .endless = true }, 0.2);
 }
 #endif

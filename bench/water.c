@@ -14,21 +14,34 @@ static const char *const effects =
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.02; };"
     " density-diffusion = { delta = 0.1; }; };";
 
+/* Of gravity, domain and walls. */
+static void write_surroundings(FILE *f, const struct water_def *def)
+{
+    const char *z = DIM == 2 ? "" : "0.0, ";
+    const bool walls = !def->alone && !def->endless;
+
+    fprintf(f, "gravity = [0.0, %s%g];\n", z, walls ? -9.81 : 0.0);
+    if (walls)
+        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0]; };\n"
+                "wall = { tank = { type = \"frame\"; }; };\n", z, DIM == 2 ? "" : "1.0, ");
+    else if (def->endless)
+        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0]; periodic = [\"x\", %s\"y\"]; };\n"
+                "eos = { c0 = 10.0; };\n", z, DIM == 2 ? "" : "1.0, ", DIM == 2 ? "" : "\"z\", ");
+    else
+        fprintf(f, "domain = { from = [-1.0, %s-1.0]; to = [2.0, %s2.0]; };\n"
+                "eos = { c0 = 10.0; };\n", DIM == 2 ? "" : "-1.0, ", DIM == 2 ? "" : "2.0, ");
+}
+
 static void write_scene(FILE *f, const struct water_def *def, double dx, double width)
 {
-    const char *o = DIM == 2 ? "[0.0, 0.0]" : "[0.0, 0.0, 0.0]";
     const char *y = DIM == 2 ? "" : "1.0, ";
-    const char *all = DIM == 2 ? "periodic = [\"x\", \"y\"];"
-                               : "periodic = [\"x\", \"y\", \"z\"];";
 
-    fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g; gravity = [0.0, %s%g];\n"
-            "domain = { from = %s; to = [1.0, %s1.0]; %s };\n"
-            "fluid = { water = { type = \"box\"; from = %s; to = [%.17g, %s1.0]; }; };\n%s"
-            "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx, DIM == 2 ? "" : "0.0, ",
-            def->endless ? 0.0 : -9.81, o, y, def->endless ? all : "", o, width, y,
-            def->endless ? "eos = { c0 = 10.0; };\n"
-                         : "wall = { tank = { type = \"frame\"; }; };\n",
-            def->support, def->skin, effects, def->more ? def->more : "");
+    fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g;\n"
+            "fluid = { water = { type = \"box\"; from = [0.0, %s0.0]; to = [%.17g, %s1.0]; }; };\n"
+            "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx,
+            DIM == 2 ? "" : "0.0, ", width, y, def->support, def->skin, effects,
+            def->more ? def->more : "");
+    write_surroundings(f, def);
 }
 
 static void read_plan(struct water *w, const struct water_def *def, double dx, double width)

@@ -22,7 +22,8 @@ struct water_def {
     int n;                /* particles of fluid, about                        */
     double support, skin; /* [spacings], [support]                            */
     double width;         /* part of the box that is filled; 0: all           */
-    bool endless;         /* no walls, no gravity, all directions repeat      */
+    bool alone;           /* no walls, no gravity                             */
+    bool endless;         /* alone, and all directions repeat                 */
     const char *more;     /* put into the scene (NULL: nothing)               */
 };
 
