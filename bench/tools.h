@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum { BENCH_REPEATS = 7 };
+enum { BENCH_REPEATS = 15 };
 
 /* Of BENCH_REPEATS repeats. */
 struct bench_times {
