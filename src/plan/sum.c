@@ -4,12 +4,11 @@
  * SUM_CHUNK slots of one kind.  Every number is added in an order that chunks
  * and slots alone decide: a lane its own neighbours, laws in table order,
  * powers in four sums a chunk, chunks one after the other. */
-#include "plan/sum.h"
+#include "plan/sum-chunks.h"
 
 #include "base/status.h"
 #include "effects/fused.h"
 #include "space/gather.h"
-#include "space/record.h"
 #include "space/threads.h"
 
 #include <stdlib.h>
@@ -18,9 +17,7 @@
 enum {
     PARTS = 4,
     PART_LANES = LANES < PARTS ? LANES : PARTS, /* that fit into one register of parts */
-    TURNS = PARTS / PART_LANES,
-    CHUNK_GROUPS = SUM_CHUNK / LANES,
-    WORTH_THREADS = 500 /* slots whose sums repay waking the threads */
+    TURNS = PARTS / PART_LANES
 };
 
 typedef double parts __attribute__((vector_size(8 * PART_LANES)));
@@ -29,62 +26,6 @@ typedef double parts __attribute__((vector_size(8 * PART_LANES)));
 struct chunk_power {
     parts part[SUM_SLOTS][TURNS];
 };
-
-static int chunks_of(const struct list *list, int kind)
-{
-    const int groups = list->group_from[kind + 1] - list->group_from[kind];
-
-    return (groups + CHUNK_GROUPS - 1) / CHUNK_GROUPS;
-}
-
-static int chunks(const struct list *list)
-{
-    int n = 0;
-
-    for (int kind = 0; kind < KINDS; kind++)
-        n += chunks_of(list, kind);
-    return n;
-}
-
-/* First group of a chunk; that of the end for the last chunk + 1. */
-static int first_group(const struct list *list, int chunk)
-{
-    for (int kind = 0; kind < KINDS; kind++) {
-        const int n = chunks_of(list, kind);
-
-        if (chunk < n)
-            return list->group_from[kind] + chunk * CHUNK_GROUPS;
-        chunk -= n;
-    }
-    return list->groups;
-}
-
-/* Rows before a chunk, and some for the work that each group is anyway. */
-static long work_before(const struct list *list, int chunk)
-{
-    const int group = first_group(list, chunk);
-
-    return list->rows_before[group] + 4L * group;
-}
-
-/* First chunk of thread t of `of`: equal work, found by halving. */
-static int share(const struct list *list, int n, int t, int of)
-{
-    const long want = work_before(list, n) / of * t;
-    int low = 0, high = n;
-
-    if (t == of)
-        return n;
-    while (low < high) {
-        const int middle = low + (high - low) / 2;
-
-        if (work_before(list, middle) < want)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* Laws one after the other, each on all rows. */
 static void laws_in_turn(const struct pairs_table *table, const struct side *a,
@@ -273,7 +214,7 @@ static double total(const parts *part)
 static void sum_chunk(const struct sum_job *job, int chunk, struct block *b, double *power)
 {
     const struct list *list = job->list;
-    const int from = first_group(list, chunk);
+    const int from = sum_first_group(list, chunk);
     const int kind_end = list->group_from[list->group_kind[from] + 1];
     const int to = from + CHUNK_GROUPS < kind_end ? from + CHUNK_GROUPS : kind_end;
     struct chunk_power book;
@@ -311,7 +252,7 @@ static int make_room(struct sum_scratch *scratch, int n, int slots)
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 {
-    const int n = chunks(job->list), slots = job->slots;
+    const int n = sum_chunks(job->list), slots = job->slots;
 
     if (slots > SUM_SLOTS)
         return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
@@ -319,13 +260,13 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
     TRY(make_room(scratch, n, slots));
     double *power = scratch->power;
     clear_idle(job);
-#pragma omp parallel if (job->list->listed > WORTH_THREADS)
+#pragma omp parallel if (job->list->listed > SUM_WORTH_THREADS)
     {
         const int t = threads_me(), of = threads_all();
-        const int to = share(job->list, n, t + 1, of);
+        const int to = sum_share(job->list, n, t + 1, of);
         struct block b;
 
-        for (int c = share(job->list, n, t, of); c < to; c++)
+        for (int c = sum_share(job->list, n, t, of); c < to; c++)
             sum_chunk(job, c, &b, power + (size_t)c * (size_t)slots);
     }
     memset(job->power, 0, (size_t)slots * sizeof *job->power);
@@ -335,57 +276,7 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
     return STATUS_DONE;
 }
 
-/* What one field adds up for one group of owners. */
-static void field_group(const struct sum_field_job *job, int g, struct block *b)
-{
-    const struct list *list = job->list;
-    const int first = list->group_slot[g], kind = list->group_kind[g];
-    const int end = list->start[kind + 1];
-    gather_rows *const gather = gather_choose(job->needs);
-    struct field_sum sum = { 0 };
-    struct side a;
-
-    gather_side(job->record, first, end, list->listed, &a);
-    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
-        const struct list_segment *segment = &list->segment[s];
-
-        for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
-            const int left = segment->rows - row;
-
-            if (!(job->meets[kind] & KIND_BIT(segment->partner)))
-                break;
-            b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
-            gather(job->record, segment->j + (size_t)row * LANES, b->n, &a, b);
-            gather_kernel(job->needs, job->kernel, b);
-            job->gather(job->self, &a, b, &sum);
-        }
-    }
-    for (int l = 0; l < LANES && first + l < end; l++)
-        for (int i = 0; i < PAIRS_FIELD; i++)
-            job->sum[first + l][i] = sum.s[i][l];
-}
-
-static void sum_field(const struct sum_field_job *job)
-{
-    const struct list *list = job->list;
-
-    for (int kind = 0; kind < KINDS; kind++) {
-        const int from = list->group_from[kind], to = list->group_from[kind + 1];
-
-        if (!job->meets[kind])
-            continue;
-#pragma omp parallel if (to - from > WORTH_THREADS / LANES)
-        {
-            struct block b;
-
-#pragma omp for schedule(static)
-            for (int g = from; g < to; g++)
-                field_group(job, g, &b);
-        }
-    }
-}
-
 const struct sum_engine LANE_NAME(sum_engine) = {
     .lanes = LANES, .list = &LANE_NAME(list_engine), .arrange = arrange, .pairs = sum_pairs,
-    .field = sum_field,
+    .field = LANE_NAME(sum_field),
 };

@@ -84,6 +84,12 @@ struct sum_engine {
     int (*pairs)(const struct sum_job *job, struct sum_scratch *scratch);
     void (*field)(const struct sum_field_job *job);
 };
+
+/* Those of the field, in sum-field.c. */
+void sum_field_lanes2(const struct sum_field_job *job);
+void sum_field_lanes4(const struct sum_field_job *job);
+void sum_field_lanes8(const struct sum_field_job *job);
+
 extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4, sum_engine_lanes8;
 
 #endif
