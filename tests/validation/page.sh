@@ -25,7 +25,13 @@ wanted() {
 for file; do
     case=$(basename "$file" .sh)
     wanted "$case" "$here/$case.sh" || continue
+    rm -f "$build/$case/rows"
     VALIDATION_OUT=$build/$case sh "$here/$case.sh" || failed=1
+    if ! [ -f "$build/$case/rows" ]; then
+        echo "$case: its run failed, the page keeps what it had" >&2
+        failed=1
+        continue
+    fi
     cp "$build/$case/rows" "$here/rows/$case.rows"
     for figure in "$build/$case/$case"*.png; do
         cp "$figure" "$top/doc/img/validation-$(basename "$figure")"
