@@ -208,8 +208,8 @@ static void report(struct water *w, const struct water_def *def, double share)
     const char *same = threads_agree(w, &hash);
     printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
            " |%6.1f %6.1f (%.1f-%.1f) %6.2f (%.2f) %6.1f  %016" PRIx64 " %s\n",
-           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support, skin, 100 * share,
-           useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
+           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support, skin,
+           100 * share, useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
            share * t.rebuild, t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
            1e3 / t.rhs.least, 1e3 * useful / t.rhs.median, hash, same);
     fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"

@@ -14,22 +14,24 @@ static const char *const effects =
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.02; };"
     " density-diffusion = { delta = 0.1; }; };";
 
-/* Of gravity, domain and walls. */
+/* Gravity, domain and walls, or none of them. */
 static void write_surroundings(FILE *f, const struct water_def *def)
 {
-    const char *z = DIM == 2 ? "" : "0.0, ";
-    const bool walls = !def->alone && !def->endless;
+    const char *zero = DIM == 2 ? "" : "0.0, ", *one = DIM == 2 ? "" : "1.0, ";
+    const char *z = DIM == 2 ? "" : ", \"z\"";
 
-    fprintf(f, "gravity = [0.0, %s%g];\n", z, walls ? -9.81 : 0.0);
-    if (walls)
-        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0]; };\n"
-                "wall = { tank = { type = \"frame\"; }; };\n", z, DIM == 2 ? "" : "1.0, ");
-    else if (def->endless)
-        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0]; periodic = [\"x\", %s\"y\"]; };\n"
-                "eos = { c0 = 10.0; };\n", z, DIM == 2 ? "" : "1.0, ", DIM == 2 ? "" : "\"z\", ");
+    if (def->endless)
+        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0];"
+                " periodic = [\"x\", \"y\"%s]; };\n", zero, one, z);
+    else if (def->alone)
+        fprintf(f, "domain = { from = [-1.0, %s-1.0]; to = [2.0, %s2.0]; };\n", zero, one);
     else
-        fprintf(f, "domain = { from = [-1.0, %s-1.0]; to = [2.0, %s2.0]; };\n"
-                "eos = { c0 = 10.0; };\n", DIM == 2 ? "" : "-1.0, ", DIM == 2 ? "" : "2.0, ");
+        fprintf(f, "domain = { from = [0.0, %s0.0]; to = [1.0, %s1.0]; };\n"
+                "wall = { tank = { type = \"frame\"; }; };\n", zero, one);
+    if (def->endless || def->alone)
+        fprintf(f, "gravity = [0.0, %s0.0]; eos = { c0 = 10.0; };\n", zero);
+    else
+        fprintf(f, "gravity = [0.0, %s-9.81];\n", zero);
 }
 
 static void write_scene(FILE *f, const struct water_def *def, double dx, double width)
@@ -37,7 +39,8 @@ static void write_scene(FILE *f, const struct water_def *def, double dx, double 
     const char *y = DIM == 2 ? "" : "1.0, ";
 
     fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g;\n"
-            "fluid = { water = { type = \"box\"; from = [0.0, %s0.0]; to = [%.17g, %s1.0]; }; };\n"
+            "fluid = { water = { type = \"box\"; from = [0.0, %s0.0];"
+            " to = [%.17g, %s1.0]; }; };\n"
             "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx,
             DIM == 2 ? "" : "0.0, ", width, y, def->support, def->skin, effects,
             def->more ? def->more : "");
@@ -46,12 +49,12 @@ static void write_scene(FILE *f, const struct water_def *def, double dx, double 
 
 static void read_plan(struct water *w, const struct water_def *def, double dx, double width)
 {
-    char path[] = "/tmp/water-XXXXXX";
+    char path[] = P_tmpdir "/water-XXXXXX";
     const int file = mkstemp(path);
     FILE *f = file >= 0 ? fdopen(file, "w") : NULL;
 
     if (!f) {
-        fprintf(stderr, "no scene can be written to /tmp\n");
+        fprintf(stderr, "no scene can be written to " P_tmpdir "\n");
         exit(1);
     }
     write_scene(f, def, dx, width);

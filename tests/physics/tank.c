@@ -47,7 +47,7 @@ static int make(struct tank *t, const char *path)
 
 int tank_try(struct tank *t, const char *text)
 {
-    char path[] = "/tmp/tank-XXXXXX";
+    char path[] = P_tmpdir "/tank-XXXXXX";
     const int file = mkstemp(path);
     int status;
 

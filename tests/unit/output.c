@@ -25,7 +25,7 @@ char output_dir[64];
 int output_make_dir(void **state)
 {
     (void)state;
-    snprintf(output_dir, sizeof output_dir, "/tmp/stiffwater-output-XXXXXX");
+    snprintf(output_dir, sizeof output_dir, P_tmpdir "/stiffwater-output-XXXXXX");
     status_clear();
     return mkdtemp(output_dir) ? 0 : -1;
 }

@@ -784,7 +784,7 @@ static int make_directory(void **state)
     const char *above = getenv("TMPDIR");
 
     (void)state;
-    snprintf(directory, sizeof directory, "%.40s/scene-XXXXXX", above ? above : "/tmp");
+    snprintf(directory, sizeof directory, "%.40s/scene-XXXXXX", above ? above : P_tmpdir);
     return mkdtemp(directory) ? 0 : -1;
 }
 

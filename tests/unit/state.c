@@ -645,7 +645,7 @@ static void too_many_particles_are_refused(void **state)
 
 static void free_memory_is_read_or_asked_for(void **state)
 {
-    char name[] = "/tmp/meminfo-XXXXXX";
+    char name[] = P_tmpdir "/meminfo-XXXXXX";
     const int file = mkstemp(name);
     const char text[] = "MemTotal:  8000 kB\nMemAvailable:   1234 kB\nBuffers:  5 kB\n";
 

@@ -29,7 +29,7 @@ static char dir[64];
 static int make_dir(void **state)
 {
     (void)state;
-    strcpy(dir, "/tmp/study.XXXXXX");
+    strcpy(dir, P_tmpdir "/study.XXXXXX");
     return mkdtemp(dir) ? 0 : -1;
 }
 
