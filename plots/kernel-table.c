@@ -4,7 +4,7 @@
  * `kernel-table NAME` writes CSV to stdout; plots/figures-kernels.sh draws it.  Values
  * without end are written nan. */
 #define LANES 2
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 
 #include <math.h>
 #include <stdio.h>

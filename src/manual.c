@@ -11,11 +11,11 @@
 #include "plan/catalogue.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
-#include "state/flow.h"
+#include "fill/flow.h"
 #include "time/method.h"
 #include "walls/walls.h"
 #define LANES 2 /* names and sources of kernels do not depend on it */
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 
 #include <math.h>
 #include <stdio.h>

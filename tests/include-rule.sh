@@ -1,9 +1,8 @@
 #!/bin/sh
 # include-rule.sh -- a file includes headers of its own room and of lower floors only.
 #
-# The floors are those of "The house" in CONTRIBUTING.md.  Rooms of one floor do not
-# include each other, but for the top one: there run, study, cli and main stand in this
-# order and may include what stands before them.
+# The floors are those of doc/house.md.  Rooms of one floor do not include each other, but
+# where they stand in an order here: those may include what stands before them.
 #
 # Run by `make check', or by hand from the root of the sources.
 cd "${top_srcdir:-.}" || exit 99
@@ -15,8 +14,8 @@ files=$(find src -name '*.[ch]' | sort)
 awk '
 BEGIN {
     place("base", 0)
-    place("algebra space matter scene", 1)
-    place("state", 2)
+    place("algebra kernels shapes matter scene", 1); place("space", 1.1)
+    place("state", 2); place("fill", 2.1)
     place("effects pressure walls bodies", 3)
     place("plan", 4)
     place("time measure", 5)

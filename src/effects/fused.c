@@ -7,7 +7,7 @@
 #include "effects/effects.h"
 #include "effects/laminar-viscosity.h"
 #include "effects/pressure-force.h"
-#include "space/wendland-c2.h"
+#include "kernels/wendland-c2.h"
 
 #include <stddef.h>
 

@@ -6,7 +6,7 @@
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "scene/scene.h"
-#include "state/flow.h"
+#include "fill/flow.h"
 #include "walls/walls.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #include "bodies/bodies.h"
 #include "plan/engine.h"
 #include "plan/settings.h"
-#include "state/flow.h"
+#include "fill/flow.h"
 #include "walls/walls.h"
 
 struct scene;

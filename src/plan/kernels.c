@@ -4,7 +4,7 @@
 
 #include "base/status.h"
 #define LANES 2
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 #include "space/pairs.h"
 
 #include <math.h>

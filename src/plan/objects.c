@@ -2,7 +2,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "state/fill.h"
+#include "fill/fill.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define PLAN_SETTINGS_H
 
 #include "base/param.h"
-#include "space/shape.h"
+#include "shapes/shape.h"
 #include "state/part.h"
 #include <stdbool.h>
 

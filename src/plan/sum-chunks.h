@@ -4,7 +4,7 @@
 #define PLAN_SUM_CHUNKS_H
 
 #include "plan/sum.h"
-#include "space/lanes.h"
+#include "base/lanes.h"
 
 enum {
     CHUNK_GROUPS = SUM_CHUNK / LANES,

@@ -9,7 +9,7 @@
 #include "base/status.h"
 #include "effects/fused.h"
 #include "space/gather.h"
-#include "space/threads.h"
+#include "base/threads.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
-#include "state/buckets.h"
+#include "fill/buckets.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,9 +3,7 @@
 #ifndef SPACE_KINDS_H
 #define SPACE_KINDS_H
 
-#if !defined(DIM) || (DIM != 2 && DIM != 3)
-#error "this file is compiled with -DDIM=2 or -DDIM=3"
-#endif
+#include "base/dim.h"
 
 enum kind {
     KIND_FLUID,

@@ -2,7 +2,7 @@
 #include "space/list-private.h"
 
 #include "base/status.h"
-#include "space/threads.h"
+#include "base/threads.h"
 
 #include <math.h>
 #include <stdint.h>

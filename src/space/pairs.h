@@ -7,7 +7,7 @@
 #define SPACE_PAIRS_H
 
 #include "space/kinds.h"
-#include "space/lanes.h"
+#include "base/lanes.h"
 
 /* Rows of a block at most; more are sliced.  A block of 8 lanes would not stay in the
  * nearest cache with more. */
@@ -107,7 +107,7 @@ LANES_INLINE void pairs_rows(pairs_row_law *law, const void *self, const struct 
     *to = t;
 }
 
-struct kernel_use; /* space/kernel.h */
+struct kernel_use; /* kernels/kernel.h */
 
 /* One law at work between two kinds. */
 struct pairs_work {

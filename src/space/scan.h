@@ -16,7 +16,7 @@
 #ifndef SPACE_SCAN_H
 #define SPACE_SCAN_H
 
-#include "space/lanes.h"
+#include "base/lanes.h"
 #include "space/list-private.h"
 
 #include <string.h>

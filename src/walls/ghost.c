@@ -5,7 +5,7 @@
  * left has too few neighbours, rho < rho0: with tension it would suck, so eos.tension =
  * false belongs to it.
  * Toth 2012, section 3.5.3. */
-#include "space/lanes.h"
+#include "base/lanes.h"
 #include "walls/walls.h"
 
 static const char *const with[] = { "summation", NULL };

@@ -5,7 +5,7 @@
  * boundary particles", Crespo, Gomez-Gesteira, Dalrymple, Comput. Mater. Contin.
  * 5 (2007) 173-184.  Energy and momentum close exactly; a gap of about one
  * spacing stays between fluid and wall. */
-#include "space/lanes.h"
+#include "base/lanes.h"
 #include "walls/walls.h"
 
 static const char *const with[] = { "continuity", NULL };

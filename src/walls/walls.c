@@ -1,5 +1,5 @@
 /* walls.c -- the table of wall models, a line each; the first is the default. */
-#include "space/lanes.h"
+#include "base/lanes.h"
 #include "walls/walls.h"
 
 extern const struct part LANE_NAME(walls_own_density);

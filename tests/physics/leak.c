@@ -3,8 +3,8 @@
 #include "tank.h"
 
 #include "base/status.h"
-#include "space/shape-box.h"
-#include "space/shape-polygon.h"
+#include "shapes/shape-box.h"
+#include "shapes/shape-polygon.h"
 #include "time/method.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* flow.c -- tests of the flows that a fluid may start with. */
 #include "base/status.h"
-#include "state/flow.h"
+#include "fill/flow.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -7,7 +7,7 @@
 #include "space.h"
 
 #define LANES 2
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>

@@ -1,7 +1,7 @@
 /* layers.c -- tests of layers that follow the outline of a wall: no gaps, no crowds. */
 #include "base/status.h"
-#include "space/shape-polygon.h"
-#include "state/layers.h"
+#include "shapes/shape-polygon.h"
+#include "fill/layers.h"
 
 #include <math.h>
 #include <setjmp.h>

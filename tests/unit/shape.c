@@ -1,6 +1,6 @@
 /* shape.c -- tests of the shapes of src/space: what they refuse, what is inside. */
 #include "base/status.h"
-#include "space/shape.h"
+#include "shapes/shape.h"
 
 #include <math.h>
 #include <setjmp.h>

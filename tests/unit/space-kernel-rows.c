@@ -3,7 +3,7 @@
 #include "space.h"
 
 #define LANES 2
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "space.h"
 
 #define LANES 2
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 
 #include <gsl/gsl_integration.h>
 #include <math.h>

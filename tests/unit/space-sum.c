@@ -2,7 +2,7 @@
 #include "space.h"
 
 #define LANES 2 /* tables are laid out alike at every width */
-#include "space/kernel.h"
+#include "kernels/kernel.h"
 #include "space/pairs.h"
 #include "space/record.h"
 

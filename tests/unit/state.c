@@ -1,6 +1,6 @@
 /* state.c -- tests of src/state: filling shapes with particles. */
 #include "base/status.h"
-#include "state/fill.h"
+#include "fill/fill.h"
 #include "state/memory.h"
 
 #include <math.h>

@@ -1,0 +1,38 @@
+/* threads.h -- OpenMP's counts, or one thread where the compiler has none. */
+#ifndef BASE_THREADS_H
+#define BASE_THREADS_H
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+/* Threads that the next parallel region may have. */
+static inline int threads_most(void)
+{
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+/* This thread of its region, and how many they are. */
+static inline int threads_me(void)
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
+static inline int threads_all(void)
+{
+#ifdef _OPENMP
+    return omp_get_num_threads();
+#else
+    return 1;
+#endif
+}
+
+#endif

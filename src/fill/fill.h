@@ -1,0 +1,47 @@
+/* fill.h -- turns the shapes of a scene into particles. */
+#ifndef FILL_FILL_H
+#define FILL_FILL_H
+
+#include "shapes/shape.h"
+#include "state/particles.h"
+
+/* One thing to be filled.  Points that are given (skin) are taken as they are;
+ * a shape has passed shape_check(). */
+struct fill_item {
+    char name[64];
+    const char *group;          /* "fluid", "wall", "beam": for messages      */
+    const char *where;          /* "FILE:LINE" for messages                   */
+    enum kind kind;
+    const struct shape *shape;  /* shape to fill, or NULL                     */
+    int points;                 /* given points, when shape is NULL           */
+    const double (*point)[DIM]; /* [points][DIM] [m]                          */
+};
+
+/* All particles of all items, sorted by kind; within a kind in the order of
+ * the items, within an item along the lattice, the first axis fastest, or layer by
+ * layer from the outline inwards.  Object
+ * k of *out is the k-th item in that order.  Mass rho0 dx^D for everybody, x
+ * and x0 are the places, u and dye are 0.  *out belongs to the caller.
+ *
+ * Lattice sites are at low + (i + 1/2) dx, low being the lowest corner of
+ *   a box      its own; the sites are spread evenly over each side, so a solid
+ *              box may have any size from half a spacing on, and a turned one
+ *              turns with its lattice;
+ *   a polygon  the box around it;
+ *   a disc     a lattice symmetric about the centre;
+ *   a frame    the domain's: ..., -3/2 dx, -1/2 dx outside of it.
+ * Walls that are polygons, discs or spheres stand in layers instead (layers.h) unless
+ * their `fill` says "lattice".  Fluid whose own border is slanted or round loses the
+ * sites that stand too near to a wall which it touches (trim.h).
+ *
+ * Refuses (BAD_SCENE): a fluid box, or a domain with a frame, whose sides are
+ * no whole number of spacings (to 1e-6; says which spacings fit), a shape with
+ * no site in it, fluid in layers, fluid nearer than 0.7 dx to a particle of another object or
+ * inside its shape, solids inside the shape of a fluid (solids may touch
+ * solids; walls that fill the same space get a warning),
+ * fluid outside the domain, more particles than memory has room for (so many
+ * bytes for each of the fluid, of solids) or than INT_MAX/4. */
+int fill_particles(const struct fill_item *item, int items, const struct scales *scales,
+                   double bytes_fluid, double bytes_solid, struct particles **out);
+
+#endif

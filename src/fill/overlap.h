@@ -1,0 +1,12 @@
+/* overlap.h -- are particles of different objects too near each other. */
+#ifndef FILL_OVERLAP_H
+#define FILL_OVERLAP_H
+
+#include "fill/fill.h"
+
+/* Refuses fluid nearer than 0.7 dx to another object or inside its shape, and
+ * anything inside the shape of a fluid; warns of walls in one place.  item[k]
+ * is what object k was made from, dx [m]. */
+int overlap_check(const struct particles *p, const struct fill_item *item, double dx);
+
+#endif
