@@ -1,7 +1,7 @@
 /* rhs.c -- how fast the whole right-hand side is, and where its time goes, by
  * number of particles, neighbours, skin, lane width and effects.
  *
- * A plan made from a scene (see water.h) answers plan_rhs().  All times are CPU
+ * A plan made from a scene (see water.h) answers moment_eval().  All times are CPU
  * time on one thread in ns per particle: those of water and of walls, as both have
  * rates or forces to be asked for.  A plus marks a cube of water and nothing else; at
  * 2.5 dx it has 66 neighbours in the mean.  A star marks water in a domain that repeats
@@ -14,8 +14,8 @@
  *     pack     records of everybody with the equation of state
  *     rest     check of displacements, rates written to their places
  *     list     sorting and finding, times the share of rebuilds
- *     fresh    one plan_rhs() that rebuilds nothing
- *     RHS      one plan_rhs() after the other with that share of rebuilds
+ *     fresh    one moment_eval() that rebuilds nothing
+ *     RHS      one moment_eval() after the other with that share of rebuilds
  *     M/s      million particles' right-hand sides a second: by the median of RHS, and
  *              by the least
  *
@@ -49,20 +49,22 @@ struct parts {
     struct bench_times rhs;
 };
 
-static struct plan *plan_of(void *water)
+static struct moment *moment_of(void *water)
 {
-    return ((struct water *)water)->plan;
+    return ((struct water *)water)->moment;
 }
 
 static void add_up(void *water)
 {
-    struct plan *p = plan_of(water);
+    struct moment *m = moment_of(water);
+    const struct plan *p = m->plan;
+    struct workspace *w = m->work;
     const struct sum_job job = {
-        .list = p->main.list, .record = p->main.record, .table = p->table, .slots = p->slots,
-        .f = p->main.f, .drho = p->main.drho, .power = p->main.power,
+        .list = m->list, .record = w->record, .table = p->table.all, .slots = p->slots,
+        .f = w->f, .drho = w->drho, .power = w->power,
     };
 
-    bench_must(p->engine->sum->pairs(&job, &p->main.scratch));
+    bench_must(p->engine->sum->pairs(&job, &w->scratch));
 }
 
 static void pack_only(void *water)
@@ -70,8 +72,8 @@ static void pack_only(void *water)
     struct water *w = water;
     struct view v;
 
-    plan_view_make(w->plan, 0, w->y[w->now], &v);
-    bench_must(plan_pack(w->plan, &w->plan->main, &v, KIND_BIT(KINDS) - 1));
+    moment_view(w->moment, 0, w->y[w->now], &v);
+    bench_must(moment_pack(w->moment, &v, KIND_BIT(KINDS) - 1));
 }
 
 static struct cloud cloud_of(struct water *w)
@@ -79,7 +81,7 @@ static struct cloud cloud_of(struct water *w)
     struct cloud cloud;
     struct view v;
 
-    plan_view_make(w->plan, 0, w->y[w->now], &v);
+    moment_view(w->moment, 0, w->y[w->now], &v);
     memcpy(cloud.from, v.p->from, sizeof cloud.from);
     memcpy(cloud.x, v.x, sizeof cloud.x);
     return cloud;
@@ -89,7 +91,7 @@ static void sort_only(void *water)
 {
     const struct cloud cloud = cloud_of(water);
 
-    bench_must(cells_sort(plan_of(water)->main.list, &cloud));
+    bench_must(cells_sort(moment_of(water)->list, &cloud));
 }
 
 static void rebuild(void *water)
@@ -98,7 +100,7 @@ static void rebuild(void *water)
 
     w->now = !w->now;
     const struct cloud cloud = cloud_of(w);
-    bench_must(w->plan->engine->sum->list->update(w->plan->main.list, &cloud));
+    bench_must(w->plan->engine->sum->list->update(w->moment->list, &cloud));
 }
 
 /* A law of nothing: what the engine costs without effects. */
@@ -113,7 +115,7 @@ static void idle(const void *self, const struct side *a, const struct block *b, 
 /* The time of the sum with at most `laws` laws, of all needs but `without`. */
 static double sum_of(struct water *w, int laws, unsigned without)
 {
-    struct pairs_table *table = w->plan->table, old[KINDS * KINDS];
+    struct pairs_table *table = w->plan->table.all, old[KINDS * KINDS];
     double time;
 
     memcpy(old, table, sizeof old);
@@ -154,8 +156,8 @@ static struct parts measure(struct water *w, double share)
 /* Useful neighbours of everybody, and entries of the rows, per particle. */
 static void count(const struct water *w, double *useful, double *entries)
 {
-    const struct list *list = w->plan->main.list;
-    const double *record = w->plan->main.record, H = w->plan->scales.support;
+    const struct list *list = w->moment->list;
+    const double *record = w->moment->work->record, H = w->plan->scales.support;
     long n = 0;
 
     for (int g = 0; g < list->groups; g++)
@@ -244,7 +246,7 @@ static void per_effect(const struct water_def *def)
     water_make(&w, def);
     printf("one effect after the other (%dD, %d particles, H = %.2f dx), ns per particle:\n",
            DIM, w.all, def->support);
-    const struct pairs_table *t = &w.plan->table[KIND_FLUID * KINDS + KIND_FLUID];
+    const struct pairs_table *t = &w.plan->table.all[KIND_FLUID * KINDS + KIND_FLUID];
     for (int laws = 0; laws <= t->n; laws++) {
         const double time = sum_of(&w, laws, 0);
         const char *name = "none";
@@ -269,7 +271,7 @@ static void one_loop(const struct water_def *def)
     for (int r = 0; r < TURNS; r++) {
         for (int fuse = 0; fuse < 2; fuse++) {
             for (int i = 0; i < KINDS * KINDS; i++)
-                w.plan->engine->sum->arrange(&w.plan->table[i], fuse);
+                w.plan->engine->sum->arrange(&w.plan->table.all[i], fuse);
             const double start = bench_cpu();
             add_up(&w);
             ns[fuse][r] = 1e9 * (bench_cpu() - start) / w.all;

@@ -2,7 +2,7 @@
  *
  * Some steps of the real methods with the real plan (see water.h; the water
  * fills half of the box and, for an IMEX method, a beam stands in the other).
- * The linker sends all calls of plan_rhs() through the clock below, so "outside"
+ * The linker sends all calls of moment_eval() through the clock below, so "outside"
  * is all else that a step does: sums of stages, error norm, stability bound,
  * controller, solves of the beam.  CPU time on one thread, in ns per particle
  * and explicit stage; the aim is what a prototype reached (NUMERICS.md Q5). */
@@ -17,25 +17,25 @@
 
 enum { STEPS = 12, WARM = 4 };
 
-static double inside; /* plan_rhs() so far [s] */
+static double inside; /* moment_eval() so far [s] */
 
-int __real_plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y,
+int __real_moment_eval(struct moment *moment, struct ask ask, double t, const double *y,
                     double *ydot);
-int __wrap_plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y,
+int __wrap_moment_eval(struct moment *moment, struct ask ask, double t, const double *y,
                     double *ydot);
 
-int __wrap_plan_rhs(struct plan *plan, enum plan_which which, double t, const double *y,
+int __wrap_moment_eval(struct moment *moment, struct ask ask, double t, const double *y,
                     double *ydot)
 {
     const double start = bench_cpu();
-    const int status = __real_plan_rhs(plan, which, t, y, ydot);
+    const int status = __real_moment_eval(moment, ask, t, y, ydot);
 
     inside += bench_cpu() - start;
     return status;
 }
 
-/* STEPS steps after WARM; the time in plan_rhs(), the time in all, per stage [s]. */
-static double time_steps(const struct method *m, void *self, struct plan *plan, double *all)
+/* STEPS steps after WARM; the time in moment_eval(), the time in all, per stage [s]. */
+static double time_steps(const struct method *m, void *self, struct moment *moment, double *all)
 {
     struct method_step step;
     double start = 0;
@@ -44,13 +44,13 @@ static double time_steps(const struct method *m, void *self, struct plan *plan, 
     for (int i = 0; i < WARM + STEPS; i++) {
         if (i == WARM) {
             inside = 0;
-            stages = plan_counts(plan)->rhs_explicit;
+            stages = moment_counts(moment)->rhs_explicit;
             start = bench_cpu();
         }
         bench_must(m->step(self, 1, &step));
     }
     *all = bench_cpu() - start;
-    stages = plan_counts(plan)->rhs_explicit - stages;
+    stages = moment_counts(moment)->rhs_explicit - stages;
     *all /= (double)stages;
     return inside / (double)stages;
 }
@@ -70,8 +70,8 @@ static void run(FILE *csv, const char *name, const char *beam, double aim, doubl
     bench_must(method_find(name, &def, &m));
     for (int r = 0; r < BENCH_REPEATS; r++) {
         double all = 0;
-        bench_must(m->create(m, &def, w.plan, 0, w.y[0], &self));
-        const double rates = time_steps(m, self, w.plan, &all);
+        bench_must(m->create(m, &def, w.moment, 0, w.y[0], &self));
+        const double rates = time_steps(m, self, w.moment, &all);
         m->free(&self);
         outside[r] = 1e9 * (all - rates) / w.all;
         share[r] = 100 * (all - rates) / all;

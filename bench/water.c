@@ -61,6 +61,7 @@ static void read_plan(struct water *w, const struct water_def *def, double dx, d
     fclose(f);
     bench_must(scene_read(path, &w->scene));
     bench_must(plan_create(w->scene, &w->plan));
+    bench_must(moment_create(w->plan, &w->moment));
     unlink(path);
 }
 
@@ -132,8 +133,8 @@ void water_rates(void *water)
         w->due -= 1;
         w->now = !w->now;
     }
-    if (plan_rhs(w->plan, PLAN_EXPLICIT, 0, w->y[w->now], w->ydot) != STATUS_DONE) {
-        fprintf(stderr, "%s\n", plan_refusal(w->plan));
+    if (moment_eval(w->moment, ASK_EXPLICIT_SIDE, 0, w->y[w->now], w->ydot) != STATUS_DONE) {
+        fprintf(stderr, "%s\n", moment_refusal(w->moment));
         exit(1);
     }
 }
@@ -143,6 +144,7 @@ void water_free(struct water *w)
     for (int k = 0; k < 2; k++)
         free(w->y[k]);
     free(w->ydot);
+    moment_free(&w->moment);
     plan_free(&w->plan);
     scene_free(&w->scene);
 }

@@ -8,7 +8,8 @@
 
 struct water {
     struct scene *scene;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     long size;       /* of y                                                  */
     int fluid, all;  /* particles of fluid; and of walls                      */
     double *y[2];    /* two moments between which the list must be rebuilt    */

@@ -121,7 +121,6 @@ static void place_all(const struct filling *f, struct particles *p)
         for (int kind = f->item[k].kind; kind < KINDS; kind++)
             p->from[kind + 1] = from;
     }
-    memcpy(p->x, p->x0, p->n * sizeof *p->x);
 }
 
 static int check_domain(const struct filling *f, const struct particles *p)

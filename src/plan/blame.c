@@ -1,10 +1,9 @@
-/* blame.c -- when a run fails: whom it failed for, and which part did most to them in the
+/* blame.c -- when a run fails: for which particle, and which part did most to it in the
  * last accepted state.
  *
  * That is the particle that the last refusal named, if it was of a moment not before that
  * state; else the one of the fluid that is pushed hardest. */
 #include "plan/inside.h"
-#include "plan/observe.h"
 
 #include "base/status.h"
 #define LANES 2 /* only sizes without lanes are used here */
@@ -17,8 +16,7 @@
 
 /* What is being looked at. */
 struct blame {
-    struct plan *p;
-    struct plan_workspace *w;
+    struct moment *m;
     const struct view *v;
     struct pairs_table *table; /* [KINDS][KINDS] laws of one slot              */
     double (*rate)[DIM];       /* [fluid] of one field [m/s^2]                 */
@@ -28,7 +26,7 @@ struct blame {
 
 /* What a part does to it: [m/s^2], [kg/m^D/s]. */
 struct deed {
-    const struct plan_part *part; /* NULL: nobody                              */
+    const struct plan_part *part; /* NULL: none                                */
     double rate;                  /* NAN: it has no rate, it makes the density */
 };
 
@@ -45,7 +43,7 @@ static double size_of(const double *v)
 static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
 {
     for (int i = 0; i < KINDS * KINDS; i++) {
-        const struct pairs_table *all = &p->table[i];
+        const struct pairs_table *all = &p->table.all[i];
         struct pairs_table *one = &table[i];
 
         one->n = 0;
@@ -62,10 +60,10 @@ static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
 /* Sums over pairs by the laws of one slot (-1: by all). */
 static int sum_of(const struct blame *b, int slot)
 {
-    struct plan *p = b->p;
-    struct plan_workspace *w = b->w;
+    const struct plan *p = b->m->plan;
+    struct workspace *w = b->m->work;
     struct sum_job job = {
-        .list = w->list, .record = w->record, .table = p->table, .slots = p->slots,
+        .list = b->m->list, .record = w->record, .table = p->table.all, .slots = p->slots,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 
@@ -78,12 +76,12 @@ static int sum_of(const struct blame *b, int slot)
 
 static double force_on(const struct blame *b, int s)
 {
-    return size_of(b->w->f + (size_t)s * DIM) / b->p->particles->m[b->w->list->order[s]];
+    return size_of(b->m->work->f + (size_t)s * DIM) / b->m->particles->m[b->m->list->order[s]];
 }
 
 static int hardest(const struct blame *b)
 {
-    const struct list *l = b->w->list;
+    const struct list *l = b->m->list;
     double most = -1;
     int where = -1;
 
@@ -98,18 +96,18 @@ static int hardest(const struct blame *b)
 /* By the sums that are there. */
 static double rate_now(const struct blame *b)
 {
-    const int s = b->w->list->slot[b->who];
+    const int s = b->m->list->slot[b->who];
 
     if (s < 0) /* has left the domain */
         return 0;
-    return b->density ? fabs(b->w->drho[s]) : force_on(b, s);
+    return b->density ? fabs(b->m->work->drho[s]) : force_on(b, s);
 }
 
 static double field_rate(const struct blame *b, const struct plan_part *part)
 {
-    if (b->density || b->who >= b->p->particles->from[KIND_FLUID + 1])
+    if (b->density || b->who >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
-    memset(b->rate, 0, (size_t)particles_count(b->p->particles, KIND_FLUID) * sizeof *b->rate);
+    memset(b->rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *b->rate);
     part->part->field(part->self, b->v, b->rate);
     return size_of(b->rate[b->who]);
 }
@@ -126,24 +124,24 @@ static int part_rate(const struct blame *b, const struct plan_part *part, double
     return STATUS_DONE;
 }
 
-/* The part that does most; nobody, if nobody does anything or what is done has no size. */
+/* The part that does most; none, if nothing is done or what is done has no size. */
 static int find_worst(const struct blame *b, struct deed *worst)
 {
     *worst = (struct deed){ 0 };
-    for (int i = 0; i < b->p->parts; i++) {
+    for (int i = 0; i < b->m->plan->parts; i++) {
         double rate;
-        TRY(part_rate(b, &b->p->part[i], &rate));
+        TRY(part_rate(b, &b->m->plan->part[i], &rate));
         if (!isfinite(rate)) {
             *worst = (struct deed){ NULL, rate };
             return STATUS_DONE;
         }
         if (rate > worst->rate)
-            *worst = (struct deed){ &b->p->part[i], rate };
+            *worst = (struct deed){ &b->m->plan->part[i], rate };
     }
     return STATUS_DONE;
 }
 
-/* Whose density is no state has it from a part that sums. */
+/* A density that is no state comes from a part that sums. */
 static const struct plan_part *summer(const struct plan *p, enum kind k)
 {
     for (int i = p->fields - 1; i >= 0; i--)
@@ -152,7 +150,7 @@ static const struct plan_part *summer(const struct plan *p, enum kind k)
     return NULL;
 }
 
-/* A mass that does not fill its site presses everybody from the start. */
+/* A mass that does not fill its site presses all from the start. */
 static void doubt_mass(const struct plan *p, char *text, size_t room)
 {
     const double site = p->scales.rho0 * pow(p->scales.dx, DIM);
@@ -181,46 +179,47 @@ static void name_deed(const struct blame *b, const struct deed *d, char *text, s
 static void tell(const struct blame *b, const struct deed *d, char *text, size_t room)
 {
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
-    const struct particles *all = b->p->particles;
+    const struct particles *all = b->m->particles;
     const struct object *o = &all->object[all->object_of[b->who]];
     const int i = b->who - all->from[o->kind];
+    const struct plan *p = b->m->plan;
     char place[PLAN_PLACE], deed[240], mass[160] = "";
 
-    plan_place(b->p, b->v, b->who, place);
+    moment_place(b->m, b->v, b->who, place);
     name_deed(b, d, deed, sizeof deed);
-    doubt_mass(b->p, mass, sizeof mass);
+    doubt_mass(p, mass, sizeof mass);
     snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: "
              "%s; its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s",
              b->v->t, kinds[o->kind], b->who, o->name, place, deed,
-             b->v->rho[o->kind] ? b->v->rho[o->kind][i] : b->p->scales.rho0,
-             size_of(b->v->u[o->kind] + (size_t)i * DIM), b->p->scales.c0, mass);
+             b->v->rho[o->kind] ? b->v->rho[o->kind][i] : p->scales.rho0,
+             size_of(b->v->u[o->kind] + (size_t)i * DIM), p->scales.c0, mass);
 }
 
-/* Whom, and what of it: the culprit of the future of this state, or the hardest pushed.
+/* Which, and what of it: the culprit of the future of this state, or the hardest pushed.
  * Stages after one without an answer have lost their places, so densities come first. */
-static int choose(struct blame *b, const struct plan_culprit *culprit)
+static int choose(struct blame *b, const struct moment_culprit *culprit)
 {
     TRY(sum_of(b, -1));
     b->who = hardest(b);
-    for (int i = PLAN_COMPLAINTS - 1; i >= 0; i--)
+    for (int i = MOMENT_COMPLAINTS - 1; i >= 0; i--)
         if (culprit[i].known && culprit[i].t >= b->v->t) {
             b->who = culprit[i].who;
-            b->density = i == PLAN_DENSITY_OUT;
+            b->density = i == MOMENT_DENSITY_OUT;
         }
     return STATUS_DONE;
 }
 
-static int blame(struct blame *b, const struct plan_culprit *culprit, char *text, size_t room)
+static int blame(struct blame *b, const struct moment_culprit *culprit, char *text, size_t room)
 {
-    const struct particles *all = b->p->particles;
+    const struct particles *all = b->m->particles;
     struct deed worst = { 0 };
 
     TRY(choose(b, culprit));
     if (b->who < 0)
         return STATUS_DONE;
     const enum kind k = all->object[all->object_of[b->who]].kind;
-    if (b->density && b->p->density_row[k] < 0)
-        worst = (struct deed){ summer(b->p, k), NAN };
+    if (b->density && b->m->plan->row.density[k] < 0)
+        worst = (struct deed){ summer(b->m->plan, k), NAN };
     else
         TRY(find_worst(b, &worst));
     tell(b, &worst, text, room);
@@ -228,41 +227,38 @@ static int blame(struct blame *b, const struct plan_culprit *culprit, char *text
 }
 
 /* Sums of the state as it is, though its densities be out of bounds. */
-static int look(struct plan *p, struct plan_workspace *w, struct view *v)
+static int look(struct blame *b, double t, const double *y, struct view *v)
 {
-    const double lowest = p->in.eos.lowest, highest = p->in.eos.highest;
-    int status;
+    const struct plan *p = b->m->plan;
 
-    p->in.eos.lowest = -HUGE_VAL;
-    p->in.eos.highest = HUGE_VAL;
-    status = plan_fields(p, w, v);
-    p->in.eos.lowest = lowest;
-    p->in.eos.highest = highest;
-    return status;
+    b->table = status_alloc(KINDS * KINDS, sizeof *b->table);
+    b->rate = status_alloc((size_t)particles_count(p->particles, KIND_FLUID) + 1,
+                           sizeof *b->rate);
+    if (!b->table || !b->rate)
+        return STATUS_FAILED;
+    b->m->density_low = -HUGE_VAL;
+    b->m->density_high = HUGE_VAL;
+    moment_view(b->m, t, y, v);
+    b->v = v;
+    return moment_fields(b->m, v);
 }
 
-void plan_blame(struct plan *p, double t, const double *y, char *text, size_t room)
+void observe_blame(struct moment *run, double t, const double *y, char *text, size_t room)
 {
-    struct plan_culprit culprit[PLAN_COMPLAINTS]; /* looking may refuse, too */
-    struct plan_workspace w = { 0 };
+    struct blame b = { 0 };
     struct view v;
-    struct blame b = { .p = p, .w = &w, .v = &v };
 
     text[0] = '\0';
-    if (p->row_x < 0)
+    if (run->plan->row.x < 0)
         return;
-    memcpy(culprit, p->culprit, sizeof culprit);
-    plan_view_make(p, t, y, &v);
-    b.table = calloc(KINDS * KINDS, sizeof *b.table);
-    b.rate = calloc((size_t)particles_count(p->particles, KIND_FLUID) + 1, sizeof *b.rate);
-    if (b.table && b.rate && plan_workspace_make(p, &w) == STATUS_DONE) {
-        if (look(p, &w, &v) == STATUS_DONE)
-            blame(&b, culprit, text, room);
+    if (moment_create(run->plan, &b.m) == STATUS_DONE) {
+        if (look(&b, t, y, &v) == STATUS_DONE)
+            blame(&b, run->culprit, text, room);
         else
             snprintf(text, room, "no single part: the last accepted state, at t = %g s, is not "
-                     "finite; %s", t, p->refusal);
+                     "finite; %s", t, b.m->refusal);
     }
-    plan_workspace_free(p, &w);
+    moment_free(&b.m);
     free(b.table);
     free(b.rate);
     status_clear();

@@ -1,8 +1,6 @@
 /* book.c -- mass, momentum and energy by name: quadratures that ride in y, and
  * what is stored at a moment. */
-#include "plan/body-book.h"
 #include "plan/inside.h"
-#include "plan/observe.h"
 
 #include "base/status.h"
 #include "plan/catalogue.h"
@@ -12,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static_assert(PLAN_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "a work of everybody fits");
+static_assert(PLAN_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "all works fit");
 
 /* Is there a field beside the weight? */
 static bool pulls(const struct plan *p)
@@ -40,38 +38,41 @@ int plan_book_rows(struct plan *p)
     return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
 }
 
-void plan_book_rates(const struct plan *p, const struct plan_workspace *w, double *ydot)
+void book_rates(const struct moment *m, double *ydot)
 {
-    double *book = ydot + layout_at(&p->layout, p->book.row);
+    const struct plan *p = m->plan;
+    double *book = ydot + layout_at(&m->layout, p->book.row);
 
     memset(book, 0, p->book.n * sizeof *book);
     for (int i = 0; i < p->slots; i++)
-        book[p->book.work + i] = w->power[i];
-    book[p->book.walls] = -p->wall_power;
+        book[p->book.work + i] = m->work->power[i];
+    book[p->book.walls] = -m->wall_power;
     for (int i = 0; i < p->bodies; i++) {
-        book[p->book.damping + i] = p->body[i].load.damping;
-        book[p->book.driven + i] = p->body[i].load.driven;
+        const struct body_load *load = &m->body[i].load;
+        book[p->book.damping + i] = load->damping;
+        book[p->book.driven + i] = load->driven;
         for (int d = 0; d < DIM; d++) {
-            book[p->book.support + i * DIM + d] = p->body[i].load.support[d];
-            book[p->book.applied + i * DIM + d] = p->body[i].load.applied[d];
+            book[p->book.support + i * DIM + d] = load->support[d];
+            book[p->book.applied + i * DIM + d] = load->applied[d];
         }
     }
     for (int i = p->book.pull; i < p->book.n; i++)
-        book[i] = p->pull[i - p->book.pull];
-    for (int o = 0; o < p->particles->objects; o++)
+        book[i] = m->pull[i - p->book.pull];
+    for (int o = 0; o < m->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
-            book[p->book.impulse + o * DIM + d] = p->force[o][d];
+            book[p->book.impulse + o * DIM + d] = m->force[o][d];
 }
 
-void plan_body_book(struct plan *p, double t, const double *y, double share, double *ydot)
+void moment_body_book(struct moment *m, double t, const double *y, double share, double *ydot)
 {
-    double *book = ydot + layout_at(&p->layout, p->book.row);
+    const struct plan *p = m->plan;
+    double *book = ydot + layout_at(&m->layout, p->book.row);
 
     for (int i = 0; i < p->bodies; i++) {
-        const struct plan_body *b = &p->body[i];
+        const struct moment_body *b = &m->body[i];
         struct body_load load;
 
-        b->kind->load(b->body, &p->layout, t, y, (const double (*)[DIM])b->force, p->scratch,
+        b->kind->load(b->body, &m->layout, t, y, (const double (*)[DIM])b->force, m->work->rates,
                       &load);
         book[p->book.damping + i] += share * load.damping;
         book[p->book.driven + i] += share * load.driven;
@@ -151,12 +152,13 @@ int plan_work_names(const struct plan *p, char (*name)[80])
     return n;
 }
 
-void plan_sheet_make(struct plan *p, double t, const double *y, struct plan_sheet *s)
+void observe_sheet(struct moment *m, double t, const double *y, struct plan_sheet *s)
 {
-    const double *book = y + layout_at(&p->layout, p->book.row);
+    const struct plan *p = m->plan;
+    const double *book = y + layout_at(&m->layout, p->book.row);
     struct view v;
 
-    plan_view(p, t, y, &v);
+    observe_view(m, t, y, &v);
     *s = (struct plan_sheet){ .t = t };
     s->energy.kinetic = fluid_motion(&v, s->momentum);
     for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++)
@@ -166,8 +168,8 @@ void plan_sheet_make(struct plan *p, double t, const double *y, struct plan_shee
             p->part[i].part->energy(p->part[i].self, &v, &s->energy);
     for (int i = 0; i < p->bodies; i++) {
         double momentum[DIM] = {0};
-        p->body[i].kind->energy(p->body[i].body, &p->layout, y, &s->energy);
-        p->body[i].kind->momentum(p->body[i].body, &p->layout, y, momentum);
+        p->body[i].kind->energy(p->body[i].body, &m->layout, y, &s->energy);
+        p->body[i].kind->momentum(p->body[i].body, &m->layout, y, momentum);
         for (int d = 0; d < DIM; d++)
             s->momentum[d] += momentum[d];
     }

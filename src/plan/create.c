@@ -87,12 +87,12 @@ static int make_layout(struct plan *p)
     const int n = particles_count(p->particles, KIND_FLUID);
     struct layout *l = &p->layout;
 
-    p->row_x = p->row_u = -1;
+    p->row.x = p->row.u = -1;
     for (int k = 0; k < KINDS; k++)
-        p->density_row[k] = -1;
+        p->row.density[k] = -1;
     if (n > 0) {
-        p->row_x = layout_add(l, LAYOUT_POSITION, "position of fluid", "m", n, DIM, p->scales.hs);
-        p->row_u = layout_add(l, LAYOUT_VELOCITY, "velocity of fluid", "m/s", n, DIM,
+        p->row.x = layout_add(l, LAYOUT_POSITION, "position of fluid", "m", n, DIM, p->scales.hs);
+        p->row.u = layout_add(l, LAYOUT_VELOCITY, "velocity of fluid", "m/s", n, DIM,
                               p->scales.speed);
     }
     for (int i = 0; i < p->bodies; i++)
@@ -100,15 +100,14 @@ static int make_layout(struct plan *p)
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->blocks)
             TRY(p->part[i].part->blocks(p->part[i].self, &p->scales, p->particles, l,
-                                        p->density_row));
+                                        p->row.density));
     TRY(plan_book_rows(p));
     layout_done(l);
-    p->scratch = status_alloc(layout_size(l) + 1, sizeof *p->scratch);
-    return p->scratch ? STATUS_DONE : STATUS_FAILED;
+    return STATUS_DONE;
 }
 
-/* How far walls move along each axis until the end [m]: who leaves the tank that moves
- * has left, not who is carried along with it. */
+/* How far walls move along each axis until the end [m]: what leaves a tank that moves has
+ * left, not what is carried along with it. */
 static void wall_reach(const struct plan *p, double *most)
 {
     for (int d = 0; d < DIM; d++)
@@ -122,7 +121,7 @@ static void wall_reach(const struct plan *p, double *most)
     }
 }
 
-/* Who meets whom was noted with the tables. */
+/* Which kinds meet was noted with the tables. */
 static void make_list_def(struct plan *p)
 {
     struct list_def *d = &p->list_def;
@@ -174,16 +173,30 @@ static int build(struct plan *p, struct scene *scene)
     TRY(make_layout(p));
     TRY(plan_tables_make(p));
     make_list_def(p);
-    TRY(plan_workspace_make(p, &p->main));
-    if (p->drifter
-        && !(p->drift = status_alloc(particles_count(p->particles, KIND_FLUID) + 1,
-                                     sizeof *p->drift)))
-        return STATUS_FAILED;
     TRY(face_make(p, scene));
-    return viscous_make(p);
+    return viscous_agree(p);
 }
 
-int plan_create(struct scene *scene, struct plan **out)
+static void destroy(struct plan **plan)
+{
+    struct plan *p = *plan;
+
+    for (int i = 0; i < p->parts; i++)
+        free(p->part[i].self);
+    for (int i = 0; i < p->bodies; i++)
+        p->body[i].kind->free(&p->body[i].body);
+    free(p->face);
+    particles_free(&p->particles);
+    input_free(&p->in);
+    free(p->body);
+    free(p->wall);
+    kernels_free(p->kernel);
+    free(p->table.all);
+    free(p);
+    *plan = NULL;
+}
+
+int plan_create(struct scene *scene, const struct plan **out)
 {
     struct plan *p = status_alloc(1, sizeof *p);
     int status;
@@ -194,37 +207,16 @@ int plan_create(struct scene *scene, struct plan **out)
     p->engine = engine_pick();
     status = build(p, scene);
     if (status != STATUS_DONE)
-        plan_free(&p);
+        destroy(&p);
     *out = p;
     return status;
 }
 
-void plan_free(struct plan **plan)
+void plan_free(const struct plan **plan)
 {
-    struct plan *p = *plan;
+    struct plan *p = (struct plan *)*plan; /* whoever frees it may change it again */
 
-    if (!p)
-        return;
-    for (int i = 0; i < p->parts; i++)
-        free(p->part[i].self);
-    for (int i = 0; i < p->bodies; i++) {
-        p->body[i].kind->free(&p->body[i].body);
-        free(p->body[i].force);
-        free(p->body[i].seen);
-    }
-    free(p->drift);
-    viscous_free(p);
-    face_free(p);
-    plan_workspace_free(p, &p->main);
-    plan_observer_free(p);
-    particles_free(&p->particles);
-    input_free(&p->in);
-    free(p->body);
-    free(p->wall);
-    free(p->force);
-    kernels_free(p->kernel);
-    free(p->table);
-    free(p->scratch);
-    free(p);
+    if (p)
+        destroy(&p);
     *plan = NULL;
 }

@@ -35,65 +35,64 @@ static const int velocity_at[DIM] = { RECORD_V, RECORD_V + 1, RECORD_VZ };
 /* --- slip and forces ----------------------------------------------------------- */
 
 /* Vectors of everybody that stand at these places of the records. */
-static void read_records(const struct plan_workspace *w, const int at[DIM], double *to)
+static void read_records(const struct moment *m, const int at[DIM], double *to)
 {
-    const int n = w->list->listed + 1;
+    const double *record = m->work->record;
+    const int n = m->list->listed + 1;
 
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = 0; s < n; s++)
         for (int d = 0; d < DIM; d++)
-            to[(size_t)s * COUPLE_STRIDE + (size_t)d] = w->record[(size_t)s * RECORD
-                                                                  + (size_t)at[d]];
+            to[(size_t)s * COUPLE_STRIDE + (size_t)d] = record[(size_t)s * RECORD + (size_t)at[d]];
 }
 
 /* How far the fluid before solids is from them; places stand in o->slip for a while. */
-static void find_arms(const struct plan *p, const struct couple_job *job,
-                      const struct plan_workspace *w)
+static void find_arms(const struct moment *m, const struct couple_job *job)
 {
-    const struct face *o = p->face;
+    const struct face *o = m->face;
 
     if (!o->arm)
         return;
-    read_records(w, place_at, o->slip);
-    p->engine->couple->multiply(job, KIND_STICKY, o->slip, o->arm);
+    read_records(m, place_at, o->slip);
+    m->plan->engine->couple->multiply(job, KIND_STICKY, o->slip, o->arm);
 }
 
 /* Fluid that turns with the solid in slot s does not slip: C_w times the slip that its
  * velocity seems to be. */
-static void turning(const struct plan *p, const struct list *l, int s, double *to)
+static void turning(const struct moment *m, const struct list *l, int s, double *to)
 {
-    const double omega = p->particles->object[p->particles->object_of[l->order[s]]].omega;
-    const double *arm = p->face->arm + (size_t)s * DIM;
+    const double omega = m->particles->object[m->particles->object_of[l->order[s]]].omega;
+    const double *arm = m->face->arm + (size_t)s * DIM;
 
     memset(to, 0, DIM * sizeof *to);
     to[0] = -omega * arm[DIM - 1];
     to[DIM - 1] = omega * arm[0];
 }
 
-static const double *slide_of(const struct plan *p, const struct list *l, int slot)
+static const double *slide_of(const struct moment *m, const struct list *l, int slot)
 {
-    return p->particles->object[p->particles->object_of[l->order[slot]]].slide;
+    return m->particles->object[m->particles->object_of[l->order[slot]]].slide;
 }
 
-/* Slip of solids by the law's forces on them, and their part C_w s_w of o->f.  Who has no
- * fluid near has none. */
-static void find_slip(const struct plan *p, const struct couple_job *job, bool walls,
+/* Slip of solids by the law's forces on them, and their part C_w s_w of o->f.  A solid
+ * without fluid near has none. */
+static void find_slip(const struct moment *m, const struct couple_job *job, bool walls,
                       const double *law)
 {
-    const struct face *o = p->face;
+    const struct face *o = m->face;
     const struct list *l = job->list;
 
     for (int i = 0; i < 2; i++)
         for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
-            const double *b = slide_of(p, l, s), all = job->diagonal[s];
+            const double *b = slide_of(m, l, s), all = job->diagonal[s];
             double turn[DIM] = { 0 };
             if (walls && o->arm)
-                turning(p, l, s, turn);
+                turning(m, l, s, turn);
             for (int d = 0; d < DIM; d++) {
                 const size_t k = (size_t)s * DIM + (size_t)d;
                 double *slip = &o->slip[(size_t)s * COUPLE_STRIDE + (size_t)d];
-                *slip = o->mirrored && all > 0 ? (law[k] - turn[d]) / all : 0;
-                *slip -= walls ? (o->mirrored ? 2 : 1) * b[d] : 0;
+                *slip = o->of->mirrored && all > 0 ? (law[k] - turn[d]) / all : 0;
+                *slip -= walls ? (o->of->mirrored ? 2 : 1) * b[d] : 0;
                 o->f[k] = all * *slip;
             }
         }
@@ -104,64 +103,63 @@ static void find_slip(const struct plan *p, const struct couple_job *job, bool w
 }
 
 /* Forces on the fluid, with the sign turned: the sum of c_wf s_w. */
-static void hold(const struct plan *p, const struct couple_job *job)
+static void hold(const struct moment *m, const struct couple_job *job)
 {
-    struct face *o = p->face;
+    struct face *o = m->face;
     const struct list *l = job->list;
 
     memset(o->slip, 0, (size_t)l->start[KIND_FLUID + 1] * COUPLE_STRIDE * sizeof *o->slip);
     memset(o->slip + (size_t)l->listed * COUPLE_STRIDE, 0, COUPLE_STRIDE * sizeof *o->slip);
-    p->engine->couple->multiply(job, KIND_BIT(KIND_FLUID), o->slip, o->f);
+    m->plan->engine->couple->multiply(job, KIND_BIT(KIND_FLUID), o->slip, o->f);
 }
 
-int face_find(struct plan *p, struct plan_workspace *w)
+int face_find(struct moment *m)
 {
-    struct face *o = p->face;
-    const struct couple_engine *couple = p->engine->couple;
+    struct face *o = m->face;
+    const struct couple_engine *couple = m->plan->engine->couple;
 
-    o->job.list = w->list;
-    TRY(face_fit_slots(o, w->list));
-    TRY(face_fit_pairs(o, w->list));
-    read_records(w, velocity_at, o->velocity);
-    couple->assemble(&o->job, w->record, o->velocity, o->law);
-    find_arms(p, &o->job, w);
-    find_slip(p, &o->job, true, o->law);
-    hold(p, &o->job);
+    o->job.list = m->list;
+    TRY(face_fit_slots(o, m->list));
+    TRY(face_fit_pairs(o, m->list));
+    read_records(m, velocity_at, o->velocity);
+    couple->assemble(&o->job, m->work->record, o->velocity, o->law);
+    find_arms(m, &o->job);
+    find_slip(m, &o->job, true, o->law);
+    hold(m, &o->job);
     return STATUS_DONE;
 }
 
-void face_push(const struct plan *p, const struct plan_workspace *w, double (*push)[DIM])
+void face_push(const struct moment *m, double (*push)[DIM])
 {
-    for (int s = 0; s < w->list->start[KIND_FLUID + 1]; s++) {
-        const int c = w->list->order[s];
+    for (int s = 0; s < m->list->start[KIND_FLUID + 1]; s++) {
+        const int c = m->list->order[s];
         for (int d = 0; d < DIM; d++)
-            push[c][d] -= p->face->f[(size_t)s * DIM + (size_t)d] / p->particles->m[c];
+            push[c][d] -= m->face->f[(size_t)s * DIM + (size_t)d] / m->particles->m[c];
     }
 }
 
 /* --- books --------------------------------------------------------------------- */
 
 /* Where forces of the viscosity are summed. */
-static double *forces_of(const struct plan *p, const struct plan_workspace *w)
+static double *forces_of(const struct moment *m, const struct rates_job *job)
 {
-    return w->apart && p->face->part == p->stiff ? w->apart : w->f;
+    return job->apart && m->plan->face->part == m->plan->stiff ? job->apart : m->work->f;
 }
 
 /* v . f of the fluid in slot s, velocities as struct sum_job's look ahead has them;
  * adds the forces. */
-static double add_to_fluid(const struct plan *p, struct plan_workspace *w,
-                           const double (*push)[DIM], int s)
+static double add_to_fluid(const struct moment *m, const struct rates_job *job, int s)
 {
-    const struct face *o = p->face;
-    const int c = w->list->order[s];
+    const struct face *o = m->face;
+    const int c = m->list->order[s];
     double power = 0;
 
     for (int d = 0; d < DIM; d++) {
-        double *f = &forces_of(p, w)[(size_t)s * DIM + (size_t)d];
+        double *f = &forces_of(m, job)[(size_t)s * DIM + (size_t)d];
         const double more = -o->f[(size_t)s * DIM + (size_t)d];
         double v = o->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d];
-        if (push)
-            v += p->later * (*f / p->particles->m[c] + push[c][d]);
+        if (job->push)
+            v += job->ahead * (*f / m->particles->m[c] + job->push[c][d]);
         power += v * more;
         *f += more;
     }
@@ -169,35 +167,35 @@ static double add_to_fluid(const struct plan *p, struct plan_workspace *w,
 }
 
 /* The same bits on any number of threads. */
-static double add_to_fluids(const struct plan *p, struct plan_workspace *w,
-                            const double (*push)[DIM])
+static double add_to_fluids(const struct moment *m, const struct rates_job *job)
 {
-    const int n = w->list->start[KIND_FLUID + 1], blocks = (n + FACE_BLOCK - 1) / FACE_BLOCK;
+    const int n = m->list->start[KIND_FLUID + 1], blocks = (n + FACE_BLOCK - 1) / FACE_BLOCK;
+    const struct face *o = m->face;
     double sum = 0;
 
 #pragma omp parallel for schedule(static) if (blocks > 8)
     for (int k = 0; k < blocks; k++) {
         const int to = (k + 1) * FACE_BLOCK < n ? (k + 1) * FACE_BLOCK : n;
-        p->face->partial[k] = 0;
+        o->partial[k] = 0;
         for (int s = k * FACE_BLOCK; s < to; s++)
-            if (p->face->job.firm[s] > 0)
-                p->face->partial[k] += add_to_fluid(p, w, push, s);
+            if (o->job.firm[s] > 0)
+                o->partial[k] += add_to_fluid(m, job, s);
     }
     for (int k = 0; k < blocks; k++)
-        sum += p->face->partial[k];
+        sum += o->partial[k];
     return sum;
 }
 
 /* u . f of solids; what pulls at a face that slides is the law's force and this. */
-static double add_to_solids(const struct plan *p, struct plan_workspace *w)
+static double add_to_solids(const struct moment *m, const struct rates_job *job)
 {
-    const struct list *l = w->list;
-    struct face *o = p->face;
-    double *f = forces_of(p, w), sum = 0;
+    const struct list *l = m->list;
+    struct face *o = m->face;
+    double *f = forces_of(m, job), sum = 0;
 
     for (int i = 0; i < 2; i++)
         for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
-            const double *b = slide_of(p, l, s), *u = o->velocity + (size_t)s * COUPLE_STRIDE;
+            const double *b = slide_of(m, l, s), *u = o->velocity + (size_t)s * COUPLE_STRIDE;
             for (int d = 0; d < DIM; d++) {
                 const size_t k = (size_t)s * DIM + (size_t)d;
                 f[k] += o->f[k];
@@ -208,58 +206,58 @@ static double add_to_solids(const struct plan *p, struct plan_workspace *w)
     return sum + o->power;
 }
 
-void face_add(struct plan *p, struct plan_workspace *w, const double (*push)[DIM])
+void face_add(struct moment *m, const struct rates_job *job)
 {
-    double power = add_to_fluids(p, w, push);
+    double power = add_to_fluids(m, job);
 
-    power += add_to_solids(p, w);
-    w->power[p->face->part->slot] += power;
+    power += add_to_solids(m, job);
+    m->work->power[m->face->of->part->slot] += power;
 }
 
 /* --- in a solve ---------------------------------------------------------------- */
 
 /* "All fluid alike" meets twice the law's coefficients with solids at rest. */
-int face_ready(struct plan *p, const struct couple_job *law)
+int face_ready(struct moment *m, const struct couple_job *law)
 {
     struct couple_job job = *law;
 
-    TRY(face_fit_slots(p->face, law->list));
-    job.acts = p->face->acts;
-    find_arms(p, &job, &p->main);
-    for (int s = 0; s < law->list->start[KINDS] && p->face->mirrored; s++)
+    TRY(face_fit_slots(m->face, law->list));
+    job.acts = m->face->of->acts;
+    find_arms(m, &job);
+    for (int s = 0; s < law->list->start[KINDS] && m->face->of->mirrored; s++)
         law->firm[s] *= 2;
     return STATUS_DONE;
 }
 
-void face_complete(struct plan *p, const struct couple_job *law, unsigned kinds, bool walls,
+void face_complete(struct moment *m, const struct couple_job *law, unsigned kinds, bool walls,
                    double *f)
 {
     const struct list *l = law->list;
-    struct face *o = p->face;
+    struct face *o = m->face;
     struct couple_job job = *law;
 
-    job.acts = o->acts;
-    find_slip(p, &job, walls, f);
+    job.acts = o->of->acts;
+    find_slip(m, &job, walls, f);
     for (int i = 0; i < 2; i++)
         for (int k = l->start[sticky[i]] * DIM; k < l->start[sticky[i] + 1] * DIM; k++)
             f[k] += o->f[k];
     if (!(kinds & KIND_BIT(KIND_FLUID)))
         return;
-    hold(p, &job);
+    hold(m, &job);
     for (int k = 0; k < l->start[KIND_FLUID + 1] * DIM; k++)
         f[k] -= o->f[k];
 }
 
-double face_power(struct plan *p, const struct plan_workspace *w)
+double face_power(struct moment *m)
 {
-    const struct list *l = w->list;
+    const struct list *l = m->list;
 
-    p->face->power = 0;
+    m->face->power = 0;
     for (int i = 0; i < 2; i++)
         for (int s = l->start[sticky[i]]; s < l->start[sticky[i] + 1]; s++) {
-            const double *b = slide_of(p, l, s);
+            const double *b = slide_of(m, l, s);
             for (int d = 0; d < DIM; d++)
-                p->face->power += b[d] * w->f[(size_t)s * DIM + (size_t)d];
+                m->face->power += b[d] * m->work->f[(size_t)s * DIM + (size_t)d];
         }
-    return p->face->power;
+    return m->face->power;
 }

@@ -19,8 +19,8 @@ int face_fit_slots(struct face *o, const struct list *l)
     free(o->velocity);
     free(o->slip);
     o->slots = slots + slots / 8;
-    o->velocity = plan_lines(o->slots * COUPLE_STRIDE);
-    o->slip = plan_lines(o->slots * COUPLE_STRIDE);
+    o->velocity = workspace_lines(o->slots * COUPLE_STRIDE);
+    o->slip = workspace_lines(o->slots * COUPLE_STRIDE);
     return o->velocity && o->slip ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -36,7 +36,7 @@ int face_fit_pairs(struct face *o, const struct list *l)
     return o->job.c ? STATUS_DONE : STATUS_FAILED;
 }
 
-static int take_memory(struct plan *p, struct face *o)
+static int take_memory(const struct plan *p, struct face *o)
 {
     const size_t n = (size_t)p->particles->n;
 
@@ -45,17 +45,33 @@ static int take_memory(struct plan *p, struct face *o)
     o->law = status_alloc(n * DIM, sizeof(double));
     o->f = status_alloc(n * DIM, sizeof(double));
     o->partial = status_alloc(n / FACE_BLOCK + 1, sizeof(double));
-    for (int i = 0; i < p->walls; i++)
-        o->turns |= walls_motion_turns(&p->wall[i].motion);
-    if (o->turns && !(o->arm = status_alloc(n * DIM, sizeof(double))))
+    if (o->of->turns && !(o->arm = status_alloc(n * DIM, sizeof(double))))
         return STATUS_FAILED;
     return o->job.diagonal && o->job.firm && o->law && o->f && o->partial ? STATUS_DONE
                                                                           : STATUS_FAILED;
 }
 
-void face_free(struct plan *p)
+int face_create(struct moment *m)
 {
-    struct face *o = p->face;
+    const struct face_plan *of = m->plan->face;
+    struct face *o;
+
+    if (!of)
+        return STATUS_DONE;
+    if (!(o = m->face = status_alloc(1, sizeof *o)))
+        return STATUS_FAILED;
+    o->of = of;
+    o->job = (struct couple_job){
+        .acts = of->acts, .couple = of->part->part->couple, .self = of->part->self,
+        .needs = of->part->part->rows & ~(unsigned)NEED_V,
+        .kernel = m->plan->kernel[of->part->part->kernel],
+    };
+    return take_memory(m->plan, o);
+}
+
+void face_free(struct face **face)
+{
+    struct face *o = *face;
 
     if (!o)
         return;
@@ -64,7 +80,7 @@ void face_free(struct plan *p)
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     free(o);
-    p->face = NULL;
+    *face = NULL;
 }
 
 /* --- who takes part ----------------------------------------------------------- */
@@ -115,7 +131,7 @@ static int find_part(struct plan *p, const struct scene *scene, const struct pla
 int face_make(struct plan *p, const struct scene *scene)
 {
     const struct plan_part *part;
-    struct face *o;
+    struct face_plan *o;
 
     TRY(find_part(p, scene, &part));
     if (!part || particles_count(p->particles, KIND_WALL)
@@ -127,15 +143,14 @@ int face_make(struct plan *p, const struct scene *scene)
     o->mirrored = part->part->faces(part->self);
     o->acts[KIND_FLUID] = KIND_STICKY;
     o->acts[KIND_WALL] = o->acts[KIND_SKIN] = KIND_BIT(KIND_FLUID);
-    o->job = (struct couple_job){
-        .acts = o->acts, .couple = part->part->couple, .self = part->self,
-        .needs = part->part->rows & ~(unsigned)NEED_V, .kernel = p->kernel[part->part->kernel],
-    };
-    return take_memory(p, o);
+    for (int i = 0; i < p->walls; i++)
+        o->turns |= walls_motion_turns(&p->wall[i].motion);
+    return STATUS_DONE;
 }
 
 bool face_among(const struct plan *p, const struct pairs_table *table)
 {
-    return table == p->table || table == p->forces
-           || table == (p->face->part == p->stiff ? p->implicit : p->explicit);
+    return table == p->table.all || table == p->table.velocities
+           || table == p->table.without_pressure
+           || table == (p->face->part == p->stiff ? p->table.implicit : p->table.explicit);
 }

@@ -8,28 +8,35 @@
 
 enum { FACE_BLOCK = 512 }; /* slots whose powers are added first */
 
-/* All vectors are by slot. */
-struct face {
+/* Of a plan. */
+struct face_plan {
     const struct plan_part *part; /* the viscosity                              */
     bool mirrored;                /* sticks at faces; else only some slide      */
+    bool turns;                   /* some wall does                             */
     unsigned acts[KINDS];         /* the fluid and what it sticks to            */
-    struct couple_job job;        /* their pairs                                */
+};
+
+/* Of a moment: all vectors are by slot. */
+struct face {
+    const struct face_plan *of;
+    struct couple_job job;        /* pairs of the fluid and what it sticks to   */
     size_t room, slots;           /* for so many c; for so many velocities      */
     double *velocity;             /* [slots][COUPLE_STRIDE] of everybody [m/s]  */
     double *slip;                 /* the same: u_w - v_w of solids, others 0    */
     double *law;                  /* [n][DIM] the law's forces on solids [N]    */
     double *f;                    /* [n][DIM] those beside them [N]; of the fluid
                                      with the sign turned                       */
-    bool turns;                   /* some wall does                             */
     double *arm;                  /* [n][DIM] of solids: sum of c_wf (x_f - x_w); NULL:
                                      nothing turns                              */
     double *partial;              /* sums of blocks                             */
     double power;                 /* of the fluid on faces that slide [W]       */
 };
 
-/* p->face, when the scene asks for it and has solids to stick to. */
+/* p->face, when the scene asks for it and has solids to stick to; freed with the plan by
+ * free().  Then m->face, where the plan has one. */
 int face_make(struct plan *p, const struct scene *scene);
-void face_free(struct plan *p);
+int face_create(struct moment *m);
+void face_free(struct face **face); /* NULL is welcome */
 
 /* After a rebuild there may be more slots, and more pairs. */
 int face_fit_slots(struct face *o, const struct list *l);
@@ -39,17 +46,17 @@ int face_fit_pairs(struct face *o, const struct list *l);
 bool face_among(const struct plan *p, const struct pairs_table *table);
 
 /* Around the sums over pairs: find forces, and add them to push [fluid][DIM], if that is
- * there; then to w->f, and their power to w->power. */
-int face_find(struct plan *p, struct plan_workspace *w);
-void face_push(const struct plan *p, const struct plan_workspace *w, double (*push)[DIM]);
-void face_add(struct plan *p, struct plan_workspace *w, const double (*push)[DIM]);
+ * there; then to the forces that the job is for, and their power to that of the law. */
+int face_find(struct moment *m);
+void face_push(const struct moment *m, double (*push)[DIM]);
+void face_add(struct moment *m, const struct rates_job *job);
 
 /* Of a solve.  law: the coefficients of all pairs, to be made ready after each assembly;
  * f: its forces on all that sticks and, by kinds (bits), on the fluid, to be completed;
- * `walls` as viscous_multiply(); power of w->f on faces that slide. */
-int face_ready(struct plan *p, const struct couple_job *law);
-void face_complete(struct plan *p, const struct couple_job *law, unsigned kinds, bool walls,
+ * `walls` as viscous_multiply(); power of the forces of a moment on faces that slide. */
+int face_ready(struct moment *m, const struct couple_job *law);
+void face_complete(struct moment *m, const struct couple_job *law, unsigned kinds, bool walls,
                    double *f);
-double face_power(struct plan *p, const struct plan_workspace *w);
+double face_power(struct moment *m);
 
 #endif

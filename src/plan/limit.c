@@ -1,7 +1,6 @@
 /* limit.c -- the largest explicit step: the fastest wave and the fastest decay
  * of all parts, by name. */
 #include "plan/inside.h"
-#include "plan/observe.h"
 
 #include <stdio.h>
 
@@ -15,13 +14,14 @@ static void keep_fastest(const struct limit *one, const char *name, struct limit
     snprintf(best->part, sizeof best->part, "%.63s", name);
 }
 
-void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct limit limit[2])
+void moment_limit(struct moment *m, double t, const double *y, bool stiff, struct limit limit[2])
 {
+    const struct plan *p = m->plan;
     struct view v;
 
     limit[0] = (struct limit){ .where = -1 };
     limit[1] = (struct limit){ .where = -1, .decay = true };
-    plan_view(p, t, y, &v);
+    observe_view(m, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
         if (&p->part[i] == p->stiff && !stiff)

@@ -87,24 +87,26 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
     const double n = c->fluid + c->solid;
 
     *m = (struct plan_memory){
-        .state = 8 * c->numbers * (c->vectors + 2), /* plan->scratch, run->y */
+        .state = 8 * c->numbers * (c->vectors + 2), /* rates of looks, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
               + viscous(c) + faces(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
-        .particles = n * (8 * (1 + 2 * DIM) + 4 + 1),
+        .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
         .outputs = outputs(c),
     };
 }
 
-void plan_memory(const struct plan *p, int vectors, struct plan_memory *out)
+void plan_memory(const struct moment *m, int vectors, struct plan_memory *out)
 {
+    const struct plan *p = m->plan;
+    const struct list *l = m->own;
     const double fluid = particles_count(p->particles, KIND_FLUID);
     const struct count c = {
         .fluid = fluid, .solid = p->particles->n - fluid, .numbers = layout_size(&p->layout),
-        .entries = p->main.list && p->main.list->builds > 0
-                       ? list_entries(p->main.list)
+        .entries = l && l->builds > 0
+                       ? list_entries(l)
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
-        .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->viscous,
+        .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->stiff,
         .drifts = p->drifter, .faces = p->face,
     };
 

@@ -6,7 +6,7 @@
 #ifndef PLAN_MEMORY_H
 #define PLAN_MEMORY_H
 
-#include "plan/plan.h"
+#include "plan/moment.h"
 
 /* Bytes. */
 struct plan_memory {
@@ -19,7 +19,7 @@ struct plan_memory {
 
 /* For a method that holds so many vectors of the size of y.  The list counts as
  * it is; before there is one, as a full lattice would make it. */
-void plan_memory(const struct plan *plan, int vectors, struct plan_memory *out);
+void plan_memory(const struct moment *moment, int vectors, struct plan_memory *out);
 double plan_memory_sum(const struct plan_memory *m);
 
 #endif

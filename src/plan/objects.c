@@ -36,11 +36,7 @@ int plan_bodies_make(struct plan *p)
             return refuse_body(status, in);
         p->bodies++;
         points = in->kind->skin(b->body, NULL);
-        b->skin = p->scales.fluid ? points : 0; /* without water nobody presses */
-        b->force = status_alloc(points + 1, sizeof *b->force);
-        b->seen = status_alloc(points + 1, sizeof *b->seen);
-        if (!b->force || !b->seen)
-            return STATUS_FAILED;
+        b->skin = p->scales.fluid ? points : 0; /* without water nothing presses */
     }
     return STATUS_DONE;
 }
@@ -130,6 +126,5 @@ int plan_objects_name(struct plan *p)
     for (int i = 0, f = 0; i < all->objects; i++)
         if (all->object[i].kind == KIND_FLUID)
             memset(all->dye + all->object[i].from, p->in.fluid[f++].set.dye, all->object[i].n);
-    p->force = status_alloc(all->objects + 1, sizeof *p->force);
-    return p->force ? STATUS_DONE : STATUS_FAILED;
+    return STATUS_DONE;
 }

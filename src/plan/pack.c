@@ -54,11 +54,11 @@ static void write_rest(double *r, const double *u, double rho, double press, dou
 /* Slots from..to-1, all of kind k.  Returns the first slot whose density is out
  * of bounds, or -1.  What the second loop reads is scattered, so the first asks
  * for it. */
-static int pack_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
-                      int k, int from, int to)
+static int pack_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
 {
-    const double low = p->in.eos.lowest * p->scales.rho0, high = p->in.eos.highest * p->scales.rho0;
-    const struct list *l = w->list;
+    const struct plan *p = m->plan;
+    const double low = m->density_low, high = m->density_high;
+    const struct list *l = m->list;
     const int first = v->p->from[k];
     double rho[CHUNK], press[CHUNK];
 
@@ -77,7 +77,7 @@ static int pack_chunk(const struct plan *p, struct plan_workspace *w, const stru
     for (int s = from; s < to; s++) {
         const int c = l->order[s], i = c - first;
         const double *x = v->x[k] + (size_t)i * DIM;
-        double *r = w->record + (size_t)s * RECORD;
+        double *r = m->work->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) {
             write_far(p, s + 1, r);
             continue;
@@ -90,22 +90,22 @@ static int pack_chunk(const struct plan *p, struct plan_workspace *w, const stru
 
 /* Images from..to-1 of kind k have all but their place of their originals; these are
  * scattered, and asked for first. */
-static void copy_chunk(const struct plan *p, struct plan_workspace *w, const struct view *v,
-                       int k, int from, int to)
+static void copy_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
 {
-    const struct list *l = w->list;
+    const struct plan *p = m->plan;
+    const struct list *l = m->list;
     const double *original[CHUNK];
 
     for (int s = from; s < to; s++) {
         const int c = l->order[s];
-        original[s - from] = w->record + (size_t)l->slot[c] * RECORD;
+        original[s - from] = m->work->record + (size_t)l->slot[c] * RECORD;
         __builtin_prefetch(original[s - from]);
         __builtin_prefetch(original[s - from] + RECORD - 1);
         __builtin_prefetch(v->x[k] + (size_t)(c - v->p->from[k]) * DIM);
     }
     for (int s = from; s < to; s++) {
         const double *x = v->x[k] + (size_t)(l->order[s] - v->p->from[k]) * DIM;
-        double *r = w->record + (size_t)s * RECORD;
+        double *r = m->work->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
             write_far(p, s + 1, r);
             continue;
@@ -115,37 +115,35 @@ static void copy_chunk(const struct plan *p, struct plan_workspace *w, const str
     }
 }
 
-static void copy_images(const struct plan *p, struct plan_workspace *w, const struct view *v,
-                        int k)
+static void copy_images(const struct moment *m, const struct view *v, int k)
 {
-    const int from = w->list->image[k], to = w->list->image[k + 1];
+    const int from = m->list->image[k], to = m->list->image[k + 1];
 
 #pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
     for (int s = from; s < to; s += CHUNK)
-        copy_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+        copy_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
 }
 
-static int refuse_density(struct plan *p, const struct plan_workspace *w, const struct view *v,
-                          int slot)
+static int refuse_density(struct moment *m, const struct view *v, int slot)
 {
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
-    const int c = w->list->order[slot];
+    const int c = m->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
     char place[PLAN_PLACE];
 
-    plan_place(p, v, c, place);
-    snprintf(p->refusal, sizeof p->refusal,
+    moment_place(m, v, c, place);
+    snprintf(m->refusal, sizeof m->refusal,
              "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
              "particles were pushed together or torn apart faster than the step could follow",
              v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], c, o->name, place, v->t,
-             p->in.eos.lowest * p->scales.rho0, p->in.eos.highest * p->scales.rho0);
-    p->culprit[PLAN_DENSITY_OUT] = (struct plan_culprit){ true, c, v->t };
+             m->density_low, m->density_high);
+    m->culprit[MOMENT_DENSITY_OUT] = (struct moment_culprit){ true, c, v->t };
     return STATUS_FAILED;
 }
 
-int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, unsigned kinds)
+int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 {
-    const struct list *l = w->list;
+    const struct list *l = m->list;
     atomic_int bad = l->listed;
 
     for (int k = 0; k < KINDS; k++) {
@@ -154,14 +152,14 @@ int plan_pack(struct plan *p, struct plan_workspace *w, const struct view *v, un
             continue;
 #pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
         for (int s = from; s < to; s += CHUNK) {
-            const int at = pack_chunk(p, w, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+            const int at = pack_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
             for (int old = bad; at >= 0 && at < old;) /* keep the smallest slot */
                 if (atomic_compare_exchange_weak(&bad, &old, at))
                     break;
         }
         if (l->offset)
-            copy_images(p, w, v, k);
+            copy_images(m, v, k);
     }
-    write_far(p, 0, w->record + (size_t)l->listed * RECORD);
-    return bad < l->listed ? refuse_density(p, w, v, bad) : STATUS_DONE;
+    write_far(m->plan, 0, m->work->record + (size_t)l->listed * RECORD);
+    return bad < l->listed ? refuse_density(m, v, bad) : STATUS_DONE;
 }

@@ -86,9 +86,9 @@ void plan_start_density(const struct plan *p, double *y)
 {
     for (int k = 0; k < KINDS; k++) {
         double *rho;
-        if (p->density_row[k] < 0)
+        if (p->row.density[k] < 0)
             continue;
-        rho = y + layout_at(&p->layout, p->density_row[k]);
+        rho = y + layout_at(&p->layout, p->row.density[k]);
         for (int i = 0; i < particles_count(p->particles, k); i++)
             rho[i] = p->scales.rho0;
         if (k == KIND_FLUID)
@@ -110,7 +110,7 @@ static void start_velocity(const struct input_fluid *in, const double *x, double
 static void start_motion(const struct plan *p, double *y)
 {
     const struct particles *all = p->particles;
-    double *x = y + layout_at(&p->layout, p->row_x), *u = y + layout_at(&p->layout, p->row_u);
+    double *x = y + layout_at(&p->layout, p->row.x), *u = y + layout_at(&p->layout, p->row.u);
 
     for (int o = 0, f = 0; o < all->objects; o++) {
         const struct object *ob = &all->object[o];
@@ -148,7 +148,7 @@ double plan_start_speed(const struct plan *p)
 void plan_start(const struct plan *p, double *y)
 {
     memset(y, 0, (size_t)plan_size(p) * sizeof *y);
-    if (p->row_x >= 0)
+    if (p->row.x >= 0)
         start_motion(p, y);
     plan_start_density(p, y);
     for (int i = 0; i < p->bodies; i++)

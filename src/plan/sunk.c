@@ -1,10 +1,9 @@
 /* sunk.c -- fluid that is where solids are.
  *
  * In a wall: deeper in its shape than half a spacing, where its first particles stand.  In
- * a beam: behind the outermost layer of its skin; who is, is surrounded by points of the
- * skin, so that no half of his neighbourhood is free of them. */
+ * a beam: behind the outermost layer of its skin; a particle there is surrounded by points
+ * of the skin, so that no half of its neighbourhood is free of them. */
 #include "plan/inside.h"
-#include "plan/observe.h"
 
 #include "base/status.h"
 #include "space/list.h"
@@ -83,63 +82,68 @@ static bool is_surrounded(const struct sight *s)
     return fmax(widest, 2 * M_PI - (s->angle[s->n - 1] - s->angle[0])) < M_PI - slack;
 }
 
-static bool in_skin(const struct plan *p, const struct buckets *skins, int object,
+static bool in_skin(const struct moment *m, const struct buckets *skins, int object,
                     const double *x)
 {
-    struct sight s = { .p = p->particles, .x = x, .object = object };
+    struct sight s = { .p = m->particles, .x = x, .object = object };
 
-    buckets_find(skins, x, around * p->scales.dx, keep, &s);
+    buckets_find(skins, x, around * m->plan->scales.dx, keep, &s);
     return is_surrounded(&s);
 }
 
 /* Object that x is in, -1: none. */
-static int solid_at(const struct plan *p, const struct block *block, const struct buckets *skins,
-                    const double *x)
+static int solid_at(const struct moment *m, const struct block *block,
+                    const struct buckets *skins, const double *x)
 {
+    const struct plan *p = m->plan;
+
     for (int i = 0; i < p->walls; i++)
         if (in_block(&block[i], x, half * p->scales.dx))
             return p->wall[i].object;
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].object >= 0 && in_skin(p, skins, p->body[i].object, x))
+        if (p->body[i].object >= 0 && in_skin(m, skins, p->body[i].object, x))
             return p->body[i].object;
     return -1;
 }
 
-static void count(const struct plan *p, const struct view *v, const struct block *block,
-                  const struct buckets *skins, struct plan_sunk *out)
+static void count(const struct moment *m, const struct view *v, const struct block *block,
+                  const struct buckets *skins, struct observe_sunk *out)
 {
+    const struct plan *p = m->plan;
+
     for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
         const double *now = v->x[KIND_FLUID] + (size_t)i * DIM;
         double x[DIM];
         int solid;
 
         period_home(&p->scales, now, x);
-        if (!list_inside(&p->list_def, now) || (solid = solid_at(p, block, skins, x)) < 0)
+        if (!list_inside(&p->list_def, now) || (solid = solid_at(m, block, skins, x)) < 0)
             continue;
         if (out->n++ == 0) {
             out->who = i;
             out->solid = v->p->object[solid].name;
-            plan_place(p, v, i, out->place);
+            moment_place(m, v, i, out->place);
         }
     }
 }
 
-void plan_sunk(struct plan *p, double t, const double *y, struct plan_sunk *out)
+void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out)
 {
-    const struct particles *all = p->particles;
+    const struct particles *all = run->particles;
+    const struct plan *p = run->plan;
     struct buckets skins = { 0 };
     struct block *block;
     struct view v;
 
-    *out = (struct plan_sunk){ .t = t, .who = -1 };
-    if (p->row_x < 0 || !(block = status_alloc(p->walls + 1, sizeof *block)))
+    *out = (struct observe_sunk){ .t = t, .who = -1 };
+    if (p->row.x < 0 || !(block = status_alloc(p->walls + 1, sizeof *block)))
         return;
-    plan_view_make(p, t, y, &v);
+    moment_view(run, t, y, &v);
     for (int i = 0; i < p->walls; i++)
         block_make(p, i, t, &block[i]);
     if (buckets_create(&skins, (const double (*)[DIM])all->x + all->from[KIND_SKIN],
                        all->n - all->from[KIND_SKIN], around * p->scales.dx) == STATUS_DONE)
-        count(p, &v, block, &skins, out);
+        count(run, &v, block, &skins, out);
     buckets_free(&skins);
     free(block);
 }

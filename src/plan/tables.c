@@ -47,18 +47,31 @@ static void share_kernels(struct pairs_table *t)
 
 enum sides { EXPLICIT = 1, IMPLICIT = 2, BOTH = 3 };
 
-/* The laws of these sides that add to these columns and to no others; 0: all laws. */
-static int make_table(struct plan *p, struct pairs_table *table, enum sides sides,
-                      unsigned columns)
+/* Which laws a table holds. */
+struct choice {
+    enum sides sides;
+    unsigned columns;      /* those that add to these and to no others; 0: all */
+    bool without_pressure; /* those that do not read it                        */
+};
+
+static bool is_chosen(const struct plan *p, const struct plan_part *part,
+                      const struct choice *which)
+{
+    if (part->slot < 0 || (which->columns && part->part->columns != which->columns))
+        return false;
+    if (which->without_pressure && (part->part->needs & FIELD_PRESSURE))
+        return false;
+    return which->sides & (part == p->stiff ? IMPLICIT : EXPLICIT);
+}
+
+static int make_table(struct plan *p, struct pairs_table *table, struct choice which)
 {
     for (int i = 0; i < p->parts; i++) {
-        const struct plan_part *part = &p->part[i];
-        if (part->slot < 0 || (columns && part->part->columns != columns)
-            || !(sides & (part == p->stiff ? IMPLICIT : EXPLICIT)))
+        if (!is_chosen(p, &p->part[i], &which))
             continue;
         for (int a = 0; a < KINDS; a++)
             for (int b = 0; b < KINDS; b++)
-                TRY(add_law(p, table, part, a, b));
+                TRY(add_law(p, table, &p->part[i], a, b));
     }
     for (int i = 0; i < KINDS * KINDS; i++) {
         share_kernels(&table[i]);
@@ -70,23 +83,26 @@ static int make_table(struct plan *p, struct pairs_table *table, enum sides side
 int plan_tables_make(struct plan *p)
 {
     enum { ONE = KINDS * KINDS };
+    struct plan_tables *to = &p->table;
 
-    p->table = status_alloc(5 * ONE, sizeof *p->table);
-    if (!p->table)
+    to->all = status_alloc(6 * ONE, sizeof *to->all);
+    if (!to->all)
         return STATUS_FAILED;
-    p->rates = p->table + ONE;
-    p->forces = p->table + 2 * ONE;
-    p->explicit = p->stiff ? p->table + 3 * ONE : p->table;
-    p->implicit = p->table + 4 * ONE;
+    to->densities = to->all + ONE;
+    to->velocities = to->all + 2 * ONE;
+    to->without_pressure = to->all + 3 * ONE;
+    to->explicit = p->stiff ? to->all + 4 * ONE : to->all;
+    to->implicit = to->all + 5 * ONE;
     for (int i = 0; i < p->parts; i++)
         p->mixed |= p->part[i].part->columns == (COLUMN_DRHO | COLUMN_FORCE);
-    TRY(make_table(p, p->table, BOTH, 0));
-    TRY(make_table(p, p->rates, BOTH, COLUMN_DRHO));
-    TRY(make_table(p, p->forces, BOTH, COLUMN_FORCE));
+    TRY(make_table(p, to->all, (struct choice){ BOTH, 0, false }));
+    TRY(make_table(p, to->densities, (struct choice){ BOTH, COLUMN_DRHO, false }));
+    TRY(make_table(p, to->velocities, (struct choice){ BOTH, COLUMN_FORCE, false }));
+    TRY(make_table(p, to->without_pressure, (struct choice){ BOTH, 0, true }));
     if (!p->stiff)
         return STATUS_DONE;
-    TRY(make_table(p, p->explicit, EXPLICIT, 0));
-    return make_table(p, p->implicit, IMPLICIT, 0);
+    TRY(make_table(p, to->explicit, (struct choice){ EXPLICIT, 0, false }));
+    return make_table(p, to->implicit, (struct choice){ IMPLICIT, 0, false });
 }
 
 static void add_field(struct plan *p, const struct plan_part *part)

@@ -1,6 +1,5 @@
 /* view.c -- moves solids to the moment and says where everything is. */
 #include "plan/inside.h"
-#include "plan/observe.h"
 
 #include "state/period.h"
 
@@ -22,46 +21,48 @@ static void move_wall(struct particles *all, const struct plan_wall *w, double t
         walls_motion_point(&w->motion, &place, all->x0[i], all->x[i], all->u[i]);
 }
 
-static void move_solids(struct plan *p, double t, const double *y)
+static void move_solids(struct moment *m, double t, const double *y)
 {
-    struct particles *all = p->particles;
+    const struct plan *p = m->plan;
+    struct particles *all = m->particles;
 
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             move_wall(all, &p->wall[i], t);
     for (int i = 0; i < p->bodies; i++) {
-        const struct plan_body *b = &p->body[i];
+        const struct moment_body *b = &m->body[i];
         if (b->object >= 0)
-            b->kind->move(b->body, &p->layout, t, y, all->x + all->object[b->object].from,
+            b->kind->move(b->body, &m->layout, t, y, all->x + all->object[b->object].from,
                           all->u + all->object[b->object].from);
     }
 }
 
-void plan_view_make(struct plan *p, double t, const double *y, struct view *v)
+void moment_view(struct moment *m, double t, const double *y, struct view *v)
 {
-    struct particles *all = p->particles;
+    const struct plan_rows *row = &m->plan->row;
+    struct particles *all = m->particles;
 
-    move_solids(p, t, y);
+    move_solids(m, t, y);
     *v = (struct view){ .p = all, .t = t };
     for (int k = 0; k < KINDS; k++) {
         const bool fluid = k == KIND_FLUID;
         if (particles_count(all, k) == 0)
             continue;
-        v->x[k] = fluid ? y + layout_at(&p->layout, p->row_x) : all->x[all->from[k]];
-        v->u[k] = fluid ? y + layout_at(&p->layout, p->row_u) : all->u[all->from[k]];
-        if (p->density_row[k] >= 0)
-            v->rho[k] = y + layout_at(&p->layout, p->density_row[k]);
+        v->x[k] = fluid ? y + layout_at(&m->layout, row->x) : all->x[all->from[k]];
+        v->u[k] = fluid ? y + layout_at(&m->layout, row->u) : all->u[all->from[k]];
+        if (row->density[k] >= 0)
+            v->rho[k] = y + layout_at(&m->layout, row->density[k]);
         v->stores[k] = v->rho[k] != NULL;
     }
 }
 
-void plan_place(const struct plan *p, const struct view *v, int c, char text[PLAN_PLACE])
+void moment_place(const struct moment *m, const struct view *v, int c, char text[PLAN_PLACE])
 {
     const enum kind k = v->p->object[v->p->object_of[c]].kind;
     double x[DIM];
     int n;
 
-    period_home(&p->scales, v->x[k] + (size_t)(c - v->p->from[k]) * DIM, x);
+    period_home(&m->plan->scales, v->x[k] + (size_t)(c - v->p->from[k]) * DIM, x);
     n = snprintf(text, PLAN_PLACE, "(%g", x[0]);
     for (int d = 1; d < DIM; d++)
         n += snprintf(text + n, PLAN_PLACE - n, ", %g", x[d]);

@@ -16,46 +16,47 @@ static double dot(const struct viscous *u, const double *a, const double *b)
 }
 
 /* A 1 of fluid in slot s: its mass, and what solids hold of it. */
-static double drag_of(const struct plan *p, double gamma, int s)
+static double drag_of(const struct moment *m, double gamma, int s)
 {
-    return p->particles->m[p->main.list->order[s]] + gamma * p->viscous->job.firm[s];
+    return m->particles->m[m->list->order[s]] + gamma * m->viscous->job.firm[s];
 }
 
 /* A 1 of bodies, and 1 . A 1, for all components the same. */
-static void set_drag(struct plan *p, double gamma)
+static void set_drag(struct moment *m, double gamma)
 {
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
+    struct viscous *u = m->viscous;
+    const struct list *l = m->list;
+    double (*at)[DIM] = m->work->points;
 
     u->drag_all = 0;
     for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
-        u->drag_all += drag_of(p, gamma, s);
+        u->drag_all += drag_of(m, gamma, s);
     for (int d = 0; d < DIM; d++) {
         double *to = u->drag[d];
         memset(to, 0, (size_t)(u->unknowns - u->fluid) * sizeof *to);
-        for (int i = 0; i < p->bodies; i++) {
-            struct plan_body *b = &p->body[i];
-            memset(b->force, 0, (size_t)b->skin * sizeof *b->force);
+        for (int i = 0; i < m->plan->bodies; i++) {
+            struct moment_body *b = &m->body[i];
+            memset(at, 0, (size_t)b->skin * sizeof *at);
             for (int j = 0; j < b->skin; j++) {
-                const int s = l->slot[p->particles->object[b->object].from + j];
-                b->force[j][d] = s < 0 ? 0 : u->job.firm[s];
+                const int s = l->slot[m->particles->object[b->object].from + j];
+                at[j][d] = s < 0 ? 0 : u->job.firm[s];
             }
-            b->kind->pull(b->body, (const double (*)[DIM])b->force, -gamma, to);
-            to += viscous_body(p, i);
+            b->kind->pull(b->body, (const double (*)[DIM])at, -gamma, to);
+            to += viscous_body(m, i);
         }
     }
 }
 
 /* (1 . A x)/(1 . A 1) of each component. */
-static void along_drag(const struct plan *p, double gamma, const double *x, double mean[DIM])
+static void along_drag(const struct moment *m, double gamma, const double *x, double mean[DIM])
 {
-    const struct viscous *u = p->viscous;
-    const int n = p->main.list->start[KIND_FLUID + 1];
+    const struct viscous *u = m->viscous;
+    const int n = m->list->start[KIND_FLUID + 1];
 
     memset(mean, 0, DIM * sizeof *mean);
     for (int s = 0; s < n; s++)
         for (int d = 0; d < DIM; d++)
-            mean[d] += drag_of(p, gamma, s) * x[(size_t)s * DIM + (size_t)d];
+            mean[d] += drag_of(m, gamma, s) * x[(size_t)s * DIM + (size_t)d];
     for (int d = 0; d < DIM; d++) {
         for (int i = u->fluid; i < u->unknowns; i++)
             mean[d] += u->drag[d][i - u->fluid] * x[i];
@@ -65,21 +66,21 @@ static void along_drag(const struct plan *p, double gamma, const double *x, doub
 
 /* w, the guess less its part along 1, and A w are made with w . A w = 1 and 1 . A w = 0;
  * w = 0 when nothing else moves. */
-void viscous_directions_set(struct plan *p, double gamma)
+void viscous_directions_set(struct moment *m, double gamma)
 {
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
+    struct viscous *u = m->viscous;
+    const struct list *l = m->list;
     double mean[DIM], norm, whole;
 
-    set_drag(p, gamma);
+    set_drag(m, gamma);
     memcpy(u->guess, u->x, (size_t)u->unknowns * sizeof *u->guess);
     whole = dot(u, u->guess, u->guess_image);
-    along_drag(p, gamma, u->guess, mean);
+    along_drag(m, gamma, u->guess, mean);
     for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
         for (int d = 0; d < DIM; d++) {
             const size_t k = (size_t)s * DIM + (size_t)d;
             u->guess[k] -= mean[d];
-            u->guess_image[k] -= mean[d] * drag_of(p, gamma, s);
+            u->guess_image[k] -= mean[d] * drag_of(m, gamma, s);
         }
     for (int d = 0; d < DIM; d++)
         for (int i = u->fluid; i < u->unknowns; i++)
@@ -92,10 +93,10 @@ void viscous_directions_set(struct plan *p, double gamma)
     }
 }
 
-struct viscous_along viscous_directions_clear(struct plan *p, double gamma, double *residual)
+struct viscous_along viscous_directions_clear(struct moment *m, double gamma, double *residual)
 {
-    const struct viscous *u = p->viscous;
-    const int n = p->main.list->start[KIND_FLUID + 1];
+    const struct viscous *u = m->viscous;
+    const int n = m->list->start[KIND_FLUID + 1];
     struct viscous_along along = { .guess = dot(u, u->guess, residual) };
 
     for (int s = 0; s < n; s++)
@@ -107,7 +108,7 @@ struct viscous_along viscous_directions_clear(struct plan *p, double gamma, doub
         residual[i] -= along.guess * u->guess_image[i];
     for (int s = 0; s < n; s++)
         for (int d = 0; d < DIM; d++)
-            residual[(size_t)s * DIM + (size_t)d] -= along.all[d] * drag_of(p, gamma, s);
+            residual[(size_t)s * DIM + (size_t)d] -= along.all[d] * drag_of(m, gamma, s);
     for (int d = 0; d < DIM; d++)
         for (int i = u->fluid; i < u->unknowns; i++)
             residual[i] -= along.all[d] * u->drag[d][i - u->fluid];
@@ -122,14 +123,14 @@ void viscous_directions_add(const struct viscous *u, const struct viscous_along 
         x[i] += along->all[i % DIM];
 }
 
-void viscous_directions_leave(struct plan *p, double gamma, double *v)
+void viscous_directions_leave(struct moment *m, double gamma, double *v)
 {
-    const struct viscous *u = p->viscous;
-    const int n = p->main.list->start[KIND_FLUID + 1];
+    const struct viscous *u = m->viscous;
+    const int n = m->list->start[KIND_FLUID + 1];
     const double along = dot(u, u->guess_image, v);
     double mean[DIM];
 
-    along_drag(p, gamma, v, mean);
+    along_drag(m, gamma, v, mean);
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = 0; s < n; s++)
         for (int d = 0; d < DIM; d++) {

@@ -20,7 +20,7 @@ static const double exact = 0.01; /* of tol: the largest correction left */
 
 /* What the callbacks of one solve know. */
 struct search {
-    struct plan *plan;
+    struct moment *moment;
     double gamma, floor, left;
     bool enough;
 };
@@ -29,7 +29,7 @@ static int multiply(void *self, N_Vector v, N_Vector image)
 {
     const struct search *s = self;
 
-    viscous_apply(s->plan, s->gamma, vector_read(v), vector_overwrite(image));
+    viscous_apply(s->moment, s->gamma, vector_read(v), vector_overwrite(image));
     return 0;
 }
 
@@ -37,60 +37,60 @@ static int multiply(void *self, N_Vector v, N_Vector image)
 static int precondition(void *self, N_Vector residual, N_Vector near, sunrealtype tol, int side)
 {
     struct search *s = self;
-    struct plan *p = s->plan;
-    struct viscous *u = p->viscous;
+    struct moment *m = s->moment;
+    struct viscous *u = m->viscous;
     double *to = vector_overwrite(near), rz;
 
     (void)tol, (void)side;
     vector_copy(u->unknowns, vector_read(residual), u->residual);
-    viscous_directions_clear(p, s->gamma, u->residual); /* of rounding */
-    s->left = viscous_precondition(p, s->gamma, u->residual, to);
+    viscous_directions_clear(m, s->gamma, u->residual); /* of rounding */
+    s->left = viscous_precondition(m, s->gamma, u->residual, to);
     rz = vector_dot(u->unknowns, u->residual, to, u->partial);
     if (!isfinite(rz))
         return -1;
     s->enough = s->left <= exact * u->tol || rz <= s->floor;
-    viscous_directions_leave(p, s->gamma, to);
+    viscous_directions_leave(m, s->gamma, to);
     return s->enough;
 }
 
-static int refuse(struct plan *p, double t, double left, int products)
+static int refuse(struct moment *m, double t, double left, int products)
 {
-    snprintf(p->refusal, sizeof p->refusal, "%s, taken implicitly, found no velocities at "
+    snprintf(m->refusal, sizeof m->refusal, "%s, taken implicitly, found no velocities at "
              "t = %g s: after %d products the largest correction is still %.3g of its scale (tol "
-             "%g)", p->viscous->part->path, t, products, left, p->viscous->tol);
+             "%g)", m->viscous->part->path, t, products, left, m->viscous->tol);
     return STATUS_FAILED;
 }
 
 /* What is left along the directions goes into x. */
-static void project(struct plan *p, double gamma)
+static void project(struct moment *m, double gamma)
 {
-    struct viscous *u = p->viscous;
-    const struct viscous_along along = viscous_directions_clear(p, gamma, u->residual);
+    struct viscous *u = m->viscous;
+    const struct viscous_along along = viscous_directions_clear(m, gamma, u->residual);
 
     viscous_directions_add(u, &along, u->x);
 }
 
 /* The correction of x, and the residual that it leaves. */
-static void take(struct plan *p, double gamma)
+static void take(struct moment *m, double gamma)
 {
-    struct viscous *u = p->viscous;
+    struct viscous *u = m->viscous;
     const double *correction = vector_read(u->correction);
 
     for (int i = 0; i < u->unknowns; i++)
         u->x[i] += correction[i];
     vector_copy(u->unknowns, vector_read(SUNLinSolResid(u->gradients)), u->residual);
-    project(p, gamma);
+    project(m, gamma);
 }
 
-int viscous_iterate(struct plan *p, double t, double gamma)
+int viscous_iterate(struct moment *m, double t, double gamma)
 {
-    struct viscous *u = p->viscous;
-    struct search s = { .plan = p, .gamma = gamma };
+    struct viscous *u = m->viscous;
+    struct search s = { .moment = m, .gamma = gamma };
     int code;
 
     s.floor = 1e-30 * fabs(vector_dot(u->unknowns, u->right, u->x, u->partial));
-    viscous_directions_set(p, gamma);
-    project(p, gamma);
+    viscous_directions_set(m, gamma);
+    project(m, gamma);
     vector_copy(u->unknowns, u->residual, vector_overwrite(u->b));
     N_VConst(0, u->correction);
     SUNLinSolSetATimes(u->gradients, &s, multiply);
@@ -98,8 +98,8 @@ int viscous_iterate(struct plan *p, double t, double gamma)
     SUNLinSolSetZeroGuess(u->gradients, 1);
     code = SUNLinSolSolve(u->gradients, NULL, u->correction, u->b, 0);
     if (code != 0 && !s.enough)
-        return refuse(p, t, s.left, SUNLinSolNumIters(u->gradients));
-    take(p, gamma);
+        return refuse(m, t, s.left, SUNLinSolNumIters(u->gradients));
+    take(m, gamma);
     return STATUS_DONE;
 }
 

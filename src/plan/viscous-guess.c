@@ -10,15 +10,15 @@
 
 enum { NODES = 3 };
 
-void viscous_read(struct plan *p, const double *y, double *v)
+void viscous_read(struct moment *m, const double *y, double *v)
 {
-    const int n = particles_count(p->particles, KIND_FLUID) * DIM;
+    const int n = particles_count(m->particles, KIND_FLUID) * DIM;
 
-    memcpy(v, y + layout_at(&p->layout, p->row_u), (size_t)n * sizeof *v);
+    memcpy(v, y + layout_at(&m->layout, m->plan->row.u), (size_t)n * sizeof *v);
     v += n;
-    for (int i = 0; i < p->bodies; i++) {
-        p->body[i].kind->read(p->body[i].body, &p->layout, y, v);
-        v += p->body[i].kind->unknowns(p->body[i].body);
+    for (int i = 0; i < m->plan->bodies; i++) {
+        m->body[i].kind->read(m->body[i].body, &m->layout, y, v);
+        v += m->body[i].kind->unknowns(m->body[i].body);
     }
 }
 
@@ -34,9 +34,9 @@ static struct viscous_past *push(struct viscous_past *past, int *n, int most)
 }
 
 /* The same moment twice is a step that is tried again. */
-void viscous_begin(struct plan *p, double t, const double *y)
+void viscous_begin(struct moment *m, double t, const double *y)
 {
-    struct viscous *u = p->viscous;
+    struct viscous *u = m->viscous;
     struct viscous_past *to = u->start;
 
     while (u->starts > 0 && u->start[0].t >= t) { /* time was set back */
@@ -47,7 +47,7 @@ void viscous_begin(struct plan *p, double t, const double *y)
     }
     to = push(u->start, &u->starts, VISCOUS_STARTS);
     to->t = t;
-    viscous_read(p, y, to->v);
+    viscous_read(m, y, to->v);
     u->stages = 0;
 }
 
@@ -86,14 +86,14 @@ static int choose(const struct viscous *u, double t, const struct viscous_past *
     return n;
 }
 
-void viscous_guess(struct plan *p, double t, const double *z, double *v)
+void viscous_guess(struct moment *m, double t, const double *z, double *v)
 {
-    const struct viscous *u = p->viscous;
+    const struct viscous *u = m->viscous;
     const struct viscous_past *node[NODES];
     const int n = choose(u, t, node);
 
     if (n == 0) {
-        viscous_read(p, z, v);
+        viscous_read(m, z, v);
         return;
     }
     memset(v, 0, (size_t)u->unknowns * sizeof *v);

@@ -24,31 +24,31 @@ enum { MENDINGS = 10 }; /* of the places of skins */
 static const double stay = 0.01; /* of tol and hs: skins that moved less stand right */
 
 /* y of the stage as far as v says it. */
-static void set_stage(struct plan *p, double gamma, const double *r)
+static void set_stage(struct moment *m, double gamma, const double *r)
 {
-    struct viscous *u = p->viscous;
+    struct viscous *u = m->viscous;
     const double *v = u->v;
 
-    memcpy(u->stage, r, (size_t)plan_size(p) * sizeof *r);
-    memcpy(u->stage + layout_at(&p->layout, p->row_u), v, (size_t)u->fluid * sizeof *v);
+    memcpy(u->stage, r, (size_t)moment_size(m) * sizeof *r);
+    memcpy(u->stage + layout_at(&m->layout, m->plan->row.u), v, (size_t)u->fluid * sizeof *v);
     v += u->fluid;
-    for (int i = 0; i < p->bodies; i++) {
-        p->body[i].kind->write(p->body[i].body, &p->layout, gamma, r, v, u->stage);
-        v += viscous_body(p, i);
+    for (int i = 0; i < m->plan->bodies; i++) {
+        m->body[i].kind->write(m->body[i].body, &m->layout, gamma, r, v, u->stage);
+        v += viscous_body(m, i);
     }
 }
 
 /* The matrix and the first residual, at the places of the stage. */
-static int set_system(struct plan *p, double t, double gamma, const double *r)
+static int set_system(struct moment *m, double t, double gamma, const double *r)
 {
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
-    const double *r_u = r + layout_at(&p->layout, p->row_u);
+    struct viscous *u = m->viscous;
+    const struct list *l = m->list;
+    const double *r_u = r + layout_at(&m->layout, m->plan->row.u);
     int at = u->fluid;
     struct view v;
 
-    plan_view_make(p, t, u->stage, &v);
-    TRY(plan_fields(p, &p->main, &v));
+    moment_view(m, t, u->stage, &v);
+    TRY(moment_fields(m, &v));
     TRY(viscous_fit(u));
     memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
     memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);
@@ -57,46 +57,46 @@ static int set_system(struct plan *p, double t, double gamma, const double *r)
         for (int d = 0; d < DIM; d++) {
             const size_t k = (size_t)s * DIM + (size_t)d, c = (size_t)l->order[s] * DIM + (size_t)d;
             u->x[k] = u->v[c];
-            u->right[k] = p->particles->m[l->order[s]] * r_u[c];
+            u->right[k] = m->particles->m[l->order[s]] * r_u[c];
         }
-    for (int i = 0; i < p->bodies; i++) {
-        p->body[i].kind->right(p->body[i].body, &p->layout, gamma, r, u->right + at);
-        memcpy(u->x + at, u->v + at, (size_t)viscous_body(p, i) * sizeof *u->x);
-        at += viscous_body(p, i);
+    for (int i = 0; i < m->plan->bodies; i++) {
+        m->body[i].kind->right(m->body[i].body, &m->layout, gamma, r, u->right + at);
+        memcpy(u->x + at, u->v + at, (size_t)viscous_body(m, i) * sizeof *u->x);
+        at += viscous_body(m, i);
     }
-    TRY(viscous_assemble(p, gamma, u->x, u->guess_image));
+    TRY(viscous_assemble(m, gamma, u->x, u->guess_image));
     for (int i = 0; i < u->unknowns; i++)
         u->residual[i] = u->right[i] - u->guess_image[i];
-    if (p->moving_walls) /* A x without their pull */
-        viscous_apply(p, gamma, u->x, u->guess_image);
-    return viscous_join(p, gamma);
+    if (m->plan->moving_walls) /* A x without their pull */
+        viscous_apply(m, gamma, u->x, u->guess_image);
+    return viscous_join(m, gamma);
 }
 
-/* Solution to the order of creation; who is in no list keeps r. */
-static void take_solution(struct plan *p, const double *r)
+/* Solution to the order of creation; what is in no list keeps r. */
+static void take_solution(struct moment *m, const double *r)
 {
-    struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
+    struct viscous *u = m->viscous;
+    const struct list *l = m->list;
 
-    memcpy(u->v, r + layout_at(&p->layout, p->row_u), (size_t)u->fluid * sizeof *u->v);
+    memcpy(u->v, r + layout_at(&m->layout, m->plan->row.u), (size_t)u->fluid * sizeof *u->v);
     for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
         memcpy(u->v + (size_t)l->order[s] * DIM, u->x + (size_t)s * DIM, DIM * sizeof *u->v);
     memcpy(u->v + u->fluid, u->x + u->fluid, (size_t)(u->unknowns - u->fluid) * sizeof *u->v);
 }
 
 /* How far skins stand from where the solution has them [m]. */
-static double moved(struct plan *p, double t)
+static double moved(struct moment *m, double t)
 {
-    const struct particles *all = p->particles;
+    const struct particles *all = m->particles;
     double most = 0;
 
-    for (int i = 0; i < p->bodies; i++) {
-        const struct plan_body *b = &p->body[i];
+    for (int i = 0; i < m->plan->bodies; i++) {
+        const struct moment_body *b = &m->body[i];
         if (b->skin == 0)
             continue;
         const int from = all->object[b->object].from;
-        double (*x)[DIM] = b->force;
-        b->kind->move(b->body, &p->layout, t, p->viscous->stage, x, all->u + from);
+        double (*x)[DIM] = m->work->points;
+        b->kind->move(b->body, &m->layout, t, m->viscous->stage, x, all->u + from);
         for (int j = 0; j < b->skin; j++)
             for (int d = 0; d < DIM; d++)
                 most = fmax(most, fabs(x[j][d] - all->x[from + j][d]));
@@ -106,76 +106,75 @@ static double moved(struct plan *p, double t)
 
 /* Of the forces at the solution [W]: those on the fluid are known from the residual,
  * F = (m z - m r + residual)/gamma; those on solids are asked for. */
-static double power(struct plan *p, double gamma)
+static double power(struct moment *m, double gamma)
 {
-    const struct viscous *u = p->viscous;
-    const struct list *l = p->main.list;
+    const struct viscous *u = m->viscous;
+    const struct list *l = m->list;
     const int n = l->start[KIND_FLUID + 1];
     double sum = 0;
 
-    viscous_multiply(p, KIND_SOLIDS, u->x, true);
+    viscous_multiply(m, KIND_SOLIDS, u->x, true);
     for (int s = 0; s < n; s++)
         for (int k = s * DIM; k < (s + 1) * DIM; k++)
-            sum += u->x[k] * (p->particles->m[l->order[s]] * u->x[k] - u->right[k]
+            sum += u->x[k] * (m->particles->m[l->order[s]] * u->x[k] - u->right[k]
                               + u->residual[k]) / gamma;
     for (int s = n; s < l->start[KINDS]; s++)
         for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
             sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
-                   * p->main.f[(size_t)s * DIM + (size_t)d];
-    if (viscous_faces(p))
-        sum += face_power(p, &p->main);
+                   * m->work->f[(size_t)s * DIM + (size_t)d];
+    if (viscous_faces(m->plan))
+        sum += face_power(m);
     return sum;
 }
 
 /* Forces and power at the solution, and what they do to z. */
-static void finish(struct plan *p, double gamma, const double *r, double *z)
+static void finish(struct moment *m, double gamma, const double *r, double *z)
 {
-    struct viscous *u = p->viscous;
-    struct plan_workspace *w = &p->main;
-    const long book = layout_at(&p->layout, p->book.row);
+    struct viscous *u = m->viscous;
+    const long book = layout_at(&m->layout, m->plan->book.row);
     double *rates = u->stage + book;
     int at = u->fluid;
 
-    w->power[u->part->slot] = power(p, gamma);
-    viscous_book(p, w, rates);
-    memcpy(z + layout_at(&p->layout, p->row_u), u->v, (size_t)u->fluid * sizeof *z);
-    for (int i = 0; i < p->bodies; i++) {
-        struct plan_body *b = &p->body[i];
-        b->kind->write(b->body, &p->layout, gamma, r, u->v + at, z);
-        b->kind->settle(b->body, &p->layout, gamma, r, z, (const double (*)[DIM])b->force,
-                        rates + p->book.support + i * DIM);
-        at += viscous_body(p, i);
+    m->work->power[u->part->slot] = power(m, gamma);
+    viscous_book(m, rates);
+    memcpy(z + layout_at(&m->layout, m->plan->row.u), u->v, (size_t)u->fluid * sizeof *z);
+    for (int i = 0; i < m->plan->bodies; i++) {
+        struct moment_body *b = &m->body[i];
+        b->kind->write(b->body, &m->layout, gamma, r, u->v + at, z);
+        b->kind->settle(b->body, &m->layout, gamma, r, z, (const double (*)[DIM])b->force,
+                        rates + m->plan->book.support + i * DIM);
+        at += viscous_body(m, i);
     }
-    for (int k = 0; k < p->book.n; k++)
+    for (int k = 0; k < m->plan->book.n; k++)
         z[book + k] = r[book + k] + gamma * rates[k];
 }
 
-static int refuse_skins(struct plan *p, double t, double off)
+static int refuse_skins(struct moment *m, double t, double off)
 {
-    snprintf(p->refusal, sizeof p->refusal, "%s, taken implicitly, found no place for the skin of "
+    snprintf(m->refusal, sizeof m->refusal, "%s, taken implicitly, found no place for the skin of "
              "a body at t = %g s: after %d solves it still moves by %.3g m",
-             p->viscous->part->path, t, MENDINGS, off);
+             m->viscous->part->path, t, MENDINGS, off);
     return STATUS_FAILED;
 }
 
-int viscous_solve(struct plan *p, double t, double gamma, const double *r, double *z)
+int viscous_solve(struct moment *m, double t, double gamma, const double *r, double *z)
 {
-    struct viscous *u = p->viscous;
-    const double near = fmax(stay * u->tol, 1e-11) * p->scales.hs;
+    struct viscous *u = m->viscous;
+    const double near = fmax(stay * u->tol, 1e-11) * m->plan->scales.hs;
     double off = HUGE_VAL;
 
-    viscous_guess(p, t, z, u->v);
+    viscous_guess(m, t, z, u->v);
     for (int k = 0; off > near; k++) {
         if (k == MENDINGS)
-            return refuse_skins(p, t, off);
-        set_stage(p, gamma, r);
-        TRY(set_system(p, t, gamma, r));
-        TRY(viscous_iterate(p, t, gamma));
-        take_solution(p, r);
-        set_stage(p, gamma, r);
-        off = moved(p, t);
+            return refuse_skins(m, t, off);
+        set_stage(m, gamma, r);
+        TRY(set_system(m, t, gamma, r));
+        TRY(viscous_iterate(m, t, gamma));
+        take_solution(m, r);
+        set_stage(m, gamma, r);
+        off = moved(m, t);
     }
-    finish(p, gamma, r, z);
+    finish(m, gamma, r, z);
     viscous_keep(u, t, u->v);
     return STATUS_DONE;
 }

@@ -3,7 +3,6 @@
 
 #include "base/status.h"
 #include "plan/face.h"
-#include "scene/scene.h"
 #define LANES 2 /* only sizes without lanes are used here */
 #include "space/pairs.h"
 
@@ -16,30 +15,17 @@ static double *numbers(size_t n)
     return status_alloc(n + 1, sizeof(double));
 }
 
-/* On cache lines. */
-static double *lines(size_t n)
+static int take_memory(const struct moment *m, struct viscous *u)
 {
-    const size_t bytes = (n * sizeof(double) + 63) / 64 * 64 + 64;
-    double *to = aligned_alloc(64, bytes);
-
-    if (to)
-        memset(to, 0, bytes);
-    else
-        status_fail(STATUS_FAILED, "no memory for %zu MB of work arrays", bytes >> 20);
-    return to;
-}
-
-static int take_memory(struct plan *p, struct viscous *u)
-{
-    const size_t n = (size_t)p->particles->n, all = (size_t)u->unknowns;
+    const size_t n = (size_t)m->particles->n, all = (size_t)u->unknowns;
     double **vector[] = { &u->v, &u->right, &u->x, &u->residual, &u->guess, &u->guess_image };
 
     u->slots = n + 1;
-    u->velocity = lines(u->slots * COUPLE_STRIDE);
+    u->velocity = workspace_lines(u->slots * COUPLE_STRIDE);
     u->job.diagonal = numbers(n);
     u->job.firm = numbers(n);
     u->apart = numbers(n * DIM);
-    u->stage = numbers((size_t)plan_size(p));
+    u->stage = numbers((size_t)moment_size(m));
     u->partial = numbers(all);
     for (int d = 0; d < DIM; d++)
         if (!(u->drag[d] = numbers(all - (size_t)u->fluid)))
@@ -74,7 +60,7 @@ int viscous_fit(struct viscous *u)
     if (slots > u->slots) {
         free(u->velocity);
         u->slots = slots + slots / 8;
-        if (!(u->velocity = lines(u->slots * COUPLE_STRIDE)))
+        if (!(u->velocity = workspace_lines(u->slots * COUPLE_STRIDE)))
             return STATUS_FAILED;
     }
     return STATUS_DONE;
@@ -85,40 +71,45 @@ bool viscous_faces(const struct plan *p)
     return p->face && p->face->part == p->stiff;
 }
 
-int viscous_make(struct plan *p)
+int viscous_agree(const struct plan *p)
 {
+    for (int i = 0; i < p->bodies && p->stiff; i++)
+        if (!p->body[i].kind->unknowns)
+            return status_fail(STATUS_BAD_SCENE, "%s: theory = \"elastica\" is not linear, but %s "
+                               "with side = \"implicit\" and the beams are solved as one linear "
+                               "system; set side = \"explicit\", or theory = \"linear\"",
+                               p->body[i].path, p->stiff->path);
+    return STATUS_DONE;
+}
+
+int viscous_create(struct moment *m)
+{
+    const struct plan *p = m->plan;
     const struct plan_part *part = p->stiff;
     struct viscous *u;
 
     if (!part)
         return STATUS_DONE;
-    u = p->viscous = status_alloc(1, sizeof *u);
+    u = m->viscous = status_alloc(1, sizeof *u);
     if (!u)
         return STATUS_FAILED;
     u->part = part;
-    u->table = p->implicit;
     u->tol = p->in.set.tol;
     u->job = (struct couple_job){
-        .list = p->main.list, .acts = part->part->acts, .couple = part->part->couple,
+        .list = m->own, .acts = part->part->acts, .couple = part->part->couple,
         .self = part->self, .needs = part->part->rows & ~(unsigned)NEED_V,
         .kernel = p->kernel[part->part->kernel],
     };
     u->fluid = particles_count(p->particles, KIND_FLUID) * DIM;
     u->unknowns = u->fluid;
-    for (int i = 0; i < p->bodies; i++) {
-        if (!p->body[i].kind->unknowns)
-            return status_fail(STATUS_BAD_SCENE, "%s: theory = \"elastica\" is not linear, but %s "
-                               "with side = \"implicit\" and the beams are solved as one linear "
-                               "system; set side = \"explicit\", or theory = \"linear\"",
-                               p->body[i].path, part->path);
+    for (int i = 0; i < p->bodies; i++)
         u->unknowns += p->body[i].kind->unknowns(p->body[i].body);
-    }
-    return take_memory(p, u);
+    return take_memory(m, u);
 }
 
-void viscous_free(struct plan *p)
+void viscous_free(struct viscous **viscous)
 {
-    struct viscous *u = p->viscous;
+    struct viscous *u = *viscous;
 
     if (!u)
         return;
@@ -135,72 +126,73 @@ void viscous_free(struct plan *p)
         free(u->drag[d]);
     viscous_gradients_free(u);
     free(u);
-    p->viscous = NULL;
+    *viscous = NULL;
 }
 
-void viscous_book(struct plan *p, struct plan_workspace *w, double *book)
+void viscous_book(struct moment *m, double *book)
 {
-    const struct plan_book *b = &p->book;
+    const struct plan_book *b = &m->plan->book;
+    const int slot = m->viscous->part->slot;
 
-    plan_solids_sum(p, w);
+    rates_of_solids(m);
     for (int i = 0; i < b->n; i++)
         book[i] = 0;
-    book[b->work + p->viscous->part->slot] = w->power[p->viscous->part->slot];
-    book[b->walls] = -p->wall_power;
-    for (int o = 0; o < p->particles->objects; o++)
+    book[b->work + slot] = m->work->power[slot];
+    book[b->walls] = -m->wall_power;
+    for (int o = 0; o < m->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
-            book[b->impulse + o * DIM + d] = p->force[o][d];
-    for (int i = 0; i < p->bodies; i++)
-        plan_skin_force(p, w, &p->body[i]);
+            book[b->impulse + o * DIM + d] = m->force[o][d];
+    for (int i = 0; i < m->plan->bodies; i++)
+        rates_of_skin(m, &m->body[i]);
 }
 
 /* What follows from forces and power of the law; a step starts here. */
-static void spread_rates(struct plan *p, double t, const double *y, double *ydot)
+static void spread_rates(struct moment *m, double t, const double *y, double *ydot)
 {
-    const double *m = p->particles->m;
-    double *book = ydot + layout_at(&p->layout, p->book.row);
-    double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&p->layout, p->row_u));
-    struct plan_workspace *w = &p->main;
+    const double *mass = m->particles->m, *f = m->work->f;
+    const struct plan *p = m->plan;
+    double *book = ydot + layout_at(&m->layout, p->book.row);
+    double (*udot)[DIM] = (double (*)[DIM])(ydot + layout_at(&m->layout, p->row.u));
 
-    for (int i = 0; i < particles_count(p->particles, KIND_FLUID); i++) {
-        const int s = w->list->slot[i];
+    for (int i = 0; i < particles_count(m->particles, KIND_FLUID); i++) {
+        const int s = m->list->slot[i];
         for (int d = 0; d < DIM && s >= 0; d++)
-            udot[i][d] = w->f[(size_t)s * DIM + (size_t)d] / m[i];
+            udot[i][d] = f[(size_t)s * DIM + (size_t)d] / mass[i];
     }
-    viscous_book(p, w, book);
+    viscous_book(m, book);
     for (int i = 0; i < p->bodies; i++) {
-        struct plan_body *b = &p->body[i];
-        b->kind->yield(b->body, &p->layout, (const double (*)[DIM])b->force, ydot,
+        struct moment_body *b = &m->body[i];
+        b->kind->yield(b->body, &m->layout, (const double (*)[DIM])b->force, ydot,
                        book + p->book.support + i * DIM);
     }
-    viscous_begin(p, t, y);
+    viscous_begin(m, t, y);
 }
 
-int viscous_rates(struct plan *p, double t, const double *y, double *ydot)
+int viscous_rates(struct moment *m, double t, const double *y, double *ydot)
 {
+    const struct rates_job job = { .table = m->plan->table.implicit };
     struct view v;
 
-    plan_view_make(p, t, y, &v);
-    TRY(plan_fields(p, &p->main, &v));
-    TRY(plan_sum(p, &p->main, p->viscous->table, NULL, (struct sum_rates){ 0 }));
-    spread_rates(p, t, y, ydot);
+    moment_view(m, t, y, &v);
+    TRY(moment_fields(m, &v));
+    TRY(rates_sum(m, &job));
+    spread_rates(m, t, y, ydot);
     return STATUS_DONE;
 }
 
-int viscous_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit)
+int viscous_sides(struct moment *m, double t, const double *y, double *explicit, double *implicit)
 {
-    struct plan_workspace *w = &p->main;
-    int status;
+    const struct ask ask = { .sides = ASK_EXPLICIT | ASK_IMPLICIT };
+    const struct viscous *u = m->viscous;
+    struct workspace *w = m->work;
+    double power = 0;
 
-    w->apart = p->viscous->apart;
-    status = plan_rates(p, w, PLAN_EXPLICIT, t, y, explicit);
-    w->apart = NULL;
-    TRY(status);
-    memset(implicit, 0, (size_t)plan_size(p) * sizeof *implicit);
-    memcpy(w->f, p->viscous->apart, (size_t)p->particles->n * DIM * sizeof *w->f);
-    w->power[p->viscous->part->slot] = w->power_apart;
-    if (viscous_faces(p))
-        face_power(p, w);
-    spread_rates(p, t, y, implicit);
+    TRY(rates_eval(m, &ask, t, y, explicit, u->apart, &power));
+    memset(implicit, 0, (size_t)moment_size(m) * sizeof *implicit);
+    memcpy(w->f, u->apart, (size_t)m->particles->n * DIM * sizeof *w->f);
+    w->power[u->part->slot] = power;
+    if (viscous_faces(m->plan))
+        face_power(m);
+    spread_rates(m, t, y, implicit);
     return STATUS_DONE;
 }

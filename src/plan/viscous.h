@@ -22,7 +22,6 @@ struct viscous_past {
  * body's unknowns) and that of the list's slots (all other vectors). */
 struct viscous {
     const struct plan_part *part;
-    struct pairs_table *table;   /* [KINDS][KINDS] its law alone               */
     struct couple_job job;
     size_t room;                 /* for so many c                              */
     size_t slots;                /* for so many velocities by slot             */
@@ -43,28 +42,30 @@ struct viscous {
     struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
 };
 
-/* viscous.c: p->viscous, when the scene asks for one. */
-int viscous_make(struct plan *p);
-void viscous_free(struct plan *p);
+/* viscous.c: refuses (BAD_SCENE) bodies that cannot be solved for with it; m->viscous, when
+ * the scene asks for one. */
+int viscous_agree(const struct plan *p);
+int viscous_create(struct moment *m);
+void viscous_free(struct viscous **viscous); /* NULL is welcome */
 int viscous_fit(struct viscous *u); /* after a rebuild */
 bool viscous_faces(const struct plan *p); /* does it act at the faces of solids?      */
-int viscous_rates(struct plan *p, double t, const double *y, double *ydot);
-int viscous_sides(struct plan *p, double t, const double *y, double *explicit, double *implicit);
+int viscous_rates(struct moment *m, double t, const double *y, double *ydot);
+int viscous_sides(struct moment *m, double t, const double *y, double *explicit, double *implicit);
 
-/* After w->f and w->power are those of the implicit law: rates of the book but for
- * what supports give, and p->body[].force. */
-void viscous_book(struct plan *p, struct plan_workspace *w, double *book);
+/* After forces and power in the workspace are those of the implicit law: rates of the book
+ * but for what supports give, and forces on bodies. */
+void viscous_book(struct moment *m, double *book);
 
 /* viscous-operator.c: the matrix, and to = A x less gamma times the pull of walls, in
- * one pass over pairs; then, forces of these kinds (bits) at velocities x into main.f;
+ * one pass over pairs; then, forces of these kinds (bits) at velocities x into work->f;
  * to = A x; ready for bodies' part of the inverse; near = about A^-1 residual, returns
  * its largest speed in units of scales; unknowns of body i. */
-int viscous_assemble(struct plan *p, double gamma, const double *x, double *to);
-void viscous_multiply(struct plan *p, unsigned kinds, const double *x, bool walls);
-void viscous_apply(struct plan *p, double gamma, const double *x, double *to);
-int viscous_join(struct plan *p, double gamma);
-double viscous_precondition(struct plan *p, double gamma, const double *residual, double *near);
-int viscous_body(const struct plan *p, int i);
+int viscous_assemble(struct moment *m, double gamma, const double *x, double *to);
+void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool walls);
+void viscous_apply(struct moment *m, double gamma, const double *x, double *to);
+int viscous_join(struct moment *m, double gamma);
+double viscous_precondition(struct moment *m, double gamma, const double *residual, double *near);
+int viscous_body(const struct moment *m, int i);
 
 /* viscous-directions.c: "all fluid alike" and the guess, for which a solve is exact.
  * set: they are made of x and guess_image = A x.  clear: takes A times so much of them
@@ -73,24 +74,24 @@ int viscous_body(const struct plan *p, int i);
 struct viscous_along {
     double guess, all[DIM];
 };
-void viscous_directions_set(struct plan *p, double gamma);
-struct viscous_along viscous_directions_clear(struct plan *p, double gamma, double *residual);
+void viscous_directions_set(struct moment *m, double gamma);
+struct viscous_along viscous_directions_clear(struct moment *m, double gamma, double *residual);
 void viscous_directions_add(const struct viscous *u, const struct viscous_along *along, double *x);
-void viscous_directions_leave(struct plan *p, double gamma, double *v);
+void viscous_directions_leave(struct moment *m, double gamma, double *v);
 
 /* viscous-gradients.c: x, its residual and guess_image = A x come in; x and its residual
  * go out.  STATUS_FAILED: a refusal. */
 int viscous_gradients_make(struct viscous *u);
 void viscous_gradients_free(struct viscous *u);
-int viscous_iterate(struct plan *p, double t, double gamma);
+int viscous_iterate(struct moment *m, double t, double gamma);
 
 /* viscous-solve.c */
-int viscous_solve(struct plan *p, double t, double gamma, const double *r, double *z);
+int viscous_solve(struct moment *m, double t, double gamma, const double *r, double *z);
 
 /* viscous-guess.c: velocities in the order of creation. */
-void viscous_read(struct plan *p, const double *y, double *v);
-void viscous_begin(struct plan *p, double t, const double *y); /* a step starts at t   */
+void viscous_read(struct moment *m, const double *y, double *v);
+void viscous_begin(struct moment *m, double t, const double *y); /* a step starts at t   */
 void viscous_keep(struct viscous *u, double t, const double *v); /* a stage was solved */
-void viscous_guess(struct plan *p, double t, const double *z, double *v);
+void viscous_guess(struct moment *m, double t, const double *z, double *v);
 
 #endif

@@ -1,4 +1,4 @@
-/* workspace.c -- memory of one evaluation: list, records, sums. */
+/* workspace.c -- memory of an evaluation: records, sums. */
 #include "plan/inside.h"
 
 #include "base/status.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-double *plan_lines(size_t numbers)
+double *workspace_lines(size_t numbers)
 {
     const size_t bytes = (numbers * sizeof(double) + 63) / 64 * 64 + 64;
     double *to = aligned_alloc(64, bytes);
@@ -19,71 +19,85 @@ double *plan_lines(size_t numbers)
     return to;
 }
 
-int plan_workspace_make(struct plan *p, struct plan_workspace *w)
+/* Of pairs. */
+static int take_sums(const struct plan *p, struct workspace *w)
 {
-    const size_t n = p->particles->n;
+    const size_t n = (size_t)p->particles->n;
 
     if (n == 0) /* a beam alone: no pairs */
         return STATUS_DONE;
-    TRY(p->engine->sum->list->create(&w->list, &p->list_def));
     w->slots = n + 1;
-    w->record = plan_lines(w->slots * RECORD);
-    w->f = plan_lines(n * DIM);
-    w->drho = plan_lines(n);
-    w->power = plan_lines(p->slots + 1);
+    w->record = workspace_lines(w->slots * RECORD);
+    w->f = workspace_lines(n * DIM);
+    w->drho = workspace_lines(n);
+    w->power = workspace_lines((size_t)p->slots + 1);
     if (p->fields > 0) {
-        w->rho = plan_lines(n);
-        w->sum = (double (*)[PART_SUMS])plan_lines(n * PART_SUMS);
+        w->rho = workspace_lines(n);
+        w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);
         if (!w->rho || !w->sum)
             return STATUS_FAILED;
     }
     return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* The observer shares the run's records: both get those with more room. */
-int plan_workspace_fit(struct plan *p, struct plan_workspace *w)
+static int take_memory(const struct plan *p, struct workspace *w)
 {
-    const size_t want = (size_t)w->list->listed + 1, slots = want + want / 8;
-    struct plan_workspace *const all[] = { &p->main, &p->observer, w };
-    double *old = w->record, *record;
+    const int n = particles_count(p->particles, KIND_FLUID);
+    int points = 0;
+
+    for (int i = 0; i < p->bodies; i++)
+        points = p->body[i].skin > points ? p->body[i].skin : points;
+    w->rates = status_alloc((size_t)plan_size(p) + 1, sizeof *w->rates);
+    w->points = status_alloc((size_t)points + 1, sizeof *w->points);
+    if (p->drifter && !(w->drift = status_alloc((size_t)n + 1, sizeof *w->drift)))
+        return STATUS_FAILED;
+    return w->rates && w->points ? take_sums(p, w) : STATUS_FAILED;
+}
+
+int workspace_create(const struct plan *p, struct workspace **out)
+{
+    struct workspace *w = *out = status_alloc(1, sizeof *w);
+    int status;
+
+    if (!w)
+        return STATUS_FAILED;
+    status = take_memory(p, w);
+    if (status != STATUS_DONE)
+        workspace_free(out);
+    return status;
+}
+
+int workspace_fit(struct workspace *w, const struct list *l)
+{
+    const size_t want = (size_t)l->listed + 1, slots = want + want / 8;
+    double *record;
 
     if (want <= w->slots)
         return STATUS_DONE;
-    if (!(record = plan_lines(slots * RECORD)))
+    if (!(record = workspace_lines(slots * RECORD)))
         return STATUS_FAILED;
-    for (int i = 0; i < 3; i++)
-        if (all[i]->record == old) {
-            all[i]->record = record;
-            all[i]->slots = slots;
-        }
-    free(old);
+    free(w->record);
+    w->record = record;
+    w->slots = slots;
     return STATUS_DONE;
 }
 
-void plan_workspace_free(struct plan *p, struct plan_workspace *w)
+void workspace_free(struct workspace **workspace)
 {
-    p->engine->sum->list->free(&w->list);
+    struct workspace *w = *workspace;
+
+    if (!w)
+        return;
     free(w->record);
     free(w->f);
     free(w->drho);
     free(w->power);
     free(w->rho);
     free(w->sum);
+    free(w->drift);
+    free(w->points);
+    free(w->rates);
     free(w->scratch.power);
-    *w = (struct plan_workspace){0};
-}
-
-int plan_observer_make(struct plan *p)
-{
-    p->observer = p->main;
-    p->observer.list = NULL;
-    p->observer.scratch = (struct sum_scratch){0};
-    return p->engine->sum->list->create(&p->observer.list, &p->list_def);
-}
-
-void plan_observer_free(struct plan *p)
-{
-    p->engine->sum->list->free(&p->observer.list);
-    free(p->observer.scratch.power);
-    p->observer = (struct plan_workspace){0};
+    free(w);
+    *workspace = NULL;
 }

@@ -64,12 +64,12 @@ static int time_rhs(struct run *r, double *seconds)
     double *ydot = status_alloc(plan_size(r->plan), sizeof *ydot), start;
     int status = ydot ? STATUS_DONE : STATUS_FAILED, n = 0;
 
-    if (ydot && plan_rhs(r->plan, PLAN_ALL, 0, r->y, ydot) != STATUS_DONE)
+    if (ydot && moment_eval(r->moment, ASK_ALL, 0, r->y, ydot) != STATUS_DONE)
         status = status_fail(STATUS_FAILED, "the first right-hand side cannot answer: %s",
-                             plan_refusal(r->plan));
+                             moment_refusal(r->moment));
     start = run_cpu();
     while (status == STATUS_DONE && n < 50 && (n < 3 || run_cpu() - start < 0.2)) {
-        plan_rhs(r->plan, PLAN_ALL, 0, r->y, ydot);
+        moment_eval(r->moment, ASK_ALL, 0, r->y, ydot);
         n++;
     }
     *seconds = n ? (run_cpu() - start) / n : 0;
@@ -86,7 +86,7 @@ static void print_cost(struct run *r, double seconds)
     struct limit limit[2];
     double rhs;
 
-    plan_limit(r->plan, 0, r->y, false, limit);
+    moment_limit(r->moment, 0, r->y, false, limit);
     for (int i = 0; i < 2; i++)
         if (limit[i].rate > 0)
             printf("fastest %s %g 1/s (%s)\n", i ? "decay" : "wave", limit[i].rate, limit[i].part);
@@ -114,7 +114,7 @@ static void print_memory(const struct run *r, double program)
     char state[40];
 
     program += n > 0 ? later : 2e6;
-    plan_memory(r->plan, vectors, &m);
+    plan_memory(r->moment, vectors, &m);
     printf("memory: about %.3g MB at its peak", (program + plan_memory_sum(&m)) / 1e6);
     if (n > 0)
         printf(", %.0f bytes a particle and %.3g MB of the program",

@@ -168,7 +168,7 @@ static int doubt_energy(const struct run *r)
 /* Where walls are hollow or thin, fluid may be inside. */
 static void doubt_solids(const struct run *r)
 {
-    const struct plan_sunk *s = outputs_sunk(r->outputs);
+    const struct observe_sunk *s = outputs_sunk(r->outputs);
 
     if (s->n > 0)
         status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
@@ -180,7 +180,7 @@ static void doubt_solids(const struct run *r)
 int run_doubt_end(const struct run *r)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
-    const int out = plan_escaped(r->plan, r->tally.t, r->method->state(r->self));
+    const int out = observe_escaped(r->moment, r->tally.t, r->method->state(r->self));
 
     if (out > 0)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "

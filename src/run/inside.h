@@ -20,7 +20,8 @@ struct run_tally {
 struct run {
     char directory[RUN_PATH];
     struct scene *scene;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     const struct method *method;
     struct method_def def;
     void *self;              /* of the method                                 */

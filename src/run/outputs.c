@@ -26,12 +26,12 @@ struct outputs {
     struct plan_sheet first, last;
     bool begun;
     double defect_max, made, most; /* of energy, see the header [J] */
-    struct plan_sunk sunk;   /* at its worst */
+    struct observe_sunk sunk;   /* at its worst */
     double *rho, *p, *x, *u; /* of everybody, for particle files */
     unsigned char *kind;
 };
 
-static int open_particles(struct outputs *o, struct plan *plan, const char *dir)
+static int open_particles(struct outputs *o, const struct plan *plan, const char *dir)
 {
     const struct particles *all = plan_particles(plan);
     const int n = all->n;
@@ -63,7 +63,7 @@ static int lock_directory(struct outputs *o, const char *dir)
     return STATUS_DONE;
 }
 
-static int open_all(struct outputs *o, struct plan *plan, const char *dir)
+static int open_all(struct outputs *o, const struct plan *plan, const char *dir)
 {
     TRY(lock_directory(o, dir));
     TRY(columns_none(dir, "run.json")); /* it is to say how this run ended */
@@ -71,7 +71,7 @@ static int open_all(struct outputs *o, struct plan *plan, const char *dir)
     return open_particles(o, plan, dir);
 }
 
-int outputs_open(struct outputs **out, struct plan *plan, const char *dir)
+int outputs_open(struct outputs **out, const struct plan *plan, const char *dir)
 {
     *out = status_alloc(1, sizeof **out);
     if (!*out)
@@ -105,26 +105,26 @@ static double energy_there(const struct outputs *o, const struct plan *plan)
     return fmax(most, 0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
 }
 
-static void look_for_sunk(struct outputs *o, struct plan *plan, double t, const double *y)
+static void look_for_sunk(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    struct plan_sunk now;
+    struct observe_sunk now;
 
-    plan_sunk(plan, t, y, &now);
+    observe_sunk(moment, t, y, &now);
     if (now.n > o->sunk.n)
         o->sunk = now;
 }
 
-int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y)
+int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    plan_sheet_make(plan, t, y, &o->last);
+    observe_sheet(moment, t, y, &o->last);
     if (!o->begun)
         o->first = o->last;
     o->begun = true;
     o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
     o->made = fmax(o->made, outputs_defect(o));
-    o->most = fmax(o->most, energy_there(o, plan));
-    look_for_sunk(o, plan, t, y);
-    return tables_rows(o->tables, plan, t, y, &o->last, outputs_defect(o));
+    o->most = fmax(o->most, energy_there(o, moment_plan(moment)));
+    look_for_sunk(o, moment, t, y);
+    return tables_rows(o->tables, moment, t, y, &o->last, outputs_defect(o));
 }
 
 int outputs_step(struct outputs *o, const struct method_step *step)
@@ -132,15 +132,16 @@ int outputs_step(struct outputs *o, const struct method_step *step)
     return tables_step(o->tables, step);
 }
 
-/* Everybody into one frame, creation order. */
-static void frame_of(struct outputs *o, struct plan *plan, double t, const double *y,
+/* All particles into one frame, creation order. */
+static void frame_of(struct outputs *o, struct moment *moment, double t, const double *y,
                      struct cloud_frame *f)
 {
+    const struct plan *plan = moment_plan(moment);
     const struct particles *all = plan_particles(plan);
     struct view v;
 
-    plan_view(plan, t, y, &v);
-    for (int k = 0; k < KINDS; k++) { /* everybody where the domain has it */
+    observe_view(moment, t, y, &v);
+    for (int k = 0; k < KINDS; k++) { /* each where the domain has it */
         const size_t from = all->from[k], n = particles_count(all, k);
         if (n == 0)
             continue;
@@ -155,24 +156,24 @@ static void frame_of(struct outputs *o, struct plan *plan, double t, const doubl
                                .rho = o->rho, .p = o->p, .dye = all->dye, .kind = o->kind };
 }
 
-int outputs_field(struct outputs *o, struct plan *plan, double t, const double *y)
+int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y)
 {
     struct cloud_frame f;
 
-    TRY(tables_pairing(o->tables, plan, t, y));
+    TRY(tables_pairing(o->tables, moment, t, y));
     if (!o->fields)
         return STATUS_DONE;
-    frame_of(o, plan, t, y, &f);
+    frame_of(o, moment, t, y, &f);
     return fields_write(o->fields, &f);
 }
 
-int outputs_snapshot(struct outputs *o, struct plan *plan, double t, const double *y)
+int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y)
 {
     struct cloud_frame f;
 
     if (!o->snapshot)
         return STATUS_DONE;
-    frame_of(o, plan, t, y, &f);
+    frame_of(o, moment, t, y, &f);
     return snapshot_write(o->snapshot, &f);
 }
 
@@ -206,7 +207,7 @@ double outputs_energy_most(const struct outputs *o)
     return o->most;
 }
 
-const struct plan_sunk *outputs_sunk(const struct outputs *o)
+const struct observe_sunk *outputs_sunk(const struct outputs *o)
 {
     return &o->sunk;
 }

@@ -8,17 +8,17 @@
 struct outputs;
 
 /* Makes DIR (and its files with their header lines). */
-int outputs_open(struct outputs **out, struct plan *plan, const char *dir);
+int outputs_open(struct outputs **out, const struct plan *plan, const char *dir);
 
 /* A row in every table for this moment. */
-int outputs_rows(struct outputs *o, struct plan *plan, double t, const double *y);
+int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* A row in steps.csv. */
 int outputs_step(struct outputs *o, const struct method_step *step);
 
 /* Everybody, for viewers (fields) or for pictures (snapshots). */
-int outputs_field(struct outputs *o, struct plan *plan, double t, const double *y);
-int outputs_snapshot(struct outputs *o, struct plan *plan, double t, const double *y);
+int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y);
+int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* The book at the last row, the first row's, and the largest defect [J]. */
 const struct plan_sheet *outputs_sheet(const struct outputs *o);
@@ -33,7 +33,7 @@ double outputs_energy_most(const struct outputs *o);
 double outputs_momentum_defect(const struct outputs *o);
 
 /* The row that had most fluid in solids. */
-const struct plan_sunk *outputs_sunk(const struct outputs *o);
+const struct observe_sunk *outputs_sunk(const struct outputs *o);
 
 /* Closes and frees, NULL is welcome; the first error is told. */
 int outputs_close(struct outputs **outputs);

@@ -113,6 +113,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     for (int i = 0; i < order->overrides; i++)
         TRY(scene_override(r->scene, order->override[i]));
     TRY(plan_create(r->scene, &r->plan));
+    TRY(moment_create(r->plan, &r->moment));
     TRY(find_method(r));
     compute_defaults(r);
     r->tally.density[0] = HUGE_VAL;
@@ -125,6 +126,7 @@ void run_release(struct run *r)
     if (r->self)
         r->method->free(&r->self);
     outputs_close(&r->outputs);
+    moment_free(&r->moment);
     plan_free(&r->plan);
     scene_free(&r->scene);
     free(r->y);

@@ -59,7 +59,7 @@ static void write_sizes(struct json *j, const struct run *r)
 
 static void write_work(struct json *j, const struct run *r)
 {
-    const struct plan_counts *c = plan_counts(r->plan);
+    const struct moment_counts *c = moment_counts(r->moment);
 
     json_integer(j, "steps", r->tally.steps);
     json_integer(j, "rejected", r->tally.rejected);
@@ -83,10 +83,10 @@ static void write_work(struct json *j, const struct run *r)
 static void write_books(struct json *j, const struct run *r, const double *y)
 {
     char hash[HASH_TEXT];
-    struct plan_sunk sunk;
+    struct observe_sunk sunk;
 
-    plan_sunk(r->plan, r->tally.t, y, &sunk);
-    json_integer(j, "escaped", plan_escaped(r->plan, r->tally.t, y));
+    observe_sunk(r->moment, r->tally.t, y, &sunk);
+    json_integer(j, "escaped", observe_escaped(r->moment, r->tally.t, y));
     json_integer(j, "in_solids", sunk.n);
     json_integer(j, "in_solids_max", outputs_sunk(r->outputs)->n);
     json_number(j, "energy_initial", outputs_energy_initial(r->outputs));

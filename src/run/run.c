@@ -19,7 +19,7 @@
 struct ticks {
     double every; /* [s] */
     long next;
-    int (*write)(struct outputs *o, struct plan *plan, double t, const double *y);
+    int (*write)(struct outputs *o, struct moment *moment, double t, const double *y);
 };
 
 enum { TICKS = 3, MESSAGE = 2048 };
@@ -70,7 +70,7 @@ static int write_due(struct run *r, struct ticks tick[TICKS], double t)
                 return stopped(r, "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
-            TRY(tick[i].write(r->outputs, r->plan, due, due < t ? r->y : end));
+            TRY(tick[i].write(r->outputs, r->moment, due, due < t ? r->y : end));
         }
     return STATUS_DONE;
 }
@@ -80,7 +80,7 @@ static void keep_density(struct run *r, double t, const double *y)
     struct view v;
     int n;
 
-    plan_view(r->plan, t, y, &v);
+    observe_view(r->moment, t, y, &v);
     n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
     for (int i = 0; i < n; i++) {
         const double rho = v.rho[KIND_FLUID][i];
@@ -93,7 +93,7 @@ static void keep_density(struct run *r, double t, const double *y)
 
 static int check_runaway(struct run *r)
 {
-    const char *why = plan_runaway(r->plan, r->tally.t, r->method->state(r->self));
+    const char *why = observe_runaway(r->moment, r->tally.t, r->method->state(r->self));
 
     return why ? status_fail(STATUS_FAILED, "%s", why) : STATUS_DONE;
 }
@@ -196,7 +196,7 @@ static int start(struct run *r)
     char constant[40] = "";
 
     plan_start(r->plan, r->y);
-    TRY(r->method->create(r->method, &r->def, r->plan, 0, r->y, &r->self));
+    TRY(r->method->create(r->method, &r->def, r->moment, 0, r->y, &r->self));
     if (r->def.seconds > 0)
         snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
     snprintf(r->table, sizeof r->table, "%s%s",
@@ -212,7 +212,7 @@ static void write_end(struct run *r)
     const double *y = r->method->state(r->self);
 
     if (r->tally.t > outputs_sheet(r->outputs)->t)
-        outputs_rows(r->outputs, r->plan, r->tally.t, y);
+        outputs_rows(r->outputs, r->moment, r->tally.t, y);
 }
 
 /* A constant step that nobody but the user has chosen. */
@@ -224,7 +224,7 @@ static void doubt_step(struct run *r, char message[MESSAGE])
 
     if (!(r->def.seconds > 0) || strstr(message, "constant step"))
         return;
-    plan_limit(r->plan, r->tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
+    moment_limit(r->moment, r->tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
     rate = fmax(limit[0].rate, limit[1].rate);
     snprintf(message + n, MESSAGE - n, ". The constant step of %g s is %.3g times 1/(fastest rate) "
              "there; bounds of stability lie between 1 and 5: try a shorter one", r->def.seconds,
@@ -256,7 +256,7 @@ static void explain(struct run *r, int status, char message[MESSAGE])
     if (status == STATUS_FAILED) {
         doubt_step(r, message);
         advise(r, message);
-        plan_blame(r->plan, r->tally.t, r->method->state(r->self), why, sizeof why);
+        observe_blame(r->moment, r->tally.t, r->method->state(r->self), why, sizeof why);
     }
     if (why[0])
         snprintf(message + strlen(message), MESSAGE - strlen(message), ". Who did it: %s", why);

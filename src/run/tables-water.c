@@ -18,7 +18,7 @@ struct tables_water {
     double *p;               /* of the fluid, for probes [Pa] */
 };
 
-static int open_front(struct tables_water *o, struct plan *plan, const char *dir,
+static int open_front(struct tables_water *o, const struct plan *plan, const char *dir,
                       struct columns *h)
 {
     const struct scales *s = plan_scales(plan);
@@ -44,7 +44,7 @@ static int row_front(struct tables_water *o, double t)
     return series_row(o->front, (double[]){ t, front.x, front.height });
 }
 
-static int open_pairing(struct tables_water *o, struct plan *plan, const char *dir,
+static int open_pairing(struct tables_water *o, const struct plan *plan, const char *dir,
                         struct columns *h)
 {
     if (!o->crowd)
@@ -57,19 +57,19 @@ static int open_pairing(struct tables_water *o, struct plan *plan, const char *d
     return columns_open(h, &o->pairs, dir, "pairing.csv");
 }
 
-int tables_water_pairing(struct tables_water *o, struct plan *plan, double t, const double *y)
+int tables_water_pairing(struct tables_water *o, struct moment *moment, double t, const double *y)
 {
     struct pairing_index found;
     struct view view;
 
     if (!o->pairing)
         return STATUS_DONE;
-    plan_view(plan, t, y, &view);
+    observe_view(moment, t, y, &view);
     pairing_find(o->pairing, &view, &found);
     return series_row(o->pairs, (double[]){ t, found.share, found.mean, found.least });
 }
 
-static int open_probes(struct tables_water *o, struct plan *plan, const char *dir,
+static int open_probes(struct tables_water *o, const struct plan *plan, const char *dir,
                        struct columns *h)
 {
     columns_start(h);
@@ -100,7 +100,7 @@ static double probe_value(const struct tables_water *o, const struct settings_pr
     return probe_pressure(o->crowd, o->p, p->at);
 }
 
-static int row_probes(struct tables_water *o, struct plan *plan, double t)
+static int row_probes(struct tables_water *o, const struct plan *plan, double t)
 {
     double v[COLUMNS_MOST];
     int n = 0;
@@ -118,7 +118,7 @@ static int row_probes(struct tables_water *o, struct plan *plan, double t)
     return series_row(o->probes, v);
 }
 
-static int open_all(struct tables_water *o, struct plan *plan, const char *dir,
+static int open_all(struct tables_water *o, const struct plan *plan, const char *dir,
                     struct columns *h)
 {
     o->p = status_alloc((size_t)particles_count(plan_particles(plan), KIND_FLUID) + 1,
@@ -130,23 +130,23 @@ static int open_all(struct tables_water *o, struct plan *plan, const char *dir,
     return open_probes(o, plan, dir, h);
 }
 
-int tables_water_open(struct tables_water **out, struct plan *plan, const char *dir,
+int tables_water_open(struct tables_water **out, const struct plan *plan, const char *dir,
                       struct columns *scratch)
 {
     *out = status_alloc(1, sizeof **out);
     return *out ? open_all(*out, plan, dir, scratch) : STATUS_FAILED;
 }
 
-int tables_water_row(struct tables_water *o, struct plan *plan, double t, const double *y)
+int tables_water_row(struct tables_water *o, struct moment *moment, double t, const double *y)
 {
     struct view view;
 
     if (!o->crowd)
         return STATUS_DONE;
-    plan_view(plan, t, y, &view);
+    observe_view(moment, t, y, &view);
     crowd_update(o->crowd, &view);
     TRY(row_front(o, t));
-    return row_probes(o, plan, t);
+    return row_probes(o, moment_plan(moment), t);
 }
 
 void tables_water_close(struct tables_water **tables, int *status)

@@ -8,12 +8,12 @@
 struct tables_water;
 
 /* Makes the files in DIR, or removes them; see tables_open(). */
-int tables_water_open(struct tables_water **out, struct plan *plan, const char *dir,
+int tables_water_open(struct tables_water **out, const struct plan *plan, const char *dir,
                       struct columns *scratch);
 
 /* A row in pairing.csv; in the others. */
-int tables_water_pairing(struct tables_water *o, struct plan *plan, double t, const double *y);
-int tables_water_row(struct tables_water *o, struct plan *plan, double t, const double *y);
+int tables_water_pairing(struct tables_water *o, struct moment *moment, double t, const double *y);
+int tables_water_row(struct tables_water *o, struct moment *moment, double t, const double *y);
 
 /* NULL is welcome; *status becomes the first error. */
 void tables_water_close(struct tables_water **tables, int *status);

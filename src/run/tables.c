@@ -21,7 +21,7 @@ struct tables {
     struct tables_water *water; /* front, pairing, probes */
 };
 
-static int open_book(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
+static int open_book(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
 {
     static const char *const parts[] = { "kinetic", "potential", "internal", "elastic" };
     char work[PLAN_WORKS][80];
@@ -46,7 +46,7 @@ static bool solid(const struct object *o)
     return o->kind != KIND_FLUID;
 }
 
-static int open_forces(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
+static int open_forces(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
 {
     const struct particles *all = plan_particles(plan);
 
@@ -62,7 +62,7 @@ static int open_forces(struct tables *o, struct plan *plan, const char *dir, str
     return columns_open(h, &o->forces, dir, "forces.csv");
 }
 
-static int open_beam(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
+static int open_beam(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
 {
     columns_start(h);
     for (int i = 0; i < plan_bodies(plan); i++) {
@@ -88,7 +88,7 @@ static int open_steps(struct tables *o, const char *dir, struct columns *h)
     return columns_open(h, &o->steps, dir, "steps.csv");
 }
 
-static int open_all(struct tables *o, struct plan *plan, const char *dir, struct columns *h)
+static int open_all(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
 {
     TRY(open_book(o, plan, dir, h));
     TRY(tables_water_open(&o->water, plan, dir, h));
@@ -97,7 +97,7 @@ static int open_all(struct tables *o, struct plan *plan, const char *dir, struct
     return open_steps(o, dir, h);
 }
 
-int tables_open(struct tables **out, struct plan *plan, const char *dir)
+int tables_open(struct tables **out, const struct plan *plan, const char *dir)
 {
     struct columns *h = status_alloc(1, sizeof *h);
     int status;
@@ -129,8 +129,9 @@ static int row_book(struct tables *o, const struct plan_sheet *s, double defect)
     return series_row(o->book, v);
 }
 
-static int row_forces(struct tables *o, struct plan *plan, double t, const double *y)
+static int row_forces(struct tables *o, struct moment *moment, double t, const double *y)
 {
+    const struct plan *plan = moment_plan(moment);
     const struct particles *all = plan_particles(plan);
     double v[COLUMNS_MOST];
     int n = 0;
@@ -140,22 +141,22 @@ static int row_forces(struct tables *o, struct plan *plan, double t, const doubl
         if (!solid(&all->object[i]))
             continue;
         for (int d = 0; d < DIM; d++)
-            v[n++] = plan_force(plan, i)[d];
+            v[n++] = observe_force(moment, i)[d];
         for (int d = 0; d < DIM; d++)
             v[n++] = plan_impulse(plan, y, i)[d];
     }
     return o->forces ? series_row(o->forces, v) : STATUS_DONE;
 }
 
-static int row_beam(struct tables *o, struct plan *plan, double t, const double *y)
+static int row_beam(struct tables *o, struct moment *moment, double t, const double *y)
 {
     double v[COLUMNS_MOST];
     int n = 0;
 
     v[n++] = t;
-    for (int i = 0; i < plan_bodies(plan); i++) {
+    for (int i = 0; i < plan_bodies(moment_plan(moment)); i++) {
         struct body_view b;
-        plan_body_view(plan, i, t, y, &b);
+        observe_body(moment, i, t, y, &b);
         v[n++] = b.tip[0];
         v[n++] = b.tip[1];
         v[n++] = b.mid[0];
@@ -167,19 +168,19 @@ static int row_beam(struct tables *o, struct plan *plan, double t, const double 
     return o->beam ? series_row(o->beam, v) : STATUS_DONE;
 }
 
-int tables_pairing(struct tables *o, struct plan *plan, double t, const double *y)
+int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y)
 {
-    return tables_water_pairing(o->water, plan, t, y);
+    return tables_water_pairing(o->water, moment, t, y);
 }
 
-int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
+int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
                 const struct plan_sheet *sheet, double defect)
 {
     TRY(row_book(o, sheet, defect));
-    TRY(plan_observe(plan, t, y));
-    TRY(row_forces(o, plan, t, y));
-    TRY(row_beam(o, plan, t, y));
-    return tables_water_row(o->water, plan, t, y);
+    TRY(observe_forces(moment, t, y));
+    TRY(row_forces(o, moment, t, y));
+    TRY(row_beam(o, moment, t, y));
+    return tables_water_row(o->water, moment, t, y);
 }
 
 int tables_step(struct tables *o, const struct method_step *step)

@@ -10,14 +10,14 @@ struct tables;
 
 /* Makes the files with their header lines in DIR, removes those that an earlier run
  * left and this one has nothing for. */
-int tables_open(struct tables **out, struct plan *plan, const char *dir);
+int tables_open(struct tables **out, const struct plan *plan, const char *dir);
 
 /* A row in pairing.csv: it costs as much as a right-hand side. */
-int tables_pairing(struct tables *o, struct plan *plan, double t, const double *y);
+int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y);
 
 /* A row in every other table for moment t and state y, whose sheet of the book is
  * given, with what it cannot explain [J]. */
-int tables_rows(struct tables *o, struct plan *plan, double t, const double *y,
+int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
                 const struct plan_sheet *sheet, double defect);
 
 /* A row in steps.csv. */

@@ -1,4 +1,5 @@
-/* particles-private.h -- taking the memory of struct particles: for fill.c. */
+/* particles-private.h -- taking the memory of struct particles: for those that fill them, and
+ * for moments, at which solids stand elsewhere. */
 #ifndef STATE_PARTICLES_PRIVATE_H
 #define STATE_PARTICLES_PRIVATE_H
 
@@ -7,5 +8,9 @@
 /* Zeroed arrays for n particles in so many objects, all in one block; *out is
  * given back with particles_free().  from[] is left to the caller. */
 int particles_create(int n, int objects, const struct scales *scales, struct particles **out);
+
+/* The same particles with places and velocities of solids, and with objects, of their own,
+ * at first those of t = 0; all else is shared with `of`, which must outlive them. */
+int particles_create_beside(const struct particles *of, struct particles **out);
 
 #endif

@@ -28,7 +28,8 @@ struct particles {
     unsigned char *dye;   /* [n] colour 0, 1, ...                              */
     double (*x0)[DIM];    /* [n] position at t = 0              [m]            */
     double (*x)[DIM];     /* [n] solids only: position now      [m]            */
-    double (*u)[DIM];     /* [n] solids only: velocity now      [m/s]          */
+    double (*u)[DIM];     /* [n] solids only: velocity now      [m/s]; both NULL
+                             where there is no moment                          */
     int objects;
     struct object *object; /* [objects] in creation order                     */
 };

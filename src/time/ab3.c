@@ -166,7 +166,7 @@ static double bound(const struct paced *x, struct limit *of)
     struct limit limit[2];
     double h[2];
 
-    plan_limit(x->plan, x->t, x->y, plan_stiff(x->plan), limit);
+    moment_limit(x->moment, x->t, x->y, plan_stiff(x->plan), limit);
     h[0] = longest(wave, &limit[0]);
     h[1] = longest(decay, &limit[1]);
     *of = limit[h[1] < h[0]];
@@ -190,7 +190,7 @@ static int take_memory(struct paced *frame)
 {
     struct ab3 *x = (struct ab3 *)frame;
 
-    x->rates.plan = frame->plan;
+    x->rates.moment = frame->moment;
     for (int k = 0; k <= POINTS; k++)
         TRY(paced_numbers(frame, &x->f[k]));
     return STATUS_DONE;

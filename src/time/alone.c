@@ -13,7 +13,7 @@ bool alone_bodies(const struct plan *plan)
 {
     const struct layout *l = plan_layout(plan);
     long range[LAYOUT_ROWS][2];
-    const int ranges = plan_stiff_ranges(plan, LAYOUT_ROWS, range);
+    const int ranges = plan_stiff_ranges(plan, l, LAYOUT_ROWS, range);
 
     for (int i = 0; i < l->rows; i++)
         if (l->row[i].scale > 0 && !lies_in(&l->row[i], ranges, (const long (*)[2])range))

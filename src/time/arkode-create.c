@@ -106,7 +106,7 @@ static int take_stiff(struct arkode *a)
 {
     if (!a->imex)
         return STATUS_DONE;
-    a->ranges = plan_stiff_ranges(a->plan, ARKODE_RANGES, a->range);
+    a->ranges = moment_stiff_ranges(a->moment, ARKODE_RANGES, a->range);
     for (int k = 0; k < a->ranges; k++)
         a->stiff += a->range[k][1] - a->range[k][0];
     a->z = numbers(a->n);
@@ -123,8 +123,8 @@ static int take_memory(struct arkode *a)
     a->weight = numbers(a->n);
     if (!a->weight)
         return STATUS_FAILED;
-    plan_weights(a->plan, a->def.tol * a->row->control->accept, a->weight);
-    plan_solve_tolerance(a->plan, a->def.tol * a->row->control->accept);
+    moment_weights(a->moment, a->def.tol * a->row->control->accept, a->weight);
+    moment_solve_tolerance(a->moment, a->def.tol * a->row->control->accept);
     TRY(take_stiff(a));
     return arkode_take_vectors(a, norm_of(a));
 }
@@ -140,7 +140,7 @@ static int build(struct arkode *a, double t, const double *y)
     return arkode_restart(a, t, y); /* again: now its orders are known */
 }
 
-int arkode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int arkode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out)
 {
     struct arkode *a = status_alloc(1, sizeof *a);
@@ -151,9 +151,10 @@ int arkode_create(const struct method *m, const struct method_def *def, struct p
         return STATUS_FAILED;
     a->row = (const struct arkode_row *)m; /* its first member */
     a->def = *def;
-    a->plan = plan;
-    a->n = plan_size(plan);
-    a->imex = arkode_tables_implicit(a->row) && plan_stiff(plan);
+    a->plan = moment_plan(moment);
+    a->moment = moment;
+    a->n = moment_size(moment);
+    a->imex = arkode_tables_implicit(a->row) && plan_stiff(a->plan);
     code = build(a, t, y);
     if (code != STATUS_DONE)
         arkode_free(out);

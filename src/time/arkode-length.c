@@ -22,7 +22,7 @@ double arkode_bound(struct arkode *a, double t, const double *y)
     struct limit limit[2];
     double wave, decay;
 
-    plan_limit(a->plan, t, y, !a->imex && plan_stiff(a->plan), limit);
+    moment_limit(a->moment, t, y, !a->imex && plan_stiff(a->plan), limit);
     wave = longest(a->wave, &limit[0]);
     decay = longest(a->decay, &limit[1]);
     a->bound_limit = limit[decay < wave];

@@ -20,7 +20,7 @@ static const char *serves(const struct plan *plan)
 
     if (plan_size(plan) == 0)
         return "nothing in this scene moves";
-    if (plan_stiff_ranges(plan, ARKODE_RANGES + 1, range) > ARKODE_RANGES)
+    if (plan_stiff_ranges(plan, plan_layout(plan), ARKODE_RANGES + 1, range) > ARKODE_RANGES)
         return "the scene has more stiff bodies than ARKODE_RANGES in arkode.h";
     return NULL;
 }

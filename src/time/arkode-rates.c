@@ -20,13 +20,13 @@ static void keep_refusal(struct arkode *a)
         return;
     }
     snprintf(a->refusal, sizeof a->refusal, "%.319s",
-             said ? status_message() : plan_refusal(a->plan));
+             said ? status_message() : moment_refusal(a->moment));
     status_clear();
 }
 
 static int ask(struct arkode *a, double t, const double *y, double *f)
 {
-    const int code = plan_rhs(a->plan, a->imex ? PLAN_EXPLICIT : PLAN_ALL, t, y, f);
+    const int code = moment_eval(a->moment, a->imex ? ASK_EXPLICIT_SIDE : ASK_ALL, t, y, f);
 
     if (code != STATUS_DONE)
         keep_refusal(a);
@@ -36,8 +36,11 @@ static int ask(struct arkode *a, double t, const double *y, double *f)
 /* A pass over pairs gives both sides. */
 static int ask_both(struct arkode *a, double t, const double *y, double *f)
 {
-    const int code = plan_sides(a->plan, t, y, f, vector_overwrite(a->start));
+    struct ask both = ASK_ALL;
+    int code;
 
+    both.apart = vector_overwrite(a->start);
+    code = moment_eval(a->moment, both, t, y, f);
     if (code != STATUS_DONE)
         keep_refusal(a);
     else
@@ -119,7 +122,7 @@ int arkode_implicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
 
     if (take_start(a, t, y, ydot))
         return 0;
-    if (plan_rhs(a->plan, PLAN_IMPLICIT, t, vector_read(y), vector_overwrite(ydot))
+    if (moment_eval(a->moment, ASK_IMPLICIT_SIDE, t, vector_read(y), vector_overwrite(ydot))
         == STATUS_DONE) {
         vector_only_inside(ydot);
         return 0;
@@ -166,7 +169,7 @@ static int solve(SUNNonlinearSolver solver, N_Vector zpred, N_Vector zcor, N_Vec
     for (int k = 0; k < a->ranges; k++)
         for (long i = a->range[k][0]; i < a->range[k][1]; i++)
             a->z[i] = guess[i];
-    code = plan_solve(a->plan, t, gamma, right, a->z);
+    code = moment_solve(a->moment, t, gamma, right, a->z);
     if (code != STATUS_DONE)
         keep_refusal(a);
     a->correction = zcor;

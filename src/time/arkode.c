@@ -55,7 +55,7 @@ static int collapse(struct arkode *a, int flag)
     const struct choice *c = &a->choice[0];
     char where[96] = "";
 
-    choice_where(c, a->plan, where);
+    choice_where(c, a->moment, where);
     return status_fail(STATUS_FAILED,
                        "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s. Things to "
                        "try: a smaller tol, the norm \"max\", more viscosity or density "
@@ -71,7 +71,7 @@ static int refuse_not_finite(const struct arkode *a, double t, long entry)
     return status_fail(STATUS_FAILED,
                        "%s accepted a step to t = %.9g s after which %s is not finite: this is a "
                        "bug, please report it with the scene", a->row->method.name, t,
-                       plan_entry(a->plan, entry));
+                       moment_entry(a->moment, entry));
 }
 
 /* The slot that the step wrote to becomes the newest node. */
@@ -99,7 +99,7 @@ static void report(struct arkode *a, bool stopped, struct method_step *out)
         made.limiter = METHOD_OUTPUT;
     *out = (struct method_step){ .t = a->node[0].t, .h = h, .limiter = made.limiter,
                                  .rejected = a->rejected };
-    choice_where(&made, a->plan, out->where);
+    choice_where(&made, a->moment, out->where);
     if (made.limiter != METHOD_OUTPUT || a->choice[0].h > a->natural)
         a->natural = a->choice[0].h;
 }

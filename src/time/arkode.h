@@ -44,7 +44,8 @@ enum {
 struct arkode {
     const struct arkode_row *row;
     struct method_def def;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     long n;                      /* entries of y                               */
     bool imex;                   /* the stiff side is taken implicitly         */
     char tables[96];             /* their names, for run.json                  */
@@ -96,7 +97,7 @@ struct arkode {
 };
 
 /* arkode-create.c */
-int arkode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int arkode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out);
 void arkode_free(void **out);
 

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-void choice_where(const struct choice *c, const struct plan *plan, char where[96])
+void choice_where(const struct choice *c, const struct moment *moment, char where[96])
 {
     if (c->limiter == METHOD_OUTPUT)
         snprintf(where, 96, "end of the segment");
@@ -14,5 +14,5 @@ void choice_where(const struct choice *c, const struct plan *plan, char where[96
     else if (c->refusal[0])
         snprintf(where, 96, "refused: %.80s", c->refusal);
     else
-        snprintf(where, 96, "%.95s", c->entry >= 0 ? plan_entry(plan, c->entry) : "first step");
+        snprintf(where, 96, "%.95s", c->entry >= 0 ? moment_entry(moment, c->entry) : "first step");
 }

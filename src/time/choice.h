@@ -14,6 +14,6 @@ struct choice {
 };
 
 /* In words, for struct method_step. */
-void choice_where(const struct choice *c, const struct plan *plan, char where[96]);
+void choice_where(const struct choice *c, const struct moment *moment, char where[96]);
 
 #endif

@@ -47,7 +47,7 @@ static int precondition(sunrealtype t, N_Vector y, N_Vector f, N_Vector r, N_Vec
 
     (void)y, (void)f, (void)delta, (void)left;
     vector_copy(c->n, vector_data(r), vector_data(z));
-    if (plan_solve(c->rates.plan, t, gamma, vector_data(r), vector_data(z)) == STATUS_DONE)
+    if (moment_solve(c->rates.moment, t, gamma, vector_data(r), vector_data(z)) == STATUS_DONE)
         return 0;
     status_clear();
     return 1;
@@ -74,7 +74,7 @@ static double squares_per_norm(const struct cvode *c)
 
 static int set_newton(struct cvode *c)
 {
-    const bool stiff = plan_stiff(c->rates.plan);
+    const bool stiff = plan_stiff(moment_plan(c->rates.moment));
     int bad = 0;
 
     c->solver = SUNNonlinSol_Newton(c->y, c->context);
@@ -101,7 +101,7 @@ static int set_fixed_point(struct cvode *c)
 
 static int set_control(struct cvode *c)
 {
-    int bad = CVodeSetMaxOrd(c->cvode, c->row->order[plan_stiff(c->rates.plan)]);
+    int bad = CVodeSetMaxOrd(c->cvode, c->row->order[plan_stiff(moment_plan(c->rates.moment))]);
 
     bad |= CVodeSetMaxNonlinIters(c->cvode, 3);
     bad |= CVodeSetNonlinConvCoef(c->cvode, 0.1);
@@ -140,7 +140,7 @@ static int take_memory(struct cvode *c)
         return status_fail(STATUS_FAILED, "out of memory: %s needs many vectors of %ld numbers; "
                                           "use fewer particles (a larger spacing)",
                            c->row->method.name, c->n);
-    plan_weights(c->rates.plan, c->def.tol, vector_data(c->weight));
+    moment_weights(c->rates.moment, c->def.tol, vector_data(c->weight));
     return STATUS_DONE;
 }
 
@@ -152,7 +152,7 @@ static int build(struct cvode *c, double t, const double *y)
     return set_up(c);
 }
 
-int cvode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int cvode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out)
 {
     struct cvode *c = status_alloc(1, sizeof *c);
@@ -163,8 +163,8 @@ int cvode_create(const struct method *m, const struct method_def *def, struct pl
         return STATUS_FAILED;
     c->row = (const struct cvode_row *)m; /* its first member */
     c->def = *def;
-    c->rates.plan = plan;
-    c->n = plan_size(plan);
+    c->rates.moment = moment;
+    c->n = moment_size(moment);
     code = build(c, t, y);
     if (code != STATUS_DONE)
         cvode_free(out);

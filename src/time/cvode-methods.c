@@ -28,7 +28,7 @@ static const char *table(const void *self)
 {
     const struct cvode *c = self;
 
-    return c->row->table[plan_stiff(c->rates.plan)];
+    return c->row->table[plan_stiff(moment_plan(c->rates.moment))];
 }
 
 #define VARIES                                                                           \

@@ -88,7 +88,7 @@ static int collapse(const struct cvode *c, int flag)
                        refused ? "the right-hand side has no answer: "
                                : "the largest error, or what is not finite, is in ",
                        refused      ? c->rates.refusal
-                       : entry >= 0 ? plan_entry(c->rates.plan, entry) : "no entry known");
+                       : entry >= 0 ? moment_entry(c->rates.moment, entry) : "no entry known");
 }
 
 static int refuse_not_finite(const struct cvode *c, double t, long entry)
@@ -96,7 +96,7 @@ static int refuse_not_finite(const struct cvode *c, double t, long entry)
     return status_fail(STATUS_FAILED,
                        "%s accepted a step to t = %.9g s after which %s is not finite: this is a "
                        "bug, please report it with the scene", name(c), t,
-                       plan_entry(c->rates.plan, entry));
+                       moment_entry(c->rates.moment, entry));
 }
 
 /* The entry whose error was largest in the step just made. */
@@ -105,7 +105,7 @@ static const char *largest_error(struct cvode *c)
     if (CVodeGetEstLocalErrors(c->cvode, c->spare) != 0)
         return "not known";
     N_VWrmsNorm(c->spare, c->weight);
-    return plan_entry(c->rates.plan, vector_largest(c->spare));
+    return moment_entry(c->rates.moment, vector_largest(c->spare));
 }
 
 static void report(struct cvode *c, double planned, struct method_step *out)

@@ -42,7 +42,7 @@ struct cvode {
 };
 
 /* cvode-create.c */
-int cvode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int cvode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out);
 void cvode_free(void **self);
 int cvode_vectors(const struct method *m, const struct plan *plan);

@@ -22,7 +22,7 @@ static void drift(const struct dv *x, const double *y, double h, const double *v
 /* D.  Densities that follow from positions are up to date: only the book asks then. */
 static int flow(struct dv *x, double t, const double *y, double later, double *f)
 {
-    return plan_half(x->frame.plan, PLAN_DENSITY, t, y, x->flows ? later : 0, f);
+    return moment_eval(x->frame.moment, ASK_HALF(ASK_DENSITIES, x->flows ? later : 0), t, y, f);
 }
 
 int dv_begin(struct paced *frame)
@@ -30,7 +30,8 @@ int dv_begin(struct paced *frame)
     struct dv *x = (struct dv *)frame;
 
     TRY(flow(x, x->frame.t, x->frame.y, 0, x->d.f[1]));
-    TRY(plan_rhs(x->frame.plan, PLAN_VELOCITY, x->frame.t, x->frame.y, x->a.f[1]));
+    TRY(moment_eval(x->frame.moment, ASK_HALF(ASK_VELOCITIES, 0), x->frame.t, x->frame.y,
+                    x->a.f[1]));
     if (x->ranges > 0)
         vector_copy(x->frame.n, x->a.f[1], x->load_old);
     x->a.t[1] = x->d.t[1] = x->frame.t;
@@ -49,7 +50,8 @@ int dv_advance(struct paced *frame, double h)
     vector_copy(rho - v, frame->y_old + v, x->half + v);
     add(x, LAYOUT_OTHER, frame->y_old, h / 2, x->d.f[1], x->half);
     TRY(dv_bodies_half(x, h / 2));
-    TRY(plan_half(frame->plan, PLAN_VELOCITY, x->a.t[0], x->half, h / 2, x->a.f[0]));
+    TRY(moment_eval(frame->moment, ASK_HALF(ASK_VELOCITIES, h / 2), x->a.t[0], x->half,
+                    x->a.f[0]));
     add(x, LAYOUT_VELOCITY, frame->y_old, h, x->a.f[0], frame->y);
     drift(x, x->half, h / 2, frame->y, frame->y);
     TRY(dv_bodies_step(x, h));

@@ -17,7 +17,7 @@
 #include "time/dv.h"
 
 #include "base/status.h"
-#include "plan/body-book.h"
+#include "plan/moment.h"
 #include <math.h>
 
 /* to = y + c (z - y) + h f. */
@@ -53,26 +53,26 @@ int dv_bodies_half(struct dv *x, double h)
         return STATUS_DONE;
     mix(x, old, 0, old, h, x->load_old, x->right);
     mix(x, old, 0, old, 0, x->load_old, x->half); /* a guess */
-    return plan_solve(x->frame.plan, x->frame.t_old + h, h, x->right, x->half);
+    return moment_solve(x->frame.moment, x->frame.t_old + h, h, x->right, x->half);
 }
 
 int dv_bodies_step(struct dv *x, double h)
 {
-    struct plan *plan = x->frame.plan;
+    struct moment *moment = x->frame.moment;
     const double g = 1 - sqrt(0.5), t = x->a.t[0], t_old = x->frame.t_old;
     const double *old = x->frame.y_old, *load = x->a.f[0];
     double *y = x->frame.y;
 
     if (x->ranges == 0)
         return STATUS_DONE;
-    plan_body_book(plan, t, x->half, -1, x->a.f[0]);
+    moment_body_book(moment, t, x->half, -1, x->a.f[0]);
     mix(x, old, 0, old, g * h, load, x->right);
     mix(x, old, 0, old, 0, load, y);
-    TRY(plan_solve(plan, t_old + g * h, g * h, x->right, y));
-    plan_body_book(plan, t, y, 1 - g, x->a.f[0]);
+    TRY(moment_solve(moment, t_old + g * h, g * h, x->right, y));
+    moment_body_book(moment, t, y, 1 - g, x->a.f[0]);
     mix(x, old, (1 - g) / g, y, g * h, load, x->right);
-    TRY(plan_solve(plan, t_old + h, g * h, x->right, y));
-    plan_body_book(plan, t, y, g, x->a.f[0]);
+    TRY(moment_solve(moment, t_old + h, g * h, x->right, y));
+    moment_body_book(moment, t, y, g, x->a.f[0]);
     keep_rates(x, h);
     return STATUS_DONE;
 }

@@ -58,7 +58,7 @@ double dv_bound(const struct paced *x, struct limit *of)
     struct limit limit[2];
     double w, d;
 
-    plan_limit(x->plan, x->t, x->y, false, limit);
+    moment_limit(x->moment, x->t, x->y, false, limit);
     w = limit[0].rate;
     d = limit[1].rate;
     *of = limit[d > w];
@@ -75,7 +75,7 @@ double dv_haste(struct paced *frame)
     double most = 0;
 
     if (bodies
-        && plan_rhs(frame->plan, PLAN_IMPLICIT, frame->t, frame->y, x->right) != STATUS_DONE)
+        && moment_eval(frame->moment, ASK_IMPLICIT_SIDE, frame->t, frame->y, x->right) != STATUS_DONE)
         return 0;
     for (long i = 0; i < frame->n; i++) {
         const double own = bodies ? x->right[i] : 0;

@@ -19,13 +19,13 @@ static bool has_densities(const struct layout *l)
 static int take_memory(struct paced *frame)
 {
     struct dv *x = (struct dv *)frame;
-    const struct layout *l = plan_layout(frame->plan);
+    const struct layout *l = moment_layout(frame->moment);
     double **place[] = { &x->half, &x->load, &x->load_old, &x->right };
 
     for (int c = 0; c <= LAYOUT_CLASSES; c++)
         x->from[c] = l->from[c];
     x->flows = has_densities(l);
-    x->ranges = plan_stiff_ranges(frame->plan, LAYOUT_ROWS, x->range);
+    x->ranges = moment_stiff_ranges(frame->moment, LAYOUT_ROWS, x->range);
     for (int i = 0; i < OURS + (x->ranges > 0 ? OF_BODIES : 0); i++)
         TRY(paced_numbers(frame, place[i]));
     for (int k = 0; k < DV_POINTS; k++) {
@@ -59,7 +59,7 @@ static const char *refusal(const struct paced *x)
 {
     const char *said = status_message();
 
-    return said[0] ? said : plan_refusal(x->plan);
+    return said[0] ? said : moment_refusal(x->moment);
 }
 
 static const char *serves(const struct plan *plan)

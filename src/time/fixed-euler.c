@@ -28,7 +28,7 @@ int fixed_euler_advance(struct fixed *x, double h)
     vector_copy(x->n, x->y_old, x->try);
     vector_copy(rho - u, x->y + u, x->try + u);
     fixed_hold(x, x->try);
-    TRY(plan_rhs(x->plan, x->kind->side, x->t_old, x->try, x->rates));
+    TRY(moment_eval(x->moment, (struct ask){ .sides = x->kind->sides }, x->t_old, x->try, x->rates));
     vector_combine(2, c, (const double *[]){ x->y_old + rho, x->rates + rho }, x->n - rho,
                    x->y + rho);
     return STATUS_DONE;
@@ -65,7 +65,7 @@ static double shorter(struct fixed *x, double h, double other, int where, const 
 /* (38), over the rows of velocities of particles. */
 double fixed_euler_length(struct fixed *x)
 {
-    const struct layout *l = plan_layout(x->plan);
+    const struct layout *l = moment_layout(x->moment);
     const double H = plan_length(x->plan);
     double h = fixed_wave_step(x);
 
@@ -86,7 +86,7 @@ const struct fixed_kind fixed_euler = {
     .method = FIXED_METHOD("euler-cfl", 1, "the seed's semi-implicit Euler, order 1",
                            "Toth 2012, equations (34), (35), (38)"),
     .number = 0.25,
-    .side = PLAN_ALL,
+    .sides = ASK_EXPLICIT | ASK_IMPLICIT,
     .length = fixed_euler_length,
     .advance = fixed_euler_advance,
 };

@@ -30,7 +30,7 @@ static int advance(struct fixed *x, double h)
     vector_combine(2, c, (const double *[]){ x->y_old, x->y + from }, from, x->y);
     vector_copy(from, x->y, x->try);
     kick(x, x->y_old, h, x->f_old, x->try);
-    TRY(plan_rhs(x->plan, PLAN_ALL, x->t_old + h, x->try, x->f));
+    TRY(moment_eval(x->moment, ASK_ALL, x->t_old + h, x->try, x->f));
     kick(x, x->y, h / 2, x->f, x->y);
     x->has_f = true;
     return STATUS_DONE;
@@ -40,7 +40,7 @@ const struct fixed_kind fixed_leapfrog = {
     .method = FIXED_METHOD("leapfrog", 2, "velocity Verlet, 1 right-hand side a step, order 2",
                            "Verlet, Phys. Rev. 159 (1967) 98-103"),
     .number = 0.25,
-    .side = PLAN_ALL,
+    .sides = ASK_EXPLICIT | ASK_IMPLICIT,
     .length = fixed_wave_step,
     .advance = advance,
 };

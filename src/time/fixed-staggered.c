@@ -53,7 +53,7 @@ static int bend(struct fixed *x, double h)
     fixed_hold(x, x->y);
     for (long k = 1; k <= steps; k++) {
         push(x, h / steps, x->try);
-        TRY(plan_solve(x->plan, x->t_old + h * k / steps, h / steps, x->try, x->y));
+        TRY(moment_solve(x->moment, x->t_old + h * k / steps, h / steps, x->try, x->y));
     }
     return STATUS_DONE;
 }
@@ -77,7 +77,7 @@ const struct fixed_kind fixed_staggered = {
                            "(strong damping), in turn; order 1",
                            "Toth 2012, equations (46)-(49), chapter 5"),
     .number = 0.25,
-    .side = PLAN_EXPLICIT,
+    .sides = ASK_EXPLICIT,
     .length = length,
     .advance = advance,
 };

@@ -45,7 +45,7 @@ static double longest(struct fixed *x, bool stiff)
     struct limit limit[2];
     double wave, decay;
 
-    plan_limit(x->plan, x->t, x->y, stiff, limit);
+    moment_limit(x->moment, x->t, x->y, stiff, limit);
     wave = limit[0].rate > 0 ? x->number * SCALES_WAVE / limit[0].rate : HUGE_VAL;
     decay = limit[1].rate > 0 ? 0.5 / limit[1].rate : HUGE_VAL;
     x->limit = limit[decay < wave];
@@ -72,7 +72,7 @@ void fixed_hold(const struct fixed *x, double *to)
 static int ensure_rates(struct fixed *x)
 {
     if (!x->has_f)
-        TRY(plan_rhs(x->plan, x->kind->side, x->t, x->y, x->f));
+        TRY(moment_eval(x->moment, (struct ask){ .sides = x->kind->sides }, x->t, x->y, x->f));
     x->has_f = true;
     return STATUS_DONE;
 }
@@ -88,7 +88,7 @@ static double length(struct fixed *x)
 
 static int collapse(struct fixed *x, double h)
 {
-    const char *refusal = plan_refusal(x->plan);
+    const char *refusal = moment_refusal(x->moment);
 
     if (x->seconds > 0 && h > 0) {
         const double bound = x->kind->length(x);
@@ -253,7 +253,7 @@ static int take_memory(struct fixed *x)
     return STATUS_DONE;
 }
 
-int fixed_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int fixed_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out)
 {
     struct fixed *x = status_alloc(1, sizeof *x);
@@ -262,16 +262,17 @@ int fixed_create(const struct method *m, const struct method_def *def, struct pl
     if (!x)
         return STATUS_FAILED;
     x->kind = (const struct fixed_kind *)m; /* its first member */
-    x->plan = plan;
-    x->n = plan_size(plan);
+    x->plan = moment_plan(moment);
+    x->moment = moment;
+    x->n = moment_size(moment);
     for (int c = 0; c <= LAYOUT_CLASSES; c++)
-        x->from[c] = plan_layout(plan)->from[c];
+        x->from[c] = moment_layout(moment)->from[c];
     x->number = def->step > 0 ? def->step : x->kind->number;
     x->seconds = def->seconds;
     x->substep = def->substep > 0 ? def->substep : HUGE_VAL;
     x->h_min = def->h_min;
-    if (!(x->kind->side & PLAN_IMPLICIT))
-        x->ranges = plan_stiff_ranges(plan, LAYOUT_ROWS, x->range);
+    if (!(x->kind->sides & ASK_IMPLICIT))
+        x->ranges = moment_stiff_ranges(moment, LAYOUT_ROWS, x->range);
     if (x->seconds > 0)
         snprintf(x->table, sizeof x->table, "%s", m->name);
     else

@@ -11,7 +11,8 @@
 
 struct fixed {
     const struct fixed_kind *kind;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     long n, from[LAYOUT_CLASSES + 1]; /* y[from[c]] .. y[from[c+1]-1] is class c */
     double number;        /* CFL number, the X of NAME@X                       */
     double seconds;       /* the X of NAME@Xs; 0: the rule gives the step [s]  */
@@ -33,7 +34,7 @@ struct fixed {
 struct fixed_kind {
     struct method method; /* first: its create() finds the kind so             */
     double number;        /* when the name has no @                            */
-    enum plan_which side; /* what f holds: without PLAN_IMPLICIT, bodies have
+    unsigned sides;       /* of f: without ASK_IMPLICIT, bodies have
                              steps of their own                                */
 
     /* Length of a step from (t, y) with rates f [s]; sets limit. */
@@ -45,7 +46,7 @@ struct fixed_kind {
 };
 extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered;
 
-int fixed_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int fixed_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out);
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);

@@ -41,7 +41,7 @@ static int take_vectors(struct gslode *x)
     x->error = N_VClone(x->weight);
     if (!x->error)
         return status_fail(STATUS_FAILED, "out of memory: use fewer particles (a larger spacing)");
-    plan_weights(x->rates.plan, x->def.tol, vector_data(x->weight));
+    moment_weights(x->rates.moment, x->def.tol, vector_data(x->weight));
     for (int k = 0; k < GSLODE_NODES; k++) {
         x->node[k].y = status_alloc((unsigned long)x->n, sizeof(double));
         x->node[k].f = status_alloc((unsigned long)x->n, sizeof(double));
@@ -76,7 +76,7 @@ static int build(struct gslode *x, double t, const double *y)
     return gslode_restart(x, t, y);
 }
 
-int gslode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int gslode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out)
 {
     struct gslode *x = status_alloc(1, sizeof *x);
@@ -87,8 +87,8 @@ int gslode_create(const struct method *m, const struct method_def *def, struct p
         return STATUS_FAILED;
     x->row = (const struct gslode_row *)m; /* its first member */
     x->def = *def;
-    x->rates.plan = plan;
-    x->n = plan_size(plan);
+    x->rates.moment = moment;
+    x->n = moment_size(moment);
     code = build(x, t, y);
     if (code != STATUS_DONE)
         gslode_free(out);

@@ -22,7 +22,7 @@ static const char *culprit(const struct gslode *x)
 {
     if (x->def.seconds > 0)
         return CONSTANT_PART;
-    return x->entry >= 0 ? plan_entry(x->rates.plan, x->entry) : "the first step";
+    return x->entry >= 0 ? moment_entry(x->rates.moment, x->entry) : "the first step";
 }
 
 static int refuse_start(const struct gslode *x)
@@ -38,7 +38,7 @@ static struct limit fastest(const struct gslode *x)
 {
     struct limit limit[2];
 
-    plan_limit(x->rates.plan, x->node[0].t, x->node[0].y, plan_stiff(x->rates.plan), limit);
+    moment_limit(x->rates.moment, x->node[0].t, x->node[0].y, plan_stiff(moment_plan(x->rates.moment)), limit);
     return limit[limit[1].rate > limit[0].rate];
 }
 

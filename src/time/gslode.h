@@ -53,7 +53,7 @@ struct gslode {
 };
 
 /* gslode-create.c */
-int gslode_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int gslode_create(const struct method *m, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out);
 void gslode_free(void **self);
 

@@ -3,7 +3,7 @@
 #ifndef TIME_METHOD_H
 #define TIME_METHOD_H
 
-#include "plan/plan.h"
+#include "plan/moment.h"
 #include <stdbool.h>
 
 enum method_norm { METHOD_NORM_MAX, METHOD_NORM_P8, METHOD_NORM_WRMS };
@@ -48,7 +48,7 @@ struct method {
     const char *(*serves)(const struct plan *plan);
 
     /* y [size] is copied.  def is copied. */
-    int (*create)(const struct method *m, const struct method_def *def, struct plan *plan,
+    int (*create)(const struct method *m, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out);
 
     /* One accepted step that does not pass t_stop (it may end exactly there).

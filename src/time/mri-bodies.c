@@ -16,7 +16,7 @@
 #include "time/mri.h"
 
 #include "base/status.h"
-#include "plan/body-book.h"
+#include "plan/moment.h"
 #include "time/arkode.h"
 #include <math.h>
 #include <stdlib.h>
@@ -115,7 +115,7 @@ static int stage(struct mri *m, const struct forcing *f, double t, double h, int
         b->rate[i][j] = b->sum[j] + gamma * b->load[j];
     put(x, b->rate[i], x->try);
     put(x, b->sum, x->rates);
-    TRY(plan_solve(x->plan, t, gamma, x->try, x->rates));
+    TRY(moment_solve(x->moment, t, gamma, x->try, x->rates));
     pick(x, x->rates, b->rate[i]);
     for (long j = 0; j < b->entries; j++)
         b->rate[i][j] = (b->rate[i][j] - b->sum[j]) / gamma;
@@ -148,8 +148,8 @@ static void adapt(struct mri_bodies *b, double h, double e)
 /* With the forces of the water, which bodies at rest book as well, taken off. */
 void mri_bodies_book(struct mri *m, double t, const double *y, double share, double *ydot)
 {
-    plan_body_book(m->frame->plan, t, y, share, ydot);
-    plan_body_book(m->frame->plan, t, m->bodies.rest, -share, ydot);
+    moment_body_book(m->frame->moment, t, y, share, ydot);
+    moment_body_book(m->frame->moment, t, m->bodies.rest, -share, ydot);
 }
 
 /* With the forces of the water, which stay until t_end and are taken off there. */
@@ -162,7 +162,7 @@ static void book_step(struct mri *m, double t, double h, double *y)
             continue;
         add_up(b, b->table.a[i], i + 1, h, b->sum);
         put(m->frame, b->sum, m->frame->rates);
-        plan_body_book(m->frame->plan, t, m->frame->rates, h * b->table.b[i], y);
+        moment_body_book(m->frame->moment, t, m->frame->rates, h * b->table.b[i], y);
     }
 }
 
@@ -205,7 +205,7 @@ int mri_bodies_evolve(MRIStepInnerStepper inner, sunrealtype t, sunrealtype t_en
     while (t < t_end)
         if (step(m, &f, &t, t_end, vector_data(y)) != STATUS_DONE)
             return -1;
-    plan_body_book(m->frame->plan, start, m->bodies.rest, start - t_end, vector_data(y));
+    moment_body_book(m->frame->moment, start, m->bodies.rest, start - t_end, vector_data(y));
     put(m->frame, m->bodies.y, vector_data(y));
     return 0;
 }
@@ -229,7 +229,7 @@ static int take_weights(struct mri *m, double tol)
 
     if (!all)
         return STATUS_FAILED;
-    plan_weights(m->frame->plan, tol, all);
+    moment_weights(m->frame->moment, tol, all);
     pick(m->frame, all, m->bodies.weight);
     free(all);
     return STATUS_DONE;

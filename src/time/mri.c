@@ -35,7 +35,7 @@ static int rates(struct mri *m, double t, const double *y, double *ydot)
     if (t == x->t_old)
         vector_copy(x->n, x->f_old, ydot);
     else
-        TRY(plan_rhs(x->plan, PLAN_EXPLICIT, t, y, f));
+        TRY(moment_eval(x->moment, ASK_EXPLICIT_SIDE, t, y, f));
     if (ends)
         vector_copy(x->n, f, ydot);
     x->has_f = ends;
@@ -77,7 +77,7 @@ static double length(struct fixed *x)
     struct limit limit[2];
     double wave, decay;
 
-    plan_limit(x->plan, x->t, x->y, false, limit);
+    moment_limit(x->moment, x->t, x->y, false, limit);
     wave = limit[0].rate > 0 ? x->number * SCALES_WAVE / limit[0].rate : HUGE_VAL;
     decay = limit[1].rate > 0 ? 2 / limit[1].rate : HUGE_VAL;
     x->limit = limit[decay < wave];
@@ -178,7 +178,7 @@ static void release(void **self)
     *self = NULL;
 }
 
-static int create(const struct method *method, const struct method_def *def, struct plan *plan,
+static int create(const struct method *method, const struct method_def *def, struct moment *moment,
                   double t, const double *y, void **out)
 {
     struct mri *m = status_alloc(1, sizeof *m);
@@ -189,7 +189,7 @@ static int create(const struct method *method, const struct method_def *def, str
     if (!m)
         return STATUS_FAILED;
     m->kind = *(const struct fixed_kind *)method; /* its first member */
-    code = fixed_create(&m->kind.method, def, plan, t, y, &frame);
+    code = fixed_create(&m->kind.method, def, moment, t, y, &frame);
     m->frame = frame;
     if (code == STATUS_DONE)
         code = set_up(m, def);
@@ -264,7 +264,7 @@ const struct fixed_kind mri_kind = {
                 .at = at, .vectors = vectors, .state = state, .restart = restart, .table = table,
                 .free = release },
     .number = 0.5,
-    .side = PLAN_EXPLICIT,
+    .sides = ASK_EXPLICIT,
     .length = length,
     .advance = advance,
 };

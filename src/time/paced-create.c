@@ -23,11 +23,11 @@ static int take_memory(struct paced *x)
     x->weight = x->error ? N_VClone(x->error) : NULL;
     if (!x->weight)
         return STATUS_FAILED;
-    plan_weights(x->plan, x->def.tol, vector_data(x->weight));
+    moment_weights(x->moment, x->def.tol, vector_data(x->weight));
     return x->kind->take_memory(x);
 }
 
-int paced_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int paced_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out)
 {
     const struct paced_kind *kind = (const struct paced_kind *)m; /* its first member */
@@ -38,8 +38,9 @@ int paced_create(const struct method *m, const struct method_def *def, struct pl
         return STATUS_FAILED;
     x->kind = kind;
     x->def = *def;
-    x->plan = plan;
-    x->n = plan_size(plan);
+    x->plan = moment_plan(moment);
+    x->moment = moment;
+    x->n = moment_size(moment);
     if (take_memory(x) != STATUS_DONE) {
         paced_free(out);
         return STATUS_FAILED;

@@ -19,7 +19,7 @@ static int collapse(const struct paced *x, double h)
 
     if (x->def.seconds > 0)
         return paced_constant_failed(x);
-    choice_where(c, x->plan, where);
+    choice_where(c, x->moment, where);
     return status_fail(STATUS_FAILED,
                        "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
                        "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
@@ -111,7 +111,7 @@ static void report(const struct paced *x, bool cut, struct method_step *out)
         made.limiter = METHOD_OUTPUT;
     *out = (struct method_step){ .t = x->t, .h = x->t - x->t_old, .limiter = made.limiter,
                                  .rejected = x->rejected };
-    choice_where(&made, x->plan, out->where);
+    choice_where(&made, x->moment, out->where);
 }
 
 /* Rates of a step that was cut short take the place of the last ones: differences over

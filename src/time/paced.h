@@ -16,7 +16,8 @@
 struct paced {
     const struct paced_kind *kind;
     struct method_def def;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     long n;                     /* entries of y                                */
 
     double t, t_old;
@@ -76,7 +77,7 @@ int paced_at(void *self, double t, double *y);
 const double *paced_state(const void *self);
 
 /* paced-create.c */
-int paced_create(const struct method *m, const struct method_def *def, struct plan *plan,
+int paced_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out);
 int paced_restart(void *self, double t, const double *y);
 void paced_free(void **self);

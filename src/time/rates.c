@@ -14,16 +14,16 @@ static int refuse(struct rates *r, const char *before, const char *why, const ch
 
 int rates_ask(struct rates *r, double t, const double *y, double *f)
 {
-    const long n = plan_size(r->plan);
+    const long n = moment_size(r->moment);
     long bad;
 
-    if (plan_rhs(r->plan, PLAN_ALL, t, y, f) != STATUS_DONE) {
+    if (moment_eval(r->moment, ASK_ALL, t, y, f) != STATUS_DONE) {
         const char *said = status_message(); /* of memory */
-        return refuse(r, "", said[0] ? said : plan_refusal(r->plan), "");
+        return refuse(r, "", said[0] ? said : moment_refusal(r->moment), "");
     }
     bad = vector_first_bad(n, f);
     if (bad >= 0)
-        return refuse(r, "the rate of ", plan_entry(r->plan, bad), " is not finite");
+        return refuse(r, "the rate of ", moment_entry(r->moment, bad), " is not finite");
     r->refusal[0] = '\0';
     return STATUS_DONE;
 }

@@ -3,10 +3,10 @@
 #ifndef TIME_RATES_H
 #define TIME_RATES_H
 
-#include "plan/plan.h"
+#include "plan/moment.h"
 
 struct rates {
-    struct plan *plan;
+    struct moment *moment;
     char refusal[320]; /* why the latest call had no answer, "" if it had one   */
 };
 

@@ -63,13 +63,13 @@ static void densities_that_evolve_are_not_summed(void **state)
         tank_make(&t, tank_water, tank_frame, none[i], NULL);
         tank_rates(&t, 0, t.y, t.ydot);
         assert_int_equal(t.plan->fields, 0);
-        assert_null(t.plan->main.rho);
-        assert_null(t.plan->main.sum);
+        assert_null(t.moment->work->rho);
+        assert_null(t.moment->work->sum);
         tank_free(&t);
         tank_make(&t, tank_water, tank_frame, summed[i], NULL);
         assert_int_equal(t.plan->fields, i == 2 ? 2 : 1);
-        assert_non_null(t.plan->main.rho);
-        assert_non_null(t.plan->main.sum);
+        assert_non_null(t.moment->work->rho);
+        assert_non_null(t.moment->work->sum);
         tank_free(&t);
     }
 }

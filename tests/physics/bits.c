@@ -57,7 +57,7 @@ static void check_same_bits(const struct tank *t, const double *a, const double 
 {
     for (long i = 0; i < t->n; i++)
         check(memcmp(&a[i], &b[i], sizeof a[i]) == 0, "%s: entry %ld (%s) is %.17g and %.17g",
-              what, i, plan_entry(t->plan, i), a[i], b[i]);
+              what, i, moment_entry(t->moment, i), a[i], b[i]);
 }
 
 /* Rates of one moment, then densities that are not in them. */
@@ -68,7 +68,7 @@ static double *rates_and_densities(struct tank *t)
     struct view v;
 
     tank_rates(t, 0.01, t->y, all);
-    plan_view(t->plan, 0.01, t->y, &v);
+    observe_view(t->moment, 0.01, t->y, &v);
     for (int k = 0; k < KINDS; k++)
         if (v.rho[k])
             memcpy(all + t->n + p->from[k], v.rho[k], particles_count(p, k) * sizeof *all);
@@ -143,7 +143,7 @@ static void check_history(int which)
     check_same_bits(&t, first, second, "asked twice");
     tank_shake(&t, 8, 0.005, 0.1, 0.002); /* too little for a rebuild */
     tank_rates(&t, 0.5, t.y, t.ydot);
-    check(plan_counts(t.plan)->rebuilds == 1, "%ld rebuilds", plan_counts(t.plan)->rebuilds);
+    check(moment_counts(t.moment)->rebuilds == 1, "%ld rebuilds", moment_counts(t.moment)->rebuilds);
     check(memcmp(t.ydot, first, t.n * sizeof *first) != 0, "another y has the same rates");
     tank_rates(&t, 0.01, home, second);
     check_same_bits(&t, first, second, "after another y");
@@ -151,7 +151,7 @@ static void check_history(int which)
         tank_shake(&t, seed, 1.0, 1.0, 0.02);
         tank_rates(&t, 0.5, t.y, t.ydot);
     }
-    check(plan_counts(t.plan)->rebuilds > 2, "%ld rebuilds", plan_counts(t.plan)->rebuilds);
+    check(moment_counts(t.moment)->rebuilds > 2, "%ld rebuilds", moment_counts(t.moment)->rebuilds);
     tank_rates(&t, 0.01, home, second);
     check_close(&t, first, second, 1e-12);
     test_free(home);
@@ -182,11 +182,11 @@ static void check_looking(int which)
         const double far = seed % 3 ? 0.01 : 0.2;
         aside = tank_copy(&seen, seen.y);
         tank_shake(&seen, seed + 100, seed % 2 ? 0.5 : 0.004, 0.3, 0.01);
-        assert_int_equal(plan_observe(seen.plan, 0.3, seen.y), 0);
-        plan_sheet_make(seen.plan, 0.3, seen.y, &sheet);
-        plan_view(seen.plan, 0.4, seen.y, &view);
-        plan_limit(seen.plan, 0.4, seen.y, true, limit);
-        plan_escaped(seen.plan, 0.5, seen.y);
+        assert_int_equal(observe_forces(seen.moment, 0.3, seen.y), 0);
+        observe_sheet(seen.moment, 0.3, seen.y, &sheet);
+        observe_view(seen.moment, 0.4, seen.y, &view);
+        moment_limit(seen.moment, 0.4, seen.y, true, limit);
+        observe_escaped(seen.moment, 0.5, seen.y);
         memcpy(seen.y, aside, seen.n * sizeof *aside);
         test_free(aside);
         tank_shake(&seen, seed, far, 0.1, 0.001);
@@ -195,9 +195,9 @@ static void check_looking(int which)
         tank_rates(&alone, 0.01, alone.y, alone.ydot);
         check_same_bits(&seen, seen.ydot, alone.ydot, "looked at");
     }
-    check(plan_counts(seen.plan)->rebuilds == plan_counts(alone.plan)->rebuilds
-          && plan_counts(seen.plan)->rebuilds > 3, "%ld rebuilds with, %ld without looking",
-          plan_counts(seen.plan)->rebuilds, plan_counts(alone.plan)->rebuilds);
+    check(moment_counts(seen.moment)->rebuilds == moment_counts(alone.moment)->rebuilds
+          && moment_counts(seen.moment)->rebuilds > 3, "%ld rebuilds with, %ld without looking",
+          moment_counts(seen.moment)->rebuilds, moment_counts(alone.moment)->rebuilds);
     tank_free(&seen);
     tank_free(&alone);
 }
@@ -217,16 +217,16 @@ static void check_observer(int which)
 
     make(&t, tank_bare_water, which);
     tank_rates(&t, 0.01, t.y, t.ydot);
-    memcpy(force, plan_force(t.plan, 1), sizeof force);
-    assert_int_equal(plan_observe(t.plan, 0.01, t.y), 0);
-    assert_memory_equal(force, plan_force(t.plan, 1), sizeof force);
+    memcpy(force, moment_force(t.moment, 1), sizeof force);
+    assert_int_equal(observe_forces(t.moment, 0.01, t.y), 0);
+    assert_memory_equal(force, observe_force(t.moment, 1), sizeof force);
     tank_shake(&t, 99, 1.0, 1.0, 0.01); /* needs a list of its own */
-    assert_int_equal(plan_observe(t.plan, 0.01, t.y), 0);
-    memcpy(force, plan_force(t.plan, 1), sizeof force);
+    assert_int_equal(observe_forces(t.moment, 0.01, t.y), 0);
+    memcpy(force, observe_force(t.moment, 1), sizeof force);
     tank_rates(&t, 0.01, t.y, t.ydot);
     for (int d = 0; d < DIM; d++)
-        check(fabs(force[d] - plan_force(t.plan, 1)[d]) <= 1e-11 * fabs(force[d]),
-              "the observer sees %g N, the run %g N", force[d], plan_force(t.plan, 1)[d]);
+        check(fabs(force[d] - moment_force(t.moment, 1)[d]) <= 1e-11 * fabs(force[d]),
+              "the observer sees %g N, the run %g N", force[d], moment_force(t.moment, 1)[d]);
     tank_free(&t);
 }
 

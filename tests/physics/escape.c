@@ -57,14 +57,14 @@ static void who_is_outside_only_falls(void **state)
         for (int d = 0; d < DIM; d++)
             check(rate(&t, WHO)[d] == plan_scales(t.plan)->g[d],
                   "%g tanks away: acceleration %g in direction %d", far[i], rate(&t, WHO)[d], d);
-        check(plan_escaped(t.plan, 0, t.y) == 1, "%d escaped", plan_escaped(t.plan, 0, t.y));
+        check(observe_escaped(t.moment, 0, t.y) == 1, "%d escaped", observe_escaped(t.moment, 0, t.y));
         check(t.ydot[tank_at(&t, "density of fluid", NULL) + WHO] == 0, "its density changes");
         check_others(&other, &t, "wherever it is");
         for (long k = 0; k < t.n; k++)
             check(isfinite(t.ydot[k]), "entry %ld is not finite", k);
     }
-    plan_memory(t.plan, 1, &memory);
-    plan_memory(other.plan, 1, &wanted);
+    plan_memory(t.moment, 1, &memory);
+    plan_memory(other.moment, 1, &wanted);
     check(plan_memory_sum(&memory) <= plan_memory_sum(&wanted), "memory grows");
     tank_free(&t);
     tank_free(&other);
@@ -118,16 +118,16 @@ static void border_counts_at_once(void **state)
         check((rate(&t, WHO)[0] == 0) == (side == 1), "side %d: acceleration %g", side,
               rate(&t, WHO)[0]);
     }
-    check(plan_counts(t.plan)->rebuilds == 1, "%ld rebuilds", plan_counts(t.plan)->rebuilds);
+    check(moment_counts(t.moment)->rebuilds == 1, "%ld rebuilds", moment_counts(t.moment)->rebuilds);
     tank_free(&t);
 }
 
 static void expect_refusal(struct tank *t, const char *what, const char *value)
 {
-    check(plan_rhs(t->plan, PLAN_ALL, 0.25, t->y, t->ydot) != 0, "%s is accepted", what);
-    check(strstr(plan_refusal(t->plan), "particle 37") && strstr(plan_refusal(t->plan), "water")
-          && strstr(plan_refusal(t->plan), "0.25 s") && strstr(plan_refusal(t->plan), value),
-          "%s: the refusal says: %s", what, plan_refusal(t->plan));
+    check(moment_eval(t->moment, ASK_ALL, 0.25, t->y, t->ydot) != 0, "%s is accepted", what);
+    check(strstr(moment_refusal(t->moment), "particle 37") && strstr(moment_refusal(t->moment), "water")
+          && strstr(moment_refusal(t->moment), "0.25 s") && strstr(moment_refusal(t->moment), value),
+          "%s: the refusal says: %s", what, moment_refusal(t->moment));
 }
 
 static void the_impossible_is_refused_by_name(void **state)
@@ -153,7 +153,7 @@ static void the_impossible_is_refused_by_name(void **state)
     expect_refusal(&t, "density nan", "nan");
     memcpy(t.y, home, t.n * sizeof *home);
     tank_rates(&t, 0, t.y, t.ydot); /* and it goes on */
-    check(plan_counts(t.plan)->refused == 6, "%ld refused", plan_counts(t.plan)->refused);
+    check(moment_counts(t.moment)->refused == 6, "%ld refused", moment_counts(t.moment)->refused);
     test_free(home);
     tank_free(&t);
 }
@@ -161,10 +161,10 @@ static void the_impossible_is_refused_by_name(void **state)
 /* Particle WHO at x: is it inside that solid (NULL: in none)? */
 static void expect_sunk(struct tank *t, double time, const double *x, const char *solid)
 {
-    struct plan_sunk sunk;
+    struct observe_sunk sunk;
 
     memcpy(place(t, WHO), x, DIM * sizeof *x);
-    plan_sunk(t->plan, time, t->y, &sunk);
+    observe_sunk(t->moment, time, t->y, &sunk);
     check(sunk.n == (solid != NULL), "%d in solids at (%g, %g), t = %g s", sunk.n, x[0], x[DIM - 1],
           time);
     check(!solid || (sunk.who == WHO && strcmp(sunk.solid, solid) == 0), "particle %d in %s",

@@ -90,7 +90,7 @@ static void forces_follow_the_formula(void **state)
         tank_rates(&face, 0.01, face.y, face.ydot);
         tank_rates(&bare, 0.01, face.y, bare.ydot);
         u = tank_at(&face, "velocity of fluid", NULL);
-        plan_view(face.plan, 0.01, face.y, &v);
+        observe_view(face.moment, 0.01, face.y, &v);
         const int n = particles_count(v.p, KIND_FLUID);
         f = test_calloc((size_t)n * DIM, sizeof *f);
         for (int i = 0; i < particles_count(v.p, KIND_WALL); i++)
@@ -120,7 +120,7 @@ static void sheet_after(struct tank *t, double h, struct plan_sheet *s, double *
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
-    plan_sheet_make(t->plan, 0.01 + h, y, s);
+    observe_sheet(t->moment, 0.01 + h, y, s);
     test_free(y);
     plan_work_names(t->plan, name);
     *viscous = NAN;
@@ -153,7 +153,7 @@ static void check_books(struct tank *t, const char *what, bool brakes)
             size += fabs(f);
         }
         for (int o = 0; o < p->objects; o++)
-            sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t->plan, o)[d];
+            sum += p->object[o].kind == KIND_FLUID ? 0 : moment_force(t->moment, o)[d];
         check(fabs(sum) < 1e-12 * size, "%s: %g N of %g N come from nowhere", what, sum, size);
     }
     check(fabs(power - works) < 1e-10 * (fabs(power) + fabs(viscous)),
@@ -198,7 +198,7 @@ static void books_close_beside_a_beam(void **state)
             size += p->m[i] * fabs(udot[i * DIM]);
         }
         for (int o = 0; o < p->objects; o++)
-            sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t.plan, o)[0];
+            sum += p->object[o].kind == KIND_FLUID ? 0 : moment_force(t.moment, o)[0];
         check(fabs(sum) < 1e-12 * size, "%g N of %g N come from nowhere", sum, size);
         tank_free(&t);
     }
@@ -243,7 +243,7 @@ static void shear_finds_the_face(void **state)
             if (p->x0[i][DIM - 1] < 0.025) /* rows that meet the floor */
                 force += p->m[i] * t.ydot[u + i * DIM];
         const double exact = MU * slope * ACROSS;
-        const double drag = plan_force(t.plan, p->object_of[p->from[KIND_WALL]])[0];
+        const double drag = moment_force(t.moment, p->object_of[p->from[KIND_WALL]])[0];
         print_message("# stick = %s: drag %.4f of mu G\n", k ? "particles" : "face", drag / exact);
         check(k ? drag < 0.6 * exact : fabs(drag / exact - 1) < 0.05, "drag %g N, expected %g N",
               drag, exact);

@@ -16,7 +16,7 @@ static double potential(struct tank *t, double *y)
 {
     struct plan_sheet s;
 
-    plan_sheet_make(t->plan, 0, y, &s);
+    observe_sheet(t->moment, 0, y, &s);
     return s.energy.potential;
 }
 
@@ -58,11 +58,11 @@ static void its_pull_is_in_the_book(void **state)
     tank_make(&t, tank_water, tank_frame, CENTRAL, NULL);
     tank_shake(&t, 5, 0.3, 0.1, 0);
     tank_rates(&t, 0, t.y, t.ydot);
-    plan_sheet_make(t.plan, 0, t.y, &s);
+    observe_sheet(t.moment, 0, t.y, &s);
     y = tank_copy(&t, t.y);
     for (long i = 0; i < t.n; i++)
         y[i] += h * t.ydot[i];
-    plan_sheet_make(t.plan, h, y, &later);
+    observe_sheet(t.moment, h, y, &later);
     for (int d = 0; d < DIM; d++) {
         const double gained = later.momentum[d] - s.momentum[d];
         const double given = later.momentum_given[d] - s.momentum_given[d];

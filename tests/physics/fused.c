@@ -23,13 +23,14 @@ static const char *const wide[] = { "2", "4", "8" };
 enum { WIDTHS = sizeof wide / sizeof wide[0] };
 
 enum { HALVES = 3, TABLES = HALVES * KINDS * KINDS, LOOPS = 9 };
-static const enum plan_which half[HALVES] = { PLAN_EXPLICIT, PLAN_DENSITY, PLAN_VELOCITY };
+static const unsigned half[HALVES] = { 0, ASK_DENSITIES, ASK_VELOCITIES };
 
 /* All tables of a plan. */
 static struct pairs_table *tables(const struct tank *t, int i)
 {
-    struct pairs_table *const half_table[HALVES] = { t->plan->table, t->plan->rates,
-                                                     t->plan->forces };
+    struct pairs_table *const half_table[HALVES] = { t->plan->table.all,
+                                                     t->plan->table.densities,
+                                                     t->plan->table.velocities };
 
     return &half_table[i / (KINDS * KINDS)][i % (KINDS * KINDS)];
 }
@@ -48,8 +49,8 @@ static double *everything(struct tank *t)
     for (int h = 0; h < HALVES; h++) {
         double *rates = all + h * (t->n + DIM);
 
-        assert_int_equal(plan_rhs(t->plan, half[h], 0.01, t->y, rates), 0);
-        memcpy(rates + t->n, plan_force(t->plan, 1), DIM * sizeof *rates);
+        assert_int_equal(moment_eval(t->moment, ASK_HALF(half[h], 0), 0.01, t->y, rates), 0);
+        memcpy(rates + t->n, moment_force(t->moment, 1), DIM * sizeof *rates);
     }
     return all;
 }

@@ -94,7 +94,7 @@ static void check_momentum(struct tank *t, const struct look *of)
             size += p->m[i] * fabs(udot[i * DIM + d]);
         }
         for (int o = 0; o < p->objects; o++)
-            sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t->plan, o)[d];
+            sum += p->object[o].kind == KIND_FLUID ? 0 : moment_force(t->moment, o)[d];
         check(fabs(sum) <= 1e-12 * size, "%s\ndirection %d: %g N of %g N come from nowhere",
               of->what, d, sum, size);
     }
@@ -113,7 +113,7 @@ static void sheet_at(struct tank *t, double h, struct plan_sheet *s)
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
-    plan_sheet_make(t->plan, when + h, y, s);
+    observe_sheet(t->moment, when + h, y, s);
     test_free(y);
 }
 

@@ -163,7 +163,7 @@ static double throw(struct obstacle *o, const struct blow *b)
 
     make(&t, o, b);
     assert_int_equal(method_find("erk3", &def, &m), STATUS_DONE);
-    assert_int_equal(m->create(m, &def, t.plan, 0, t.y, &self), STATUS_DONE);
+    assert_int_equal(m->create(m, &def, t.moment, 0, t.y, &self), STATUS_DONE);
     while (step.t < 0.1) {
         if (m->step(self, 0.1, &step) != STATUS_DONE)
             fail_msg("%s: %s", o->name, status_message());

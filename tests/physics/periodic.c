@@ -226,7 +226,7 @@ static void sides_may_lie_anywhere(void **state)
             y[at + k] = t.y[at + k] + cell * rint(3 * tank_random(&seed));
         tank_rates(&t, 0, y, t.ydot);
         check_close(&t, first, t.ydot, 1e-11, "cells away");
-        check(plan_counts(t.plan)->rebuilds >= 3, "the list was made anew");
+        check(moment_counts(t.moment)->rebuilds >= 3, "the list was made anew");
         test_free(first);
         test_free(y);
         tank_free(&t);
@@ -237,7 +237,7 @@ static double potential(struct tank *t, const double *y, double *mass)
 {
     struct plan_sheet s;
 
-    plan_sheet_make(t->plan, 0, y, &s);
+    observe_sheet(t->moment, 0, y, &s);
     *mass = s.mass;
     return s.energy.potential;
 }
@@ -266,8 +266,8 @@ static void crossing_a_side_changes_nothing(void **state)
               "%g m down, %g J of %g J", fallen, high - potential(&t, y, &mass),
               mass * g * fallen);
     }
-    check(plan_counts(t.plan)->rebuilds > 10 && plan_counts(t.plan)->rebuilds < 190,
-          "%ld lists: some are kept, some are not", plan_counts(t.plan)->rebuilds);
+    check(moment_counts(t.moment)->rebuilds > 10 && moment_counts(t.moment)->rebuilds < 190,
+          "%ld lists: some are kept, some are not", moment_counts(t.moment)->rebuilds);
     test_free(first);
     test_free(y);
     tank_free(&t);
@@ -295,7 +295,7 @@ static void momentum_closes(void **state)
                     size += p->m[i] * fabs(udot[i * DIM + d]);
                 }
                 for (int o = 0; o < p->objects; o++)
-                    sum += p->object[o].kind == KIND_FLUID ? 0 : plan_force(t.plan, o)[d];
+                    sum += p->object[o].kind == KIND_FLUID ? 0 : moment_force(t.moment, o)[d];
                 check(fabs(sum) <= 1e-12 * size, "%s\ndirection %d: %g N of %g N come from nowhere",
                       physics[which], d, sum, size);
             }
@@ -311,7 +311,7 @@ static double defect_at(struct tank *t, double h)
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
-    plan_sheet_make(t->plan, when + h, y, &s);
+    observe_sheet(t->moment, when + h, y, &s);
     defect = s.total - s.pressure_defect;
     for (int i = 0; i < s.works; i++)
         defect -= s.work[i];
@@ -364,9 +364,9 @@ static void implicit_viscosity_sees_images(void **state)
         make(&t, walls ? across : everywhere, walls ? SLIDING : "", THICK);
         const long at = tank_at(&t, "velocity of fluid", &r);
         double *z = tank_copy(&t, t.y);
-        plan_solve_tolerance(t.plan, 1e-9);
-        assert_int_equal(plan_solve(t.plan, when, gamma, t.y, z), STATUS_DONE);
-        assert_int_equal(plan_rhs(t.plan, PLAN_IMPLICIT, when, z, t.ydot), STATUS_DONE);
+        moment_solve_tolerance(t.moment, 1e-9);
+        assert_int_equal(moment_solve(t.moment, when, gamma, t.y, z), STATUS_DONE);
+        assert_int_equal(moment_eval(t.moment, ASK_IMPLICIT_SIDE, when, z, t.ydot), STATUS_DONE);
         for (int k = 0; k < r->n * DIM; k++) {
             const double left = z[at + k] - gamma * t.ydot[at + k] - t.y[at + k];
             most = fmax(most, fabs(z[at + k] - t.y[at + k]));
@@ -441,7 +441,7 @@ static void looking_disturbs_nothing(void **state)
     tank_rates(&other, 0, other.y, other.ydot);
     for (int k = 0; k < r->n * DIM; k++) /* all near the sides */
         y[at + k] = 0.5 * y[at + k] * (1 + 0.01 * (k % 7));
-    plan_observe(t.plan, 0, y);
+    observe_forces(t.moment, 0, y);
     for (int k = 0; k < r->n * DIM; k++)
         t.y[at + k] += 1e-5, other.y[at + k] += 1e-5;
     tank_rates(&t, 0, t.y, t.ydot);

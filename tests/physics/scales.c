@@ -109,7 +109,7 @@ static double check_limit(struct tank *t, bool decay, double rate, double most,
     struct limit limit[2];
     double ratio;
 
-    plan_limit(t->plan, 0, t->y, false, limit);
+    moment_limit(t->moment, 0, t->y, false, limit);
     ratio = limit[decay].rate / rate;
     check(ratio >= 1 && ratio <= most, "%s, H = %g m, %s: the limit is %g 1/s, the fastest rate %g",
           kernel, plan_scales(t->plan)->support, what, limit[decay].rate, rate);

@@ -52,7 +52,7 @@ static struct water look(struct tank *t, equation_of_state *eos)
                        p->scales->support };
     struct view v;
 
-    plan_view(t->plan, 0, t->y, &v);
+    observe_view(t->moment, 0, t->y, &v);
     memcpy(w.x, v.x[KIND_FLUID], p->from[KIND_WALL] * sizeof *w.x);
     memcpy(w.u, v.u[KIND_FLUID], p->from[KIND_WALL] * sizeof *w.u);
     memcpy(w.x + p->from[KIND_WALL], v.x[KIND_WALL], particles_count(p, KIND_WALL) * sizeof *w.x);

@@ -68,7 +68,7 @@ static void drift_is_that_of_the_formula(void **state)
     tank_make(&t, tank_water, tank_frame, SHIFTING, NULL);
     tank_shake(&t, 3, 0.2, 0.3, 0.01);
     tank_rates(&t, 0, t.y, t.ydot);
-    plan_view(t.plan, 0, t.y, &v);
+    observe_view(t.moment, 0, t.y, &v);
     x = tank_at(&t, "position of fluid", NULL);
     u = tank_at(&t, "velocity of fluid", NULL);
     for (int a = 0; a < particles_count(v.p, KIND_FLUID); a++) {
@@ -136,8 +136,8 @@ static void its_work_is_in_the_book(void **state)
         y[i] = t.y[i] + h * t.ydot[i];
         t.y[i] -= h * t.ydot[i];
     }
-    plan_sheet_make(t.plan, -h, t.y, &before);
-    plan_sheet_make(t.plan, h, y, &after);
+    observe_sheet(t.moment, -h, t.y, &before);
+    observe_sheet(t.moment, h, y, &after);
     const double gained = (after.total - before.total) / (2 * h);
     const double given = (booked(&after) - booked(&before)) / (2 * h);
     const double work = (after.work[own] - before.work[own]) / (2 * h);

@@ -36,12 +36,12 @@ static void moving_wall_follows_its_formula(void **state)
     x = test_malloc(n * sizeof *x);
     u = test_malloc(n * sizeof *u);
     x_before = test_malloc(n * sizeof *x_before);
-    plan_view(t.plan, t1, t.y, &now);
+    observe_view(t.moment, t1, t.y, &now);
     memcpy(x, now.x[KIND_WALL], n * sizeof *x);
     memcpy(u, now.u[KIND_WALL], n * sizeof *u);
-    plan_view(t.plan, t1 - h, t.y, &before);
+    observe_view(t.moment, t1 - h, t.y, &before);
     memcpy(x_before, before.x[KIND_WALL], n * sizeof *x);
-    plan_view(t.plan, t1 + h, t.y, &after);
+    observe_view(t.moment, t1 + h, t.y, &after);
     for (int i = 0; i < n; i++) {
         const int d = i % DIM;
         const double x0 = now.p->x0[now.p->from[KIND_WALL] + i / DIM][d];
@@ -70,7 +70,7 @@ static double drag(const char *walls, const char *effect)
     tank_rates(&t, 0, t.y, t.ydot);
     for (int o = 0; o < plan_particles(t.plan)->objects; o++)
         if (plan_particles(t.plan)->object[o].kind != KIND_FLUID)
-            force += plan_force(t.plan, o)[0];
+            force += moment_force(t.moment, o)[0];
     tank_free(&t);
     return force;
 }
@@ -107,7 +107,7 @@ static void slip_leaves_pressure_alone(void **state)
     tank_rates(&b, 0, b.y, b.ydot);
     assert_int_equal(a.n, b.n);
     for (long i = 0; i < plan_layout(a.plan)->from[LAYOUT_OTHER]; i++)
-        check(a.ydot[i] == b.ydot[i], "entry %ld (%s): %g and %g", i, plan_entry(a.plan, i),
+        check(a.ydot[i] == b.ydot[i], "entry %ld (%s): %g and %g", i, moment_entry(a.moment, i),
               a.ydot[i], b.ydot[i]);
     tank_free(&a);
     tank_free(&b);
@@ -128,11 +128,11 @@ static void driven_wall_gives_power(void **state)
         wall++;
     tank_shake(&t, 3, 0.2, 0.5, 0.01);
     tank_rates(&t, 0, t.y, t.ydot);
-    force = plan_force(t.plan, wall)[0];
-    plan_sheet_make(t.plan, 0, t.y, &before);
+    force = moment_force(t.moment, wall)[0];
+    observe_sheet(t.moment, 0, t.y, &before);
     for (long i = 0; i < t.n; i++)
         t.y[i] += h * t.ydot[i];
-    plan_sheet_make(t.plan, h, t.y, &after);
+    observe_sheet(t.moment, h, t.y, &after);
     char name[PLAN_WORKS][80];
     for (int i = 0; i < plan_work_names(t.plan, name); i++)
         if (strcmp(name[i], "walls") == 0) {

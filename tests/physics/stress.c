@@ -83,7 +83,7 @@ static void stress_is_that_of_the_formula(void **state)
     struct view v;
 
     (void)state;
-    plan_view(t.plan, 0, t.y, &v);
+    observe_view(t.moment, 0, t.y, &v);
     for (int a = 0; a < particles_count(v.p, KIND_FLUID); a++) {
         double expected[DIM];
         stress(&t, &v, a, expected);
@@ -108,7 +108,7 @@ static void momentum_and_its_moment_are_kept(void **state)
     struct view v;
 
     (void)state;
-    plan_view(t.plan, 0, t.y, &v);
+    observe_view(t.moment, 0, t.y, &v);
     x = v.x[KIND_FLUID];
     for (int a = 0; a < particles_count(v.p, KIND_FLUID); a++) {
         const double *m = more + (long)a * DIM;
@@ -139,13 +139,13 @@ static void its_work_is_in_the_book(void **state)
         if (strcmp(name[i], "artificial-stress") == 0)
             own = i;
     check(own >= 0, "it has no column in the book");
-    plan_view(t.plan, 0, t.y, &v);
+    observe_view(t.moment, 0, t.y, &v);
     for (int i = 0; i < particles_count(v.p, KIND_FLUID) * DIM; i++)
         power += v.p->m[i / DIM] * v.u[KIND_FLUID][i] * more[i];
-    plan_sheet_make(t.plan, 0, t.y, &before);
+    observe_sheet(t.moment, 0, t.y, &before);
     for (long i = 0; i < t.n; i++)
         t.y[i] += 1e-3 * t.ydot[i];
-    plan_sheet_make(t.plan, 1e-3, t.y, &after);
+    observe_sheet(t.moment, 1e-3, t.y, &after);
     given = (after.work[own] - before.work[own]) / 1e-3;
     check(fabs(given - power) < 1e-9 * fabs(power) && power != 0, "it gives %.12g W, booked are "
           "%.12g W", power, given);

@@ -119,7 +119,7 @@ static void check_sums(struct tank *t, bool solids, shape *w)
     struct view v;
     int kind;
 
-    plan_view(t->plan, when, t->y, &v);
+    observe_view(t->moment, when, t->y, &v);
     for (int c = 0; c < (solids ? v.p->n : v.p->from[KIND_WALL]); c++) {
         const double expected = sum_over_all(&v, c, w);
         place(&v, c, &kind);
@@ -183,7 +183,7 @@ static double *densities(struct tank *t, double h)
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
-    plan_view(t->plan, when + h, y, &v);
+    observe_view(t->moment, when + h, y, &v);
     for (int k = 0; k < KINDS; k++)
         for (int i = 0; i < particles_count(p, k); i++)
             rho[p->from[k] + i] = v.rho[k][i];
@@ -206,11 +206,11 @@ static void rate_is_that_of_the_sum(void **state)
                       beam ? tank_beam : "", kernels[i], TANK_SUMMED, NULL);
             tank_shake(&t, 4, 0.2, 1, 0);
             tank_rates(&t, when, t.y, t.ydot);
-            const struct plan_workspace *w = &t.plan->main;
+            const struct workspace *w = t.moment->work;
             const int n = plan_particles(t.plan)->n;
             double *rate = test_malloc(n * sizeof *rate);
             for (int c = 0; c < n; c++) {
-                rate[c] = w->drho[w->list->slot[c]];
+                rate[c] = w->drho[t.moment->list->slot[c]];
                 most = fmax(most, fabs(rate[c]));
             }
             for (int k = 0; k < 4; k++)
@@ -275,7 +275,7 @@ static double booked_defect(struct tank *t)
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
-    plan_sheet_make(t->plan, when + h, y, &s);
+    observe_sheet(t->moment, when + h, y, &s);
     test_free(y);
     return s.pressure_defect / h;
 }
@@ -307,7 +307,7 @@ static void defect_is_the_difference_of_both_sums(void **state)
                       beam ? tank_beam : "", cases[i].keys, TANK_SUMMED, NULL);
             tank_shake(&t, 6, 0.2, 1, 0);
             tank_rates(&t, when, t.y, t.ydot);
-            plan_view(t.plan, when, t.y, &v);
+            observe_view(t.moment, when, t.y, &v);
             e = look(&t, &v);
             s = powers_of(&e, v.p, cases[i].pressure, cases[i].density);
             check(fabs(booked_defect(&t) - s.force - s.density) <= 1e-12 * s.size,
@@ -335,7 +335,7 @@ static void who_has_left_has_the_density_at_rest(void **state)
     t.y[7 * DIM] = 10;
     for (int again = 0; again < 2; again++) {
         tank_rates(&t, 0, t.y, t.ydot);
-        plan_view(t.plan, 0, t.y, &v);
+        observe_view(t.moment, 0, t.y, &v);
         check(v.rho[KIND_FLUID][7] == 1000, "%.17g kg/m^3", v.rho[KIND_FLUID][7]);
         check(v.rho[KIND_FLUID][8] != 1000, "everybody has the density at rest");
     }

@@ -38,6 +38,7 @@ static int make(struct tank *t, const char *path)
 {
     TRY(scene_read(path, &t->scene));
     TRY(plan_create(t->scene, &t->plan));
+    TRY(moment_create(t->plan, &t->moment));
     t->n = plan_size(t->plan);
     t->y = test_calloc(t->n + 1, sizeof *t->y);
     t->ydot = test_calloc(t->n + 1, sizeof *t->ydot);
@@ -78,6 +79,7 @@ void tank_free(struct tank *t)
 {
     test_free(t->y);
     test_free(t->ydot);
+    moment_free(&t->moment);
     plan_free(&t->plan);
     scene_free(&t->scene);
 }
@@ -138,8 +140,8 @@ void tank_rates(struct tank *t, double time, const double *y, double *ydot)
 {
     for (long i = 0; i < t->n; i++)
         ydot[i] = NAN; /* all of it has to be written */
-    if (plan_rhs(t->plan, PLAN_ALL, time, y, ydot) != STATUS_DONE)
-        fail_msg("refused: %s", plan_refusal(t->plan));
+    if (moment_eval(t->moment, ASK_ALL, time, y, ydot) != STATUS_DONE)
+        fail_msg("refused: %s", moment_refusal(t->moment));
 }
 
 double *tank_copy(const struct tank *t, const double *y)

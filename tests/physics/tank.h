@@ -40,7 +40,8 @@ extern const char *const tank_beam, *const tank_parted_water;
 
 struct tank {
     struct scene *scene;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     long n;
     double *y, *ydot; /* [n] */
 };

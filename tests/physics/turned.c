@@ -253,7 +253,7 @@ static void follow(const struct tank *a, const struct turn *turn, double until, 
     check(off <= 1e-9 * dx, "%s: after %g s positions differ by %g dx", turn->name, until,
           off / dx);
     print_message("# %s: %.2g dx after %g s, %ld rebuilds\n", turn->name, off / dx, until,
-                  plan_counts(a->plan)->rebuilds);
+                  moment_counts(a->moment)->rebuilds);
     test_free(image);
     test_free(turned);
     tank_free(&b);

@@ -101,7 +101,7 @@ static void both_only_take_energy(void **state)
             tank_rates(&t, 0, t.y, t.ydot);
             for (long k = 0; k < t.n; k++)
                 t.y[k] += h * t.ydot[k];
-            plan_sheet_make(t.plan, h, t.y, &s);
+            observe_sheet(t.moment, h, t.y, &s);
             plan_work_names(t.plan, name);
             assert_string_equal(name[0], effects[i]);
             check(s.work[0] < -1e-3 * h, "%s gives %g W", effects[i], s.work[0] / h);

@@ -69,7 +69,7 @@ static void check_solids(struct tank *t, bool shakes)
     int near = 0, dry = 0;
     struct view v;
 
-    plan_view(t->plan, when, t->y, &v);
+    observe_view(t->moment, when, t->y, &v);
     for (int k = KIND_WALL; k < KINDS; k++)
         for (int i = 0; i < particles_count(v.p, k); i++) {
             const bool skin = k == KIND_SKIN || k == KIND_SKIN_SLIP;
@@ -124,14 +124,14 @@ static void linear_pressure_goes_on_in_the_wall(void **state)
         s = plan_scales(t.plan);
         for (int d = 0; d < DIM; d++)
             slope[d] = s->rho0 * (s->g[d] - (w ? acceleration(d, when) : 0));
-        plan_view(t.plan, when, t.y, &v);
+        observe_view(t.moment, when, t.y, &v);
         for (int i = 0; i < particles_count(v.p, KIND_FLUID); i++) {
             double p = 2000;
             for (int d = 0; d < DIM; d++)
                 p += slope[d] * v.x[KIND_FLUID][i * DIM + d];
             t.y[tank_at(&t, "density of fluid", NULL) + i] = density_of(s, p);
         }
-        plan_view(t.plan, when, t.y, &v);
+        observe_view(t.moment, when, t.y, &v);
         for (int i = 0; i < particles_count(v.p, KIND_WALL); i++) {
             double expected = 2000, found, p;
             for (int d = 0; d < DIM; d++)
@@ -163,7 +163,7 @@ static void clamped_walls_do_not_pull(void **state)
         rho = tank_at(&t, "density of fluid", NULL);
         for (int k = 0; k < particles_count(plan_particles(t.plan), KIND_FLUID); k++)
             t.y[rho + k] = 900;
-        plan_view(t.plan, 0, t.y, &v);
+        observe_view(t.moment, 0, t.y, &v);
         for (int k = 0; k < particles_count(v.p, KIND_WALL); k++)
             least = fmin(least, v.rho[KIND_WALL][k]);
         check(i ? least == 1000 : least < 950, "tension %s: least density of a wall %g",

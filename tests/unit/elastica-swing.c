@@ -24,9 +24,9 @@ struct swing { /* of data/scenes/elastica.scene, nearly half a period */
     long solves;
 };
 
-static struct plan *plan_of(struct scene **scene)
+static const struct plan *plan_of(struct scene **scene)
 {
-    struct plan *plan;
+    const struct plan *plan;
     char path[1024];
 
     snprintf(path, sizeof path, "%s/data/scenes/elastica.scene",
@@ -45,29 +45,33 @@ static struct swing swing(const char *name, double tol)
     struct body_view view;
     struct swing out = {0};
     struct scene *scene;
-    struct plan *plan = plan_of(&scene);
+    const struct plan *plan = plan_of(&scene);
+    struct moment *moment;
     double *y = test_calloc((size_t)plan_size(plan), sizeof *y), energy;
     void *self;
 
     assert_int_equal(method_find(name, &def, &method), STATUS_DONE);
     def.tol = tol;
+    if (moment_create(plan, &moment) != STATUS_DONE)
+        fail_msg("%s", status_message());
     plan_start(plan, y);
-    plan_sheet_make(plan, 0, y, &sheet);
+    observe_sheet(moment, 0, y, &sheet);
     energy = sheet.total;
-    if (method->create(method, &def, plan, 0, y, &self) != STATUS_DONE)
+    if (method->create(method, &def, moment, 0, y, &self) != STATUS_DONE)
         fail_msg("%s", status_message());
     while (step.t < 0.4) {
         if (method->step(self, 0.4, &step) != STATUS_DONE)
             fail_msg("%s", status_message());
-        plan_sheet_make(plan, step.t, method->state(self), &sheet);
+        observe_sheet(moment, step.t, method->state(self), &sheet);
         out.defect = fmax(out.defect, fabs(sheet.total / energy - 1));
     }
-    assert_int_equal(plan_observe(plan, 0.4, method->state(self)), STATUS_DONE);
-    plan_body_view(plan, 0, 0.4, method->state(self), &view);
+    assert_int_equal(observe_forces(moment, 0.4, method->state(self)), STATUS_DONE);
+    observe_body(moment, 0, 0.4, method->state(self), &view);
     out.tip = view.tip[1];
-    out.solves = plan_counts(plan)->solves;
+    out.solves = moment_counts(moment)->solves;
     method->free(&self);
     test_free(y);
+    moment_free(&moment);
     plan_free(&plan);
     scene_free(&scene);
     return out;

@@ -59,7 +59,7 @@ static void check_memory(const char *effects)
         tank_shake(&t, seed, 0.003, 0.1, 0.001);
         tank_rates(&t, 0, t.y, t.ydot);
     }
-    check(plan_counts(t.plan)->rebuilds == 1, "%ld rebuilds", plan_counts(t.plan)->rebuilds);
+    check(moment_counts(t.moment)->rebuilds == 1, "%ld rebuilds", moment_counts(t.moment)->rebuilds);
     check(taken == before, "%ld times in 20 right-hand sides", taken - before);
     for (unsigned seed = 1; seed <= 40; seed++) { /* rebuilds, and back again */
         tank_shake(&t, seed, 0.2, 0.1, 0.0);
@@ -92,20 +92,20 @@ static void sides_add_up(void **state)
     tank_shake(&t, 5, 0.2, 1, 0.02);
     explicit_side = tank_copy(&t, t.y);
     implicit_side = tank_copy(&t, t.y);
-    assert_int_equal(plan_rhs(t.plan, PLAN_EXPLICIT, 0.1, t.y, explicit_side), 0);
-    assert_int_equal(plan_rhs(t.plan, PLAN_IMPLICIT, 0.1, t.y, implicit_side), 0);
-    assert_int_equal(plan_rhs(t.plan, PLAN_ALL, 0.1, t.y, t.ydot), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_EXPLICIT_SIDE, 0.1, t.y, explicit_side), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_IMPLICIT_SIDE, 0.1, t.y, implicit_side), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_ALL, 0.1, t.y, t.ydot), 0);
     for (long i = 0; i < t.n; i++) {
-        const bool beam = strncmp(plan_entry(t.plan, i), "beam.", 5) == 0;
+        const bool beam = strncmp(moment_entry(t.moment, i), "beam.", 5) == 0;
         check(t.ydot[i] == explicit_side[i] + implicit_side[i], "%s: %g + %g is not %g",
-              plan_entry(t.plan, i), explicit_side[i], implicit_side[i], t.ydot[i]);
-        check(beam || implicit_side[i] == 0, "%s has an implicit side", plan_entry(t.plan, i));
+              moment_entry(t.moment, i), explicit_side[i], implicit_side[i], t.ydot[i]);
+        check(beam || implicit_side[i] == 0, "%s has an implicit side", moment_entry(t.moment, i));
         beam_rows += implicit_side[i] != 0;
     }
     check((beam_rows > 0) == (DIM == 2), "%ld entries have an implicit side", beam_rows);
-    check(plan_counts(t.plan)->rhs_explicit == 2 && plan_counts(t.plan)->rhs_implicit == 1,
-          "%ld explicit and %ld implicit sides", plan_counts(t.plan)->rhs_explicit,
-          plan_counts(t.plan)->rhs_implicit);
+    check(moment_counts(t.moment)->rhs_explicit == 2 && moment_counts(t.moment)->rhs_implicit == 1,
+          "%ld explicit and %ld implicit sides", moment_counts(t.moment)->rhs_explicit,
+          moment_counts(t.moment)->rhs_implicit);
     test_free(explicit_side);
     test_free(implicit_side);
     tank_free(&t);
@@ -122,21 +122,21 @@ static void solve_inverts_the_implicit_side(void **state)
     (void)state;
     tank_make(&t, tank_parted_water, tank_frame, tank_beam, TANK_EFFECTS, NULL);
     assert_true(plan_stiff(t.plan));
-    assert_int_equal(plan_stiff_ranges(t.plan, 16, range), 4);
+    assert_int_equal(moment_stiff_ranges(t.moment, 16, range), 4);
     for (int g = 0; g < 3; g++) {
         double *r, *z;
         tank_shake(&t, 5 + g, 0.2, 1, 0.0);
         r = tank_copy(&t, t.y);
         z = tank_copy(&t, t.y);
-        assert_int_equal(plan_solve(t.plan, 0, gamma[g], r, z), 0);
-        assert_int_equal(plan_rhs(t.plan, PLAN_IMPLICIT, 0, z, t.ydot), 0);
+        assert_int_equal(moment_solve(t.moment, 0, gamma[g], r, z), 0);
+        assert_int_equal(moment_eval(t.moment, ASK_IMPLICIT_SIDE, 0, z, t.ydot), 0);
         for (long i = 0; i < t.n; i++) {
             const double left = z[i] - gamma[g] * t.ydot[i];
             const double size = fabs(z[i]) + gamma[g] * fabs(t.ydot[i]) + 1;
             check(fabs(left - r[i]) < 1e-8 * size, "%s: %g is not %g at gamma = %g",
-                  plan_entry(t.plan, i), left, r[i], gamma[g]);
-            check(strncmp(plan_entry(t.plan, i), "beam.", 5) == 0 || z[i] == r[i],
-                  "%s is touched", plan_entry(t.plan, i));
+                  moment_entry(t.moment, i), left, r[i], gamma[g]);
+            check(strncmp(moment_entry(t.moment, i), "beam.", 5) == 0 || z[i] == r[i],
+                  "%s is touched", moment_entry(t.moment, i));
         }
         test_free(r);
         test_free(z);
@@ -247,7 +247,7 @@ static void weights_are_those_of_the_scales(void **state)
     (void)state;
     tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
     weight = tank_copy(&t, t.y);
-    plan_weights(t.plan, 1e-3, weight);
+    moment_weights(t.moment, 1e-3, weight);
     for (int i = 0; i < plan_layout(t.plan)->rows; i++) {
         const struct layout_row *r = &plan_layout(t.plan)->row[i];
         const double expected = strcmp(r->name, "book") == 0 ? 1e-12 : 1 / (1e-3 * r->scale);
@@ -302,7 +302,7 @@ static void fastest_wave_and_decay_have_names(void **state)
     (void)state;
     tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
     t.y[tank_at(&t, "velocity of fluid", NULL) + 11 * DIM] = 3;
-    plan_limit(t.plan, 0, t.y, false, limit);
+    moment_limit(t.moment, 0, t.y, false, limit);
     assert_string_equal(limit[0].part, "tait");
     assert_int_equal(limit[0].where, 11);
     assert_false(limit[0].decay);

@@ -2,6 +2,7 @@
 #include "base/status.h"
 #include "fill/fill.h"
 #include "state/memory.h"
+#include "state/particles-private.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -129,13 +130,39 @@ static void a_box_is_a_lattice(void **state)
 
         for (int d = 0; d < DIM; d++) {
             assert_near(p->x0[i][d], shape.from[d] + (site[d] + 0.5) * 0.1, 1e-15);
-            assert_true(p->x[i][d] == p->x0[i][d] && p->u[i][d] == 0);
         }
         assert_true(p->m[i] == s.mass && p->dye[i] == 0 && p->object_of[i] == 0);
     }
     assert_ptr_equal(p->scales, &s);
+    assert_null(p->x);
     particles_free(&p);
     assert_null(p);
+}
+
+/* At a moment solids stand elsewhere, while all else is that of the particles. */
+static void solids_of_a_moment_are_its_own(void **state)
+{
+    const struct scales s = scales_of(0.1);
+    const struct shape shape = box(0.2, 0.1, 0, 0.5, 0.5, 0.2);
+    const struct fill_item item = item_of("it", KIND_WALL, &shape);
+    struct particles *p = filled(&item, 1, &s), *now[2];
+    const int first = p->from[KIND_FLUID + 1];
+
+    (void)state;
+    assert_true(first < p->n);
+    for (int k = 0; k < 2; k++)
+        assert_int_equal(particles_create_beside(p, &now[k]), STATUS_DONE);
+    for (int i = first; i < p->n; i++)
+        for (int d = 0; d < DIM; d++)
+            assert_true(now[0]->x[i][d] == p->x0[i][d] && now[0]->u[i][d] == 0);
+    now[0]->x[p->n - 1][0] = 7;
+    now[0]->object[0].omega = 3;
+    assert_true(now[1]->x[p->n - 1][0] == p->x0[p->n - 1][0]);
+    assert_true(now[1]->object[0].omega == 0 && p->object[0].omega == 0);
+    assert_ptr_equal(now[0]->m, p->m);
+    for (int k = 0; k < 2; k++)
+        particles_free(&now[k]);
+    particles_free(&p);
 }
 
 /* A spacing written with eleven digits: 1/3 is filled from wall to wall. */
@@ -662,6 +689,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_box_is_a_lattice),
+        cmocka_unit_test(solids_of_a_moment_are_its_own),
         cmocka_unit_test(a_rounded_spacing_is_spread_evenly),
         cmocka_unit_test(a_spacing_that_does_not_fit_is_refused),
         cmocka_unit_test(a_suggested_spacing_fits_every_side),

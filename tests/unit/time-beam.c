@@ -27,7 +27,8 @@ enum { POINTS = 8 };
 
 struct beam {
     struct scene *scene;
-    struct plan *plan;
+    const struct plan *plan;
+    struct moment *moment;
     const struct method *method;
     void *self;
     double *y;
@@ -56,7 +57,8 @@ static void make_with(struct beam *b, const char *name, double tol, double subst
         fail_msg("%s", status_message());
     for (int i = 0; keys[i]; i++)
         assert_int_equal(scene_override(b->scene, keys[i]), STATUS_DONE);
-    if (plan_create(b->scene, &b->plan) != STATUS_DONE)
+    if (plan_create(b->scene, &b->plan) != STATUS_DONE
+        || moment_create(b->plan, &b->moment) != STATUS_DONE)
         fail_msg("%s", status_message());
     assert_int_equal(method_find(name, &def, &b->method), STATUS_DONE);
     def.tol = tol;
@@ -64,7 +66,7 @@ static void make_with(struct beam *b, const char *name, double tol, double subst
     b->y = test_calloc((size_t)plan_size(b->plan), sizeof *b->y);
     b->tip = tip_of(plan_layout(b->plan));
     plan_start(b->plan, b->y);
-    if (b->method->create(b->method, &def, b->plan, 0, b->y, &b->self) != STATUS_DONE)
+    if (b->method->create(b->method, &def, b->moment, 0, b->y, &b->self) != STATUS_DONE)
         fail_msg("%s", status_message());
 }
 
@@ -77,6 +79,7 @@ static void end(struct beam *b)
 {
     b->method->free(&b->self);
     test_free(b->y);
+    moment_free(&b->moment);
     plan_free(&b->plan);
     scene_free(&b->scene);
 }
@@ -215,7 +218,7 @@ static void the_book_of_dv_is_that_of_its_steps(void **state)
     make(&b, "dv", 0.1, 0);
     for (int k = 0; k < 40; k++) {
         assert_int_equal(b.method->step(b.self, 10, &step), STATUS_DONE);
-        plan_sheet_make(b.plan, step.t, b.method->state(b.self), &s);
+        observe_sheet(b.moment, step.t, b.method->state(b.self), &s);
         most = fmax(most, fabs(s.momentum[0]));
         for (int d = 0; d < 2; d++)
             if (!(fabs(s.momentum[d] - s.momentum_given[d]) < 1e-11))

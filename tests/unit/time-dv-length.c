@@ -5,7 +5,7 @@
 void dv_estimates_its_error(void **state)
 {
     const double h = 0.02;
-    struct plan p;
+    struct moment p;
     double exact[64];
 
     (void)state;
@@ -17,9 +17,9 @@ void dv_estimates_its_error(void **state)
         x->a.t[k] = 1 + h * (0.5 - k);
         x->d.t[k] = 1 + h * (1 - k);
         toy_exact(&p, x->a.t[k], exact);
-        assert_int_equal(plan_rhs(&p, PLAN_VELOCITY, x->a.t[k], exact, x->a.f[k]), STATUS_DONE);
+        assert_int_equal(moment_eval(&p, ASK_HALF(ASK_VELOCITIES, 0), x->a.t[k], exact, x->a.f[k]), STATUS_DONE);
         toy_exact(&p, x->d.t[k], exact);
-        assert_int_equal(plan_rhs(&p, PLAN_DENSITY, x->d.t[k], exact, x->d.f[k]), STATUS_DONE);
+        assert_int_equal(moment_eval(&p, ASK_HALF(ASK_DENSITIES, 0), x->d.t[k], exact, x->d.f[k]), STATUS_DONE);
     }
     x->a.known = x->d.known = 2;
     const double e = dv_error(&x->frame, h), cube = h * h * h / 24;
@@ -49,7 +49,7 @@ void dv_estimates_its_error(void **state)
 void dv_starts_carefully(void **state)
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
 
     (void)state;
     toy_make(&p, 0, 0);
@@ -81,7 +81,7 @@ void dv_starts_carefully(void **state)
 static double bound(double wave, double decay, char where[96])
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
 
     toy_make(&p, 0, 0);
     p.wave = wave;
@@ -125,7 +125,7 @@ void dv_keeps_waves_and_decay_stable(void **state)
 static void steps_after(bool cut, double h[3])
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
     double y[64];
 
     toy_make(&p, 4, 0.5);
@@ -138,7 +138,7 @@ static void steps_after(bool cut, double h[3])
         assert_int_equal(toy_found()->step(x, step.t + 1e-6 * step.h, &step), STATUS_DONE);
         assert_int_equal(step.limiter, METHOD_OUTPUT);
         assert_int_equal(toy_found()->at(x, step.t - 0.4 * step.h, y), STATUS_DONE);
-        for (long i = 0; i < plan_size(&p); i++)
+        for (long i = 0; i < moment_size(&p); i++)
             near(y[i], x->frame.y[i], 1e-6);
     }
     for (int k = 0; k < 3; k++) {
@@ -168,7 +168,7 @@ void dv_is_not_disturbed_by_a_short_step(void **state)
 void dv_shortens_steps_without_an_answer(void **state)
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
 
     (void)state;
     toy_make(&p, 4, 0.5);

@@ -27,7 +27,7 @@ static void *run(struct tank *t, const char *name, double tol, double h)
     def.tol = tol;
     def.h_first = h;
     assert_null(method->serves(t->plan));
-    if (method->create(method, &def, t->plan, 0, t->y, &self) != STATUS_DONE)
+    if (method->create(method, &def, t->moment, 0, t->y, &self) != STATUS_DONE)
         fail_msg("%s", status_message());
     return self;
 }
@@ -109,7 +109,7 @@ static double way_back(const char *effects)
     assert_int_equal(dv_begin(&x->frame), STATUS_DONE);
     dv_steps(x, 40, 2e-4);
     assert_true(far(&t, x->frame.y, t.y) > 0.1);
-    assert_int_equal(plan_rhs(t.plan, PLAN_DENSITY, x->frame.t, x->frame.y, x->d.f[1]),
+    assert_int_equal(moment_eval(t.moment, ASK_HALF(ASK_DENSITIES, 0), x->frame.t, x->frame.y, x->d.f[1]),
                      STATUS_DONE);
     dv_steps(x, 40, -2e-4);
     off = far(&t, x->frame.y, t.y);
@@ -147,13 +147,14 @@ static void the_work_of_a_kick_is_exact(void **state)
     (void)state;
     make(&t, TANK_EFFECTS);
     const long u = plan_layout(t.plan)->from[LAYOUT_VELOCITY];
-    plan_sheet_make(t.plan, 0, t.y, &before);
-    assert_int_equal(plan_half(t.plan, PLAN_VELOCITY, 0, t.y, h / 2, t.ydot), STATUS_DONE);
+    observe_sheet(t.moment, 0, t.y, &before);
+    assert_int_equal(moment_eval(t.moment, ASK_HALF(ASK_VELOCITIES, h / 2), 0, t.y, t.ydot),
+                     STATUS_DONE);
     for (long i = 0; i < u; i++)
         t.y[i] += h * (t.y[u + i] + h / 2 * t.ydot[u + i]);
     for (long i = u; i < t.n; i++)
         t.y[i] += h * t.ydot[i];
-    plan_sheet_make(t.plan, 0, t.y, &after);
+    observe_sheet(t.moment, 0, t.y, &after);
     const double moved = after.energy.kinetic - before.energy.kinetic + after.energy.potential
                        - before.energy.potential, work = given(&after, &before);
     check(fabs(moved) > 1e-3 && fabs(moved - work) < 1e-10 * fabs(moved), "%.15g J, not %.15g J",
@@ -169,11 +170,12 @@ static double swelling(double h)
     double off;
 
     make(&t, TANK_EFFECTS);
-    plan_sheet_make(t.plan, 0, t.y, &before);
-    assert_int_equal(plan_half(t.plan, PLAN_DENSITY, 0, t.y, h / 2, t.ydot), STATUS_DONE);
+    observe_sheet(t.moment, 0, t.y, &before);
+    assert_int_equal(moment_eval(t.moment, ASK_HALF(ASK_DENSITIES, h / 2), 0, t.y, t.ydot),
+                     STATUS_DONE);
     for (long i = 0; i < t.n; i++)
         t.y[i] += h * t.ydot[i];
-    plan_sheet_make(t.plan, 0, t.y, &after);
+    observe_sheet(t.moment, 0, t.y, &after);
     off = after.energy.internal - before.energy.internal - given(&after, &before);
     tank_free(&t);
     return off;
@@ -197,9 +199,9 @@ static double defect(const char *effects, double tol, double *pressure)
     struct tank t;
 
     make(&t, effects);
-    plan_sheet_make(t.plan, 0, t.y, &first);
+    observe_sheet(t.moment, 0, t.y, &first);
     run_to(&t, "dv", tol, 0, 0.1, t.y);
-    plan_sheet_make(t.plan, 0.1, t.y, &last);
+    observe_sheet(t.moment, 0.1, t.y, &last);
     const double off = last.total - first.total - given(&last, &first);
     *pressure = fabs(last.pressure_defect / first.energy.kinetic);
     tank_free(&t);

@@ -2,7 +2,7 @@
 #include "time-dv.h"
 #include "time-tests.h"
 
-struct dv *toy_dv(struct plan *p, double tol, double h)
+struct dv *toy_dv(struct moment *p, double tol, double h)
 {
     return toy_method(p, "dv", tol, h);
 }
@@ -19,7 +19,7 @@ void toy_dv_free(struct dv *x)
 /* Errors of the state and of the book at t = 2, by steps of length h. */
 static void final_errors(double stiffness, double drag, bool plain, double h, double error[2])
 {
-    struct plan p;
+    struct moment p;
     double exact[64];
     int steps;
 
@@ -62,7 +62,7 @@ void dv_is_of_order_two_without_dissipation(void **state)
 void dv_books_the_work_of_a_kick(void **state)
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
     double y[64], exact[64], last[64];
 
     (void)state;
@@ -75,14 +75,14 @@ void dv_books_the_work_of_a_kick(void **state)
     assert_int_equal(paced_at(x, step.t - 0.0025, y), STATUS_DONE);
     toy_exact(&p, step.t - 0.0025, exact);
     toy_exact(&p, step.t, last);
-    for (long i = 0; i < plan_size(&p); i++) /* a line may be 1e-5 off, that of the book is */
-        near(y[i] - x->frame.y[i], exact[i] - last[i], i + 1 < plan_size(&p) ? 2e-7 : 1e-5);
+    for (long i = 0; i < moment_size(&p); i++) /* a line may be 1e-5 off, that of the book is */
+        near(y[i] - x->frame.y[i], exact[i] - last[i], i + 1 < moment_size(&p) ? 2e-7 : 1e-5);
     toy_dv_free(x);
 }
 
 static double way_back(double drag, bool plain)
 {
-    struct plan p;
+    struct moment p;
     double exact[64], most = 0;
 
     toy_make(&p, 0, 0);
@@ -93,9 +93,9 @@ static double way_back(double drag, bool plain)
     assert_int_equal(dv_begin(&x->frame), STATUS_DONE);
     dv_steps(x, 50, 0.04);
     assert_true(fabs(x->frame.y[0] - exact[0]) > 0.5);
-    assert_int_equal(plan_rhs(&p, PLAN_DENSITY, x->frame.t, x->frame.y, x->d.f[1]), STATUS_DONE);
+    assert_int_equal(moment_eval(&p, ASK_HALF(ASK_DENSITIES, 0), x->frame.t, x->frame.y, x->d.f[1]), STATUS_DONE);
     dv_steps(x, 50, -0.04);
-    for (long i = 0; i < plan_size(&p) - 1; i++)
+    for (long i = 0; i < moment_size(&p) - 1; i++)
         most = fmax(most, fabs(x->frame.y[i] - exact[i]));
     toy_dv_free(x);
     return most;
@@ -115,7 +115,7 @@ void dv_is_symmetric_in_time(void **state)
 void dv_shows_bodies_under_the_last_load(void **state)
 {
     struct method_step step;
-    struct plan p;
+    struct moment p;
 
     (void)state;
     toy_make(&p, 1e8, 1e3);
@@ -135,7 +135,7 @@ void dv_estimates_the_error_of_bodies(void **state)
 {
     const double h = 0.002, w = 20, cube = h * h * h / 24;
     struct method_step step;
-    struct plan p;
+    struct moment p;
     double y[64];
 
     (void)state;
@@ -157,7 +157,7 @@ void dv_estimates_the_error_of_bodies(void **state)
 
 static int stiff_steps(double stiffness)
 {
-    struct plan p;
+    struct moment p;
     int steps;
 
     toy_make(&p, stiffness, 1);
@@ -185,7 +185,7 @@ void dv_steps_do_not_depend_on_stiffness(void **state)
 /* q at t = 1 of a body plucked by 0.5. */
 static double plucked(const char *name, double tol, int *steps)
 {
-    struct plan p;
+    struct moment p;
     double y[64];
 
     toy_make(&p, 400, 1);
@@ -217,12 +217,12 @@ void dv_needs_halves(void **state)
 {
     struct method_def def = method_def_default();
     const struct method *m;
-    struct plan p;
+    struct moment p;
 
     (void)state;
     toy_make(&p, 0, 0);
     assert_int_equal(method_find("dv", &def, &m), STATUS_DONE);
-    assert_null(m->serves(&p));
+    assert_null(m->serves(moment_plan(&p)));
     p.whole = "all is one";
-    assert_string_equal(m->serves(&p), "all is one");
+    assert_string_equal(m->serves(moment_plan(&p)), "all is one");
 }

@@ -4,7 +4,7 @@
 
 #include "time/mri.h"
 
-static struct mri *toy_mri(struct plan *p, double stiffness, double tol, double h)
+static struct mri *toy_mri(struct moment *p, double stiffness, double tol, double h)
 {
     toy_make(p, stiffness, 0.5);
     return toy_method(p, "mri@0.25", tol, h);
@@ -19,7 +19,7 @@ static void end(struct mri *m)
 
 static double error_at(double stiffness, double tol, double h, double t_end)
 {
-    struct plan p;
+    struct moment p;
     struct mri *m = toy_mri(&p, stiffness, tol, h);
     int steps;
     double error;
@@ -47,7 +47,7 @@ void mri_is_of_order_three(void **state)
 /* Stages at 0, 1/3, 3/4 and 1 of a step: within each, steps no longer than `substep`. */
 void mri_keeps_to_substep(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct mri *m = toy_mri(&p, 4, 1e6, 0.06);
     struct method_step step;
 
@@ -70,7 +70,7 @@ void mri_resolves_vibrations_of_bodies(void **state)
 
     (void)state;
     for (int k = 0; k < 2; k++) {
-        struct plan p;
+        struct moment p;
         struct mri *m = toy_mri(&p, 1e4, k ? 1e-7 : 1e-3, 0.05);
         int steps;
         double exact[64], y[64];
@@ -96,7 +96,7 @@ void mri_passes_over_stiff_bodies(void **state)
 {
     (void)state;
     for (double stiffness = 1e6; stiffness < 2e12; stiffness *= 100) {
-        struct plan p;
+        struct moment p;
         struct mri *m = toy_mri(&p, stiffness, 1e-4, 0.05);
         int steps;
         assert_int_equal(toy_run(m, 2, &steps), STATUS_DONE);
@@ -109,7 +109,7 @@ void mri_passes_over_stiff_bodies(void **state)
 
 void mri_shortens_steps_without_an_answer(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct mri *m = toy_mri(&p, 4, 1e-3, 0.8);
     int steps;
 
@@ -125,16 +125,16 @@ void mri_says_what_it_cannot_serve(void **state)
 {
     struct method_def def = method_def_default();
     const struct method *m;
-    struct plan p;
+    struct moment p;
 
     (void)state;
     assert_int_equal(method_find("mri", &def, &m), STATUS_DONE);
     toy_make(&p, 0, 0);
-    assert_non_null(strstr(m->serves(&p), "no beam"));
+    assert_non_null(strstr(m->serves(moment_plan(&p)), "no beam"));
     toy_make(&p, 4, 0);
-    assert_null(m->serves(&p));
+    assert_null(m->serves(moment_plan(&p)));
     assert_int_equal(method_find("dirk3", &def, &m), STATUS_DONE);
-    assert_non_null(strstr(m->serves(&p), "imex3"));
+    assert_non_null(strstr(m->serves(moment_plan(&p)), "imex3"));
     toy_make(&p, 0, 0);
-    assert_non_null(strstr(m->serves(&p), "no beam"));
+    assert_non_null(strstr(m->serves(moment_plan(&p)), "no beam"));
 }

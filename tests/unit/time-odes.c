@@ -26,22 +26,22 @@ static const struct method *const methods[METHODS] = {
 };
 
 /* With a beam where the method serves one. */
-static void make(struct plan *p, const struct method *m, double stiffness)
+static void make(struct moment *p, const struct method *m, double stiffness)
 {
     toy_make(p, stiffness, 0.5);
-    if (m->serves(p))
+    if (m->serves(moment_plan(p)))
         toy_make(p, 0, 0);
 }
 
 /* On the exact solution at t = 0. */
-static void *begin(const struct method *m, struct plan *p, double tol, double h_first)
+static void *begin(const struct method *m, struct moment *p, double tol, double h_first)
 {
     struct method_def def = method_def_default();
     double y[STATE];
     void *self = NULL;
 
     status_clear();
-    assert_null(m->serves(p));
+    assert_null(m->serves(moment_plan(p)));
     def.tol = tol;
     def.h_first = h_first;
     toy_exact(p, 0, y);
@@ -78,7 +78,7 @@ static bool has_a_word(const char *word)
 /* Each step is cut to h. */
 static double fixed_error(const struct method *m, double h)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step = { .t = 0 };
     double error;
 
@@ -121,7 +121,7 @@ static void errors_follow_the_tolerance(void **state)
         double error[3];
         int steps[3];
         for (int k = 0; k < 3; k++) {
-            struct plan p;
+            struct moment p;
             toy_make(&p, 0, 0);
             void *self = begin(methods[i], &p, pow(10, -4 - 2 * k), 0);
             assert_int_equal(run(methods[i], self, 0, 3, &steps[k]), STATUS_DONE);
@@ -139,7 +139,7 @@ static void between_the_ends_it_is_as_accurate(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         struct method_step step = { .t = 0 };
         double y[STATE], most = 0, ends = 0;
         make(&p, methods[i], 4);
@@ -147,7 +147,7 @@ static void between_the_ends_it_is_as_accurate(void **state)
         while (step.t < 3) {
             assert_int_equal(methods[i]->step(self, 3, &step), STATUS_DONE);
             assert_int_equal(methods[i]->at(self, step.t, y), STATUS_DONE);
-            assert_memory_equal(y, methods[i]->state(self), sizeof *y * (size_t)plan_size(&p));
+            assert_memory_equal(y, methods[i]->state(self), sizeof *y * (size_t)moment_size(&p));
             ends = fmax(ends, toy_error(&p, step.t, y));
             for (int k = 1; k < 4; k++) {
                 const double t = step.t - k * step.h / 4;
@@ -172,7 +172,7 @@ static void bdf_does_not_mind_stiff_beams(void **state)
 
     (void)state;
     for (int k = 0; k < 3; k++) {
-        struct plan p;
+        struct moment p;
         toy_make(&p, pow(10, 6 + k), 0);
         p.wave = 0;
         void *self = begin(&cvode_bdf.method, &p, 1e-4, 0);
@@ -192,12 +192,12 @@ static void bdf_does_not_mind_stiff_beams(void **state)
 /* ab3 has a bound of stability that knows them. */
 static void only_bdf_and_ab3_serve_beams(void **state)
 {
-    struct plan p;
+    struct moment p;
 
     (void)state;
     toy_make(&p, 1e6, 0);
     for (int i = 0; i < METHODS; i++) {
-        const char *why = methods[i]->serves(&p);
+        const char *why = methods[i]->serves(moment_plan(&p));
         if (methods[i] == &cvode_bdf.method || methods[i] == &ab3_kind.method)
             assert_null(why);
         else
@@ -210,7 +210,7 @@ static void only_bdf_and_ab3_serve_beams(void **state)
 /* Three for each of the first two steps, then one a step, accepted or not. */
 static void ab3_asks_once_a_step(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step = { .t = 0 };
     int steps;
 
@@ -235,7 +235,7 @@ static void ab3_is_not_disturbed_by_a_short_step(void **state)
 
     (void)state;
     for (int k = 0; k < 2; k++) {
-        struct plan p;
+        struct moment p;
         const double stop[3] = { 1, 1 + 3e-15, 3 };
         toy_make(&p, 0, 0);
         void *self = begin(&ab3_kind.method, &p, 1e-5, 0);
@@ -260,7 +260,7 @@ static void looking_does_not_change_the_run(void **state)
         double final[2][STATE] = { { 0 } };
         long asked[2];
         for (int looks = 0; looks < 2; looks++) {
-            struct plan p;
+            struct moment p;
             struct method_step step = { .t = 0 };
             double y[STATE];
             make(&p, methods[i], 100);
@@ -270,7 +270,7 @@ static void looking_does_not_change_the_run(void **state)
                 for (int k = 1; k < 4 && looks; k++)
                     assert_int_equal(methods[i]->at(self, step.t - step.h * k / 4, y), 0);
             }
-            memcpy(final[looks], methods[i]->state(self), sizeof *y * (size_t)plan_size(&p));
+            memcpy(final[looks], methods[i]->state(self), sizeof *y * (size_t)moment_size(&p));
             asked[looks] = p.counts.rhs_explicit;
             assert_true(p.counts.rebuilds > 5);
             end(methods[i], &self);
@@ -284,22 +284,22 @@ static void a_restart_forgets_the_past(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         double y[STATE], first[STATE];
         struct method_step step;
         int steps;
         make(&p, methods[i], 4);
         void *self = begin(methods[i], &p, 1e-5, 0);
         assert_int_equal(run(methods[i], self, 0, 1, &steps), STATUS_DONE);
-        memcpy(first, methods[i]->state(self), sizeof *y * (size_t)plan_size(&p));
+        memcpy(first, methods[i]->state(self), sizeof *y * (size_t)moment_size(&p));
         assert_int_equal(methods[i]->step(self, 2, &step), STATUS_DONE);
         toy_exact(&p, 0, y);
         assert_int_equal(methods[i]->restart(self, 0, y), STATUS_DONE);
-        assert_memory_equal(methods[i]->state(self), y, sizeof *y * (size_t)plan_size(&p));
+        assert_memory_equal(methods[i]->state(self), y, sizeof *y * (size_t)moment_size(&p));
         assert_int_equal(methods[i]->at(self, 0.5, y), STATUS_FAILED);
         p.listed = 0;
         assert_int_equal(run(methods[i], self, 0, 1, &steps), STATUS_DONE);
-        assert_memory_equal(first, methods[i]->state(self), sizeof *y * (size_t)plan_size(&p));
+        assert_memory_equal(first, methods[i]->state(self), sizeof *y * (size_t)moment_size(&p));
         end(methods[i], &self);
     }
 }
@@ -310,7 +310,7 @@ static void a_refusal_shortens_the_step(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         make(&p, methods[i], 4);
         p.off = 2e-3;
@@ -328,7 +328,7 @@ static void a_lasting_refusal_ends_the_run_with_a_message(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         make(&p, methods[i], 4);
         p.refuse_after = 1;
@@ -348,7 +348,7 @@ static void nothing_starts_where_there_is_no_answer(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         double y[STATE];
         int steps;
         make(&p, methods[i], 4);
@@ -369,7 +369,7 @@ static void rates_that_are_not_finite_are_refused(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         make(&p, methods[i], 4);
         p.poison_after = 1;
@@ -377,7 +377,7 @@ static void rates_that_are_not_finite_are_refused(void **state)
         assert_int_equal(run(methods[i], self, 0, 2, &steps), STATUS_FAILED);
         if (!has_a_word("rate of book, number 0 is not finite"))
             fail_msg("%s", status_message());
-        for (long k = 0; k < plan_size(&p); k++)
+        for (long k = 0; k < moment_size(&p); k++)
             assert_true(isfinite(methods[i]->state(self)[k]));
         end(methods[i], &self);
     }
@@ -388,7 +388,7 @@ static void the_largest_error_is_named(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan p;
+        struct moment p;
         struct method_step step;
         toy_make(&p, 0, 0);
         void *self = begin(methods[i], &p, 1e-6, 0);

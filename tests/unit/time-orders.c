@@ -84,7 +84,7 @@ static bool run(struct tank *t, const struct method *m, const struct method_def 
     void *self;
 
     status_clear();
-    if (m->create(m, def, t->plan, 0, t->y, &self) != STATUS_DONE)
+    if (m->create(m, def, t->moment, 0, t->y, &self) != STATUS_DONE)
         fail_msg("%s", status_message());
     while (step.t < end && m->step(self, end, &step) == STATUS_DONE)
         check(def->seconds == 0 || fabs(step.h / def->seconds - 1) < 1e-6, "%s: a step of %g s "
@@ -267,7 +267,7 @@ static void too_long_a_step_says_so(void **state)
 
     (void)state;
     make(&p, WATER);
-    plan_limit(p.tank.plan, 0, p.tank.y, false, limit);
+    moment_limit(p.tank.moment, 0, p.tank.y, false, limit);
     for (int i = 0; method_table[i]; i++) {
         const struct method *m = method_table[i];
         struct method_def def = method_def_default();

@@ -4,7 +4,7 @@
 static const struct method *method;
 
 /* As toy_method(), with a largest step of bodies. */
-static void *staggered(struct plan *p, const char *name, double substep)
+static void *staggered(struct moment *p, const char *name, double substep)
 {
     struct method_def def = method_def_default();
     double y[64];
@@ -12,14 +12,14 @@ static void *staggered(struct plan *p, const char *name, double substep)
 
     status_clear();
     assert_int_equal(method_find(name, &def, &method), STATUS_DONE);
-    assert_null(method->serves(p));
+    assert_null(method->serves(moment_plan(p)));
     def.substep = substep;
     toy_exact(p, 0, y);
     assert_int_equal(method->create(method, &def, p, 0, y, &self), STATUS_DONE);
     return self;
 }
 
-static double entry(const struct plan *p, const double *y, int row)
+static double entry(const struct moment *p, const double *y, int row)
 {
     return y[layout_at(&p->layout, row)];
 }
@@ -28,7 +28,7 @@ static double entry(const struct plan *p, const double *y, int row)
  * the forces of t_n, three times. */
 void staggered_steps_water_and_bodies_in_turn(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
     double y[64], f[64], q, v;
 
@@ -40,19 +40,19 @@ void staggered_steps_water_and_bodies_in_turn(void **state)
     toy_exact(&p, 0, y);
     q = entry(&p, y, p.row_q);
     v = entry(&p, y, p.row_v);
-    assert_int_equal(plan_rhs(&p, PLAN_EXPLICIT, 0, y, f), STATUS_DONE);
+    assert_int_equal(moment_eval(&p, ASK_EXPLICIT_SIDE, 0, y, f), STATUS_DONE);
     const double push = entry(&p, f, p.row_v);
     assert_int_equal(method->step(self, 10, &step), STATUS_DONE);
     near(step.h, 0.05, 1e-12);
     for (int i = 0; i < TOY_PARTICLES; i++)
         y[u + i] += step.h * f[u + i];
-    assert_int_equal(plan_rhs(&p, PLAN_EXPLICIT, 0, y, f), STATUS_DONE);
+    assert_int_equal(moment_eval(&p, ASK_EXPLICIT_SIDE, 0, y, f), STATUS_DONE);
     for (int i = 0; i < TOY_PARTICLES; i++) {
         near(method->state(self)[u + i], y[u + i], 1e-14);
         near(method->state(self)[layout_at(&p.layout, p.row_x) + i],
              y[layout_at(&p.layout, p.row_x) + i] + step.h * y[u + i], 1e-14);
     }
-    for (long i = other; i < plan_size(&p); i++)
+    for (long i = other; i < moment_size(&p); i++)
         near(method->state(self)[i], y[i] + step.h * f[i], 1e-14);
     for (int k = 0; k < 3; k++) { /* v of v = v_k + b (push - 400 (q_k + b v) - 2 v) */
         const double b = step.h / 3;
@@ -75,7 +75,7 @@ void staggered_counts_its_substeps(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        struct plan p;
+        struct moment p;
         struct method_step step;
         toy_make(&p, 4, 0.5);
         p.wave = 0.25 * 1.32 / 0.05;
@@ -91,7 +91,7 @@ void staggered_counts_its_substeps(void **state)
 
 static void run_free(const char *name, double y[4][64], double *t)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step = { .t = 0 };
 
     toy_make(&p, 0, 0);
@@ -105,7 +105,7 @@ static void run_free(const char *name, double y[4][64], double *t)
         if (k % 2)
             assert_int_equal(method->at(self, step.t - 0.4 * step.h, y[k]), STATUS_DONE);
         else
-            memcpy(y[k], method->state(self), sizeof y[k][0] * (size_t)plan_size(&p));
+            memcpy(y[k], method->state(self), sizeof y[k][0] * (size_t)moment_size(&p));
     }
     assert_true(p.counts.solves == 0);
     method->free(&self);
@@ -127,7 +127,7 @@ void staggered_without_bodies_is_euler(void **state)
  * explicit method. */
 void staggered_bodies_alone_set_their_step(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
 
     (void)state;
@@ -153,7 +153,7 @@ void staggered_steps_do_not_depend_on_stiffness(void **state)
 {
     (void)state;
     for (double stiffness = 1e2; stiffness < 2e9; stiffness *= 10) {
-        struct plan p;
+        struct moment p;
         struct method_step step = { .t = 0 };
         int steps = 0;
         toy_make(&p, stiffness, 1);
@@ -173,7 +173,7 @@ void staggered_steps_do_not_depend_on_stiffness(void **state)
 /* Their rates are not known as a whole. */
 void staggered_bodies_go_straight_between_the_ends(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
     double old[64], y[64];
 
@@ -182,7 +182,7 @@ void staggered_bodies_go_straight_between_the_ends(void **state)
     p.wave = 0.25 * 1.32 / 0.05;
     void *self = staggered(&p, "staggered", 0.02);
     for (int k = 0; k < 20; k++) {
-        memcpy(old, method->state(self), sizeof *old * (size_t)plan_size(&p));
+        memcpy(old, method->state(self), sizeof *old * (size_t)moment_size(&p));
         assert_int_equal(method->step(self, 10, &step), STATUS_DONE);
         assert_int_equal(method->at(self, step.t - 0.75 * step.h, y), STATUS_DONE);
         for (int i = 0; i < 2; i++) {
@@ -196,7 +196,7 @@ void staggered_bodies_go_straight_between_the_ends(void **state)
 
 void staggered_halves_the_step_while_refused(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
 
     (void)state;

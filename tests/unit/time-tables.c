@@ -92,7 +92,7 @@ void stability_factors_of_sundials_tables(void **state)
 
     (void)state;
     for (int i = 0; i < 5; i++) {
-        struct plan p;
+        struct moment p;
         void *self;
         toy_make(&p, 0, 0);
         self = toy_method(&p, row[i].name, 1e-3, 0);

@@ -28,7 +28,7 @@ static inline void near(double got, double want, double tolerance)
 
 /* A method at t = 0 on the exact solution, with steps of length h if not 0: then
  * the toy's wave rate is set so that the stability bound is h, and tol is huge. */
-void *toy_method(struct plan *p, const char *name, double tol, double h);
+void *toy_method(struct moment *p, const char *name, double tol, double h);
 void toy_method_free(void **self);
 const struct method *toy_found(void); /* what toy_method() found */
 
@@ -49,7 +49,7 @@ void staggered_steps_do_not_depend_on_stiffness(void **state);
 void staggered_bodies_go_straight_between_the_ends(void **state);
 void staggered_halves_the_step_while_refused(void **state);
 
-struct dv *toy_dv(struct plan *p, double tol, double h);
+struct dv *toy_dv(struct moment *p, double tol, double h);
 void toy_dv_free(struct dv *x);
 void dv_is_of_order_two_without_dissipation(void **state);
 void dv_books_the_work_of_a_kick(void **state);

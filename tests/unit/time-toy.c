@@ -2,23 +2,22 @@
 #include "time-toy.h"
 
 #include "base/status.h"
-#include "plan/body-book.h"
 #include "state/limit.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static long at(const struct plan *p, int row)
+static long at(const struct moment *p, int row)
 {
     return layout_at(&p->layout, row);
 }
 
-void toy_make(struct plan *p, double stiffness, double damping)
+void toy_make(struct moment *p, double stiffness, double damping)
 {
     struct layout *l = &p->layout;
 
-    *p = (struct plan){ .stiffness = stiffness, .damping = damping, .wave = 1 };
+    *p = (struct moment){ .stiffness = stiffness, .damping = damping, .wave = 1 };
     p->row_x = layout_add(l, LAYOUT_POSITION, "position of fluid", "m", TOY_PARTICLES, 1, 1);
     if (stiffness > 0)
         p->row_q = layout_add(l, LAYOUT_POSITION, "beam.b.w", "m", 1, 1, 1);
@@ -31,7 +30,7 @@ void toy_make(struct plan *p, double stiffness, double damping)
 }
 
 /* The beam's answer to cos t that neither grows nor decays, and its rate. */
-static void exact_beam(const struct plan *p, double t, double *q, double *v)
+static void exact_beam(const struct moment *p, double t, double *q, double *v)
 {
     const double s = p->stiffness - 1, d = p->damping, n = s * s + d * d;
     const double a = s / n, b = d / n;
@@ -40,7 +39,7 @@ static void exact_beam(const struct plan *p, double t, double *q, double *v)
     *v = -a * sin(t) + b * cos(t);
 }
 
-void toy_exact(const struct plan *p, double t, double *y)
+void toy_exact(const struct moment *p, double t, double *y)
 {
     for (int i = 0; i < TOY_PARTICLES; i++) {
         y[at(p, p->row_x) + i] = sin(t + i);
@@ -52,7 +51,7 @@ void toy_exact(const struct plan *p, double t, double *y)
     y[at(p, p->row_book)] = sin(t) * sin(t) / 2;
 }
 
-double toy_error(const struct plan *p, double t, const double *y)
+double toy_error(const struct moment *p, double t, const double *y)
 {
     double exact[64], most = 0;
 
@@ -62,7 +61,7 @@ double toy_error(const struct plan *p, double t, const double *y)
     return most;
 }
 
-static bool refused(struct plan *p, double t, const double *y)
+static bool refused(struct moment *p, double t, const double *y)
 {
     const double off = fabs(y[at(p, p->row_rho)] - 1 - 0.1 * cos(t));
     const bool no = (p->off > 0 && !(off <= p->off))
@@ -72,7 +71,7 @@ static bool refused(struct plan *p, double t, const double *y)
     return no;
 }
 
-static void particle_rates(struct plan *p, double t, const double *y, double *f)
+static void particle_rates(struct moment *p, double t, const double *y, double *f)
 {
     double q = 0, v = 0;
 
@@ -94,66 +93,59 @@ static void particle_rates(struct plan *p, double t, const double *y, double *f)
 
 /* Of a half, rates of the other one and of positions are 0; the book is the
  * velocities' business. */
-static void halve(const struct plan *p, enum plan_which which, double *f)
+static void halve(const struct moment *p, unsigned rates, double *f)
 {
     const long *from = p->layout.from;
 
     memset(f, 0, (size_t)from[LAYOUT_VELOCITY] * sizeof *f);
-    if (which == PLAN_VELOCITY)
+    if (rates == ASK_VELOCITIES)
         memset(f + from[LAYOUT_OTHER], 0, TOY_PARTICLES * sizeof *f);
     else
         memset(f + from[LAYOUT_VELOCITY], 0,
                (size_t)(from[LAYOUT_OTHER] - from[LAYOUT_VELOCITY]) * sizeof *f);
-    if (which == PLAN_DENSITY)
+    if (rates == ASK_DENSITIES)
         f[at(p, p->row_book)] = 0;
 }
 
-int plan_rhs(struct plan *p, enum plan_which which, double t, const double *y, double *f)
+static void explicit_side(struct moment *p, const struct ask *ask, double t, const double *y,
+                          double *f)
 {
     const double x = y[at(p, p->row_x)], u = y[at(p, p->row_u)];
 
-    p->counts.rhs_explicit += (which & (PLAN_EXPLICIT | PLAN_VELOCITY)) != 0;
-    p->counts.rhs_implicit += which == PLAN_IMPLICIT;
-    memset(f, 0, (size_t)plan_size(p) * sizeof *f);
-    if (which != PLAN_IMPLICIT) {
+    particle_rates(p, t, y, f);
+    if (fabs(x - p->listed) > 0.05) {
+        p->listed = x;
+        p->counts.rebuilds++;
+    }
+    f[at(p, p->row_u)] += 1e-14 * p->listed;
+    f[at(p, p->row_book)] = x * (u + ask->ahead * f[at(p, p->row_u)]);
+    if (p->stiffness > 0)
+        f[at(p, p->row_v)] = cos(t) + x - sin(t);
+    if (ask->rates)
+        halve(p, ask->rates, f);
+}
+
+int moment_eval(struct moment *p, struct ask ask, double t, const double *y, double *f)
+{
+    if (ask.apart) {
+        TRY(moment_eval(p, ASK_EXPLICIT_SIDE, t, y, f));
+        return moment_eval(p, ASK_IMPLICIT_SIDE, t, y, ask.apart);
+    }
+    p->counts.rhs_explicit += (ask.sides & ASK_EXPLICIT) && ask.rates != ASK_DENSITIES;
+    p->counts.rhs_implicit += ask.sides == ASK_IMPLICIT;
+    memset(f, 0, (size_t)moment_size(p) * sizeof *f);
+    if (ask.sides & ASK_EXPLICIT) {
         if (refused(p, t, y))
             return STATUS_FAILED;
-        particle_rates(p, t, y, f);
-        if (fabs(x - p->listed) > 0.05) {
-            p->listed = x;
-            p->counts.rebuilds++;
-        }
-        f[at(p, p->row_u)] += 1e-14 * p->listed;
-        f[at(p, p->row_book)] = x * (u + p->later * f[at(p, p->row_u)]);
-        if (p->stiffness > 0)
-            f[at(p, p->row_v)] = cos(t) + x - sin(t);
-        if (which & (PLAN_DENSITY | PLAN_VELOCITY))
-            halve(p, which, f);
+        explicit_side(p, &ask, t, y, f);
     }
-    if ((which & PLAN_IMPLICIT) && p->stiffness > 0) {
+    if ((ask.sides & ASK_IMPLICIT) && p->stiffness > 0) {
         f[at(p, p->row_q)] += y[at(p, p->row_v)];
         f[at(p, p->row_v)] -= p->stiffness * y[at(p, p->row_q)] + p->damping * y[at(p, p->row_v)];
     }
     if (p->poison_after > 0 && t > p->poison_after)
         f[at(p, p->row_book)] = INFINITY;
     return STATUS_DONE;
-}
-
-int plan_half(struct plan *p, enum plan_which which, double t, const double *y, double later,
-              double *f)
-{
-    int status;
-
-    p->later = later;
-    status = plan_rhs(p, which, t, y, f);
-    p->later = 0;
-    return status;
-}
-
-int plan_sides(struct plan *p, double t, const double *y, double *f, double *g)
-{
-    TRY(plan_rhs(p, PLAN_EXPLICIT, t, y, f));
-    return plan_rhs(p, PLAN_IMPLICIT, t, y, g);
 }
 
 const char *plan_drifts(const struct plan *p)
@@ -164,11 +156,11 @@ const char *plan_drifts(const struct plan *p)
 
 const char *plan_halves(const struct plan *p)
 {
-    return p->whole;
+    return p->moment.whole;
 }
 
 /* q = rq + g v, v = rv - g (S q + d v). */
-int plan_solve(struct plan *p, double t, double g, const double *r, double *z)
+int moment_solve(struct moment *p, double t, double g, const double *r, double *z)
 {
     const double rq = r[at(p, p->row_q)], rv = r[at(p, p->row_v)];
     const double v = (rv - g * p->stiffness * rq) / (1 + g * p->damping + g * g * p->stiffness);
@@ -183,24 +175,39 @@ int plan_solve(struct plan *p, double t, double g, const double *r, double *z)
 }
 
 /* The beam has no place in the book. */
-void plan_body_book(struct plan *p, double t, const double *y, double share, double *f)
+void moment_body_book(struct moment *p, double t, const double *y, double share, double *f)
 {
     (void)p, (void)t, (void)y, (void)share, (void)f;
 }
 
-const char *plan_refusal(const struct plan *p)
+const char *moment_refusal(const struct moment *p)
 {
     return p->counts.refused > 0 ? "the density of particle 0 is off" : "";
 }
 
-long plan_size(const struct plan *p)
+const struct plan *moment_plan(const struct moment *p)
+{
+    return (const struct plan *)p;
+}
+
+long moment_size(const struct moment *p)
 {
     return layout_size(&p->layout);
 }
 
-const struct layout *plan_layout(const struct plan *p)
+const struct layout *moment_layout(const struct moment *p)
 {
     return &p->layout;
+}
+
+long plan_size(const struct plan *p)
+{
+    return moment_size(&p->moment);
+}
+
+const struct layout *plan_layout(const struct plan *p)
+{
+    return &p->moment.layout;
 }
 
 double plan_length(const struct plan *p)
@@ -215,28 +222,33 @@ const char *plan_viscous(const struct plan *p)
     return NULL;
 }
 
-void plan_solve_tolerance(struct plan *p, double tol)
+void moment_solve_tolerance(struct moment *p, double tol)
 {
     (void)p, (void)tol;
 }
 
 bool plan_stiff(const struct plan *p)
 {
-    return p->stiffness > 0;
+    return p->moment.stiffness > 0;
 }
 
-int plan_stiff_ranges(const struct plan *p, int most, long (*range)[2])
+int plan_stiff_ranges(const struct plan *p, const struct layout *l, int most, long (*range)[2])
 {
-    const int rows[2] = { p->row_q, p->row_v };
+    const int rows[2] = { p->moment.row_q, p->moment.row_v };
 
     for (int k = 0; k < 2 && k < most && plan_stiff(p); k++) {
-        range[k][0] = at(p, rows[k]);
+        range[k][0] = layout_at(l, rows[k]);
         range[k][1] = range[k][0] + 1;
     }
     return plan_stiff(p) ? 2 : 0;
 }
 
-void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct limit limit[2])
+int moment_stiff_ranges(const struct moment *p, int most, long (*range)[2])
+{
+    return plan_stiff_ranges(moment_plan(p), &p->layout, most, range);
+}
+
+void moment_limit(struct moment *p, double t, const double *y, bool stiff, struct limit limit[2])
 {
     (void)t, (void)y;
     limit[0] = (struct limit){ .rate = p->wave, .where = 1, .part = "pressure" };
@@ -245,12 +257,12 @@ void plan_limit(struct plan *p, double t, const double *y, bool stiff, struct li
         limit[0] = (struct limit){ .rate = sqrt(p->stiffness), .where = 0, .part = "beam.b" };
 }
 
-void plan_weights(const struct plan *p, double tol, double *weight)
+void moment_weights(const struct moment *p, double tol, double *weight)
 {
     layout_weights(&p->layout, tol, weight);
 }
 
-const char *plan_entry(const struct plan *p, long i)
+const char *moment_entry(const struct moment *p, long i)
 {
     static char text[96];
     int which = 0;
@@ -260,7 +272,7 @@ const char *plan_entry(const struct plan *p, long i)
     return text;
 }
 
-const struct plan_counts *plan_counts(const struct plan *p)
+const struct moment_counts *moment_counts(const struct moment *p)
 {
     return &p->counts;
 }

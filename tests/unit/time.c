@@ -12,7 +12,7 @@ const struct method *toy_found(void)
     return found;
 }
 
-void *toy_method(struct plan *p, const char *name, double tol, double h)
+void *toy_method(struct moment *p, const char *name, double tol, double h)
 {
     struct method_def def = method_def_default();
     double y[64];
@@ -20,7 +20,7 @@ void *toy_method(struct plan *p, const char *name, double tol, double h)
 
     status_clear();
     assert_int_equal(method_find(name, &def, &found), STATUS_DONE);
-    assert_null(found->serves(p));
+    assert_null(found->serves(moment_plan(p)));
     def.tol = tol;
     toy_exact(p, 0, y);
     if (found->create(found, &def, p, 0, y, &self) != STATUS_DONE)
@@ -62,7 +62,7 @@ int toy_run(void *self, double t_end, int *steps)
 
 static double final_error(const char *name, double stiffness, double h)
 {
-    struct plan p;
+    struct moment p;
     void *self;
     double error;
     int steps;
@@ -111,12 +111,12 @@ static void methods_have_their_order(void **state)
 }
 
 /* Makes a plan that the method serves; those for beams alone: time-beam.c. */
-static bool has_a_plan(const struct method *m, struct plan *p)
+static bool has_a_plan(const struct method *m, struct moment *p)
 {
     toy_make(p, 100, 1);
-    if (m->serves(p)) /* not with a beam */
+    if (m->serves(moment_plan(p))) /* not with a beam */
         toy_make(p, 0, 0);
-    return !m->serves(p);
+    return !m->serves(moment_plan(p));
 }
 
 /* Every method of the table runs, and its error follows tol (dv, of order 2: its own
@@ -127,7 +127,7 @@ static void all_methods_follow_the_tolerance(void **state)
     for (int i = 0; method_table[i]; i++) {
         double error[2];
         int steps[2];
-        struct plan p;
+        struct moment p;
         const bool asked = method_table[i]->adaptive && method_table[i] != &dv_kind.method
                         && has_a_plan(method_table[i], &p);
         for (int k = 0; k < 2 && asked; k++) {
@@ -160,7 +160,7 @@ static void right_hand_sides_are_not_wasted(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        struct plan p;
+        struct moment p;
         void *self;
         double y[64];
         struct method_step step;
@@ -180,7 +180,7 @@ static void right_hand_sides_are_not_wasted(void **state)
 
 static double dense_error(const char *name, double h)
 {
-    struct plan p;
+    struct moment p;
     void *self;
     struct method_step step = { .t = 0 };
     double most = 0;
@@ -221,7 +221,7 @@ static void dense_output_has_about_the_order(void **state)
 
 static void dense_output_meets_the_ends(void **state)
 {
-    struct plan p;
+    struct moment p;
     double y[64], old[64];
     struct method_step step;
     void *self;
@@ -229,12 +229,12 @@ static void dense_output_meets_the_ends(void **state)
     (void)state;
     toy_make(&p, 4, 0.5);
     self = toy_method(&p, "imex4", 1e-3, 0);
-    memcpy(old, found->state(self), sizeof *old * (size_t)plan_size(&p));
+    memcpy(old, found->state(self), sizeof *old * (size_t)moment_size(&p));
     assert_int_equal(found->step(self, 10, &step), STATUS_DONE);
     assert_int_equal(found->at(self, step.t - step.h, y), STATUS_DONE);
-    assert_memory_equal(y, old, sizeof *y * (size_t)plan_size(&p));
+    assert_memory_equal(y, old, sizeof *y * (size_t)moment_size(&p));
     assert_int_equal(found->at(self, step.t, y), STATUS_DONE);
-    assert_memory_equal(y, found->state(self), sizeof *y * (size_t)plan_size(&p));
+    assert_memory_equal(y, found->state(self), sizeof *y * (size_t)moment_size(&p));
     assert_int_equal(found->at(self, step.t + step.h, y), STATUS_FAILED);
     toy_method_free(&self);
 }
@@ -269,7 +269,7 @@ static void looking_does_not_change_the_run(void **state)
         double final[3][64];
         long rebuilds[3];
         for (int looks = 0; looks < 3; looks++) {
-            struct plan p;
+            struct moment p;
             struct method_step step = { .t = 0 };
             double y[64];
             toy_make(&p, 1000, 1);
@@ -281,7 +281,7 @@ static void looking_does_not_change_the_run(void **state)
                     assert_int_equal(found->at(self, step.t - step.h / (k + 1), y), 0);
             }
             memset(final[looks], 0, sizeof y);
-            memcpy(final[looks], found->state(self), sizeof *y * (size_t)plan_size(&p));
+            memcpy(final[looks], found->state(self), sizeof *y * (size_t)moment_size(&p));
             rebuilds[looks] = p.counts.rebuilds;
             assert_true(rebuilds[looks] > 5);
             toy_method_free(&self);
@@ -300,7 +300,7 @@ static void a_refusal_shortens_the_step(void **state)
 
     (void)state;
     for (int i = 0; i < 5; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         toy_make(&p, 4, 0.5);
         p.off = i == 4 ? 0.02 : 2e-4;
@@ -322,7 +322,7 @@ static void a_lasting_refusal_ends_the_run_with_a_message(void **state)
 
     (void)state;
     for (int i = 0; i < 8; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         toy_make(&p, 4, 0.5);
         p.refuse_after = 1;
@@ -345,14 +345,14 @@ static void infinities_in_a_quadrature_are_seen(void **state)
 
     (void)state;
     for (int i = 0; i < 5; i++) {
-        struct plan p;
+        struct moment p;
         int steps;
         toy_make(&p, 4, 0.5);
         p.poison_after = 1;
         p.wave = 10;
         void *self = toy_method(&p, names[i], 1e-4, 0);
         assert_int_equal(toy_run(self, 2, &steps), STATUS_FAILED);
-        for (long k = 0; k < plan_size(&p); k++)
+        for (long k = 0; k < moment_size(&p); k++)
             assert_true(isfinite(found->state(self)[k]));
         toy_method_free(&self);
     }
@@ -362,7 +362,7 @@ static void infinities_in_a_quadrature_are_seen(void **state)
 
 static void steps_say_what_limited_them(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
     void *self;
 
@@ -407,7 +407,7 @@ static void steps_say_what_limited_them(void **state)
 
 static void cfl_numbers_count_in_the_units_of_pressure(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
     void *self;
 
@@ -431,7 +431,7 @@ static void cfl_numbers_count_in_the_units_of_pressure(void **state)
 /* (34), (35), and the density from the new velocity. */
 static void euler_takes_the_new_velocity(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step;
     double y[64], f[64];
 
@@ -440,12 +440,12 @@ static void euler_takes_the_new_velocity(void **state)
     void *self = toy_method(&p, "euler-cfl", 1e-3, 0.05);
     const long u = p.layout.from[LAYOUT_VELOCITY], rho = p.layout.from[LAYOUT_OTHER];
     toy_exact(&p, 0, y);
-    assert_int_equal(plan_rhs(&p, PLAN_ALL, 0, y, f), STATUS_DONE);
+    assert_int_equal(moment_eval(&p, ASK_ALL, 0, y, f), STATUS_DONE);
     assert_int_equal(found->step(self, 10, &step), STATUS_DONE);
     for (long i = u; i < rho; i++)
         y[i] += step.h * f[i];
-    assert_int_equal(plan_rhs(&p, PLAN_ALL, 0, y, f), STATUS_DONE);
-    for (long i = 0; i < plan_size(&p); i++) {
+    assert_int_equal(moment_eval(&p, ASK_ALL, 0, y, f), STATUS_DONE);
+    for (long i = 0; i < moment_size(&p); i++) {
         if (i < u || i >= rho)
             y[i] += step.h * (i < u ? y[u + i] : f[i]);
         near(found->state(self)[i], y[i], 1e-12);
@@ -457,7 +457,7 @@ static void euler_takes_the_new_velocity(void **state)
 
 static int stiff_steps(const char *name, double stiffness)
 {
-    struct plan p;
+    struct moment p;
     int steps;
 
     toy_make(&p, stiffness, 1);
@@ -491,7 +491,7 @@ static void implicit_steps_do_not_depend_on_stiffness(void **state)
 /* Between the ends of steps they do not leave the range of these ends by much. */
 static void dense_output_of_stiff_entries_is_smooth(void **state)
 {
-    struct plan p;
+    struct moment p;
     struct method_step step = { .t = 0 };
     double y[64], ends = 0, between = 0;
 
@@ -518,23 +518,23 @@ static void a_restart_forgets_the_past(void **state)
 
     (void)state;
     for (int i = 0; i < 5; i++) {
-        struct plan p;
+        struct moment p;
         double y[64], first[64];
         int steps;
         toy_make(&p, 4, 0.5);
         void *self = toy_method(&p, names[i], 1e-5, 0);
         assert_int_equal(toy_run(self, 1, &steps), STATUS_DONE);
-        memcpy(first, found->state(self), sizeof *y * (size_t)plan_size(&p));
+        memcpy(first, found->state(self), sizeof *y * (size_t)moment_size(&p));
         toy_exact(&p, 0, y);
         assert_int_equal(found->restart(self, 0, y), STATUS_DONE);
-        assert_memory_equal(found->state(self), y, sizeof *y * (size_t)plan_size(&p));
+        assert_memory_equal(found->state(self), y, sizeof *y * (size_t)moment_size(&p));
         p.listed = 0;
         struct method_step step;
         assert_int_equal(found->step(self, 1, &step), STATUS_DONE);
         assert_int_equal(found->at(self, step.h / 2, y), STATUS_DONE);
         assert_true(toy_error(&p, step.h / 2, y) < 0.2 * step.h * step.h);
         assert_int_equal(toy_run(self, 1, &steps), STATUS_DONE);
-        assert_memory_equal(first, found->state(self), sizeof *y * (size_t)plan_size(&p));
+        assert_memory_equal(first, found->state(self), sizeof *y * (size_t)moment_size(&p));
         toy_method_free(&self);
     }
 }

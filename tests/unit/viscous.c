@@ -52,9 +52,9 @@ static void solve(struct solved *s, unsigned seed, double gamma, double tol)
     s->r = tank_copy(&s->t, s->t.y);
     s->z = tank_copy(&s->t, s->t.y);
     s->gamma = gamma;
-    plan_solve_tolerance(s->t.plan, tol);
-    const int status = plan_solve(s->t.plan, 0.1, gamma, s->r, s->z);
-    check(status == 0, "%s", plan_refusal(s->t.plan));
+    moment_solve_tolerance(s->t.moment, tol);
+    const int status = moment_solve(s->t.moment, 0.1, gamma, s->r, s->z);
+    check(status == 0, "%s", moment_refusal(s->t.moment));
 }
 
 static void forget(struct solved *s)
@@ -66,7 +66,7 @@ static void forget(struct solved *s)
 static bool in_ranges(const struct tank *t, long i)
 {
     long range[16][2];
-    const int n = plan_stiff_ranges(t->plan, 16, range);
+    const int n = moment_stiff_ranges(t->moment, 16, range);
 
     for (int k = 0; k < n; k++)
         if (i >= range[k][0] && i < range[k][1])
@@ -79,16 +79,16 @@ static void check_solved(struct solved *s, double small)
 {
     double *rate = tank_copy(&s->t, s->t.y);
 
-    assert_int_equal(plan_rhs(s->t.plan, PLAN_IMPLICIT, 0.1, s->z, rate), 0);
+    assert_int_equal(moment_eval(s->t.moment, ASK_IMPLICIT_SIDE, 0.1, s->z, rate), 0);
     for (long i = 0; i < s->t.n; i++) {
         const double left = s->z[i] - s->gamma * rate[i];
         const double size = fabs(s->z[i]) + s->gamma * fabs(rate[i]) + 1;
         check(fabs(left - s->r[i]) <= small * size, "%s: %.12g is not %.12g at gamma = %g",
-              plan_entry(s->t.plan, i), left, s->r[i], s->gamma);
+              moment_entry(s->t.moment, i), left, s->r[i], s->gamma);
         check(in_ranges(&s->t, i) || s->z[i] == s->r[i], "%s is touched",
-              plan_entry(s->t.plan, i));
+              moment_entry(s->t.moment, i));
         check(in_ranges(&s->t, i) || rate[i] == 0, "%s has an implicit side",
-              plan_entry(s->t.plan, i));
+              moment_entry(s->t.moment, i));
     }
     test_free(rate);
 }
@@ -145,7 +145,7 @@ static void light_beam_takes_no_more_products(void **state)
                  k ? "0.0100" : "1200.0", at + 6);
         tank_make(&s.t, tank_parted_water, tank_frame, text, THICK, NULL);
         solve(&s, 5, 1e-3, 1e-3);
-        products[k] = plan_counts(s.t.plan)->products;
+        products[k] = moment_counts(s.t.moment)->products;
         forget(&s);
         tank_free(&s.t);
     }
@@ -171,7 +171,7 @@ static void operator_is_symmetric(void **state)
     a.z = tank_copy(&a.t, x);
     for (long i = at; i < at + n; i++)
         a.r[i] = a.z[i] = sin(17.0 * (double)i);
-    assert_int_equal(plan_solve(a.t.plan, 0.1, 1e-3, a.r, a.z), 0);
+    assert_int_equal(moment_solve(a.t.moment, 0.1, 1e-3, a.r, a.z), 0);
     for (long i = at; i < at + n; i++) {
         xy += x[i] * a.z[i];
         yx += a.r[i] * zx[i];
@@ -231,14 +231,17 @@ static void books_close_when_the_solve_is_loose(void **state)
 /* Both sides from one pass are those from a pass for each, bit by bit. */
 static void check_one_pass(struct tank *t, const double *f, const double *g)
 {
-    const long before = plan_counts(t->plan)->passes;
+    const long before = moment_counts(t->moment)->passes;
     double *both[2] = { tank_copy(t, t->y), tank_copy(t, t->y) };
 
-    assert_int_equal(plan_sides(t->plan, 0.1, t->y, both[0], both[1]), 0);
-    assert_int_equal(plan_counts(t->plan)->passes - before, 1);
+    struct ask ask = ASK_ALL;
+
+    ask.apart = both[1];
+    assert_int_equal(moment_eval(t->moment, ask, 0.1, t->y, both[0]), 0);
+    assert_int_equal(moment_counts(t->moment)->passes - before, 1);
     for (long i = 0; i < t->n; i++)
         check(both[0][i] == f[i] && both[1][i] == g[i], "%s: %.17g, %.17g, not %.17g, %.17g",
-              plan_entry(t->plan, i), both[0][i], both[1][i], f[i], g[i]);
+              moment_entry(t->moment, i), both[0][i], both[1][i], f[i], g[i]);
     test_free(both[0]);
     test_free(both[1]);
 }
@@ -253,12 +256,12 @@ static void check_sides(const char *walls)
     tank_shake(&t, 5, 0.2, 1, 0.02);
     f = tank_copy(&t, t.y);
     g = tank_copy(&t, t.y);
-    assert_int_equal(plan_rhs(t.plan, PLAN_EXPLICIT, 0.1, t.y, f), 0);
-    assert_int_equal(plan_rhs(t.plan, PLAN_IMPLICIT, 0.1, t.y, g), 0);
-    assert_int_equal(plan_rhs(t.plan, PLAN_ALL, 0.1, t.y, t.ydot), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_EXPLICIT_SIDE, 0.1, t.y, f), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_IMPLICIT_SIDE, 0.1, t.y, g), 0);
+    assert_int_equal(moment_eval(t.moment, ASK_ALL, 0.1, t.y, t.ydot), 0);
     for (long i = 0; i < t.n; i++)
         check(fabs(f[i] + g[i] - t.ydot[i]) <= 1e-10 * (fabs(f[i]) + fabs(g[i]) + 1),
-              "%s: %g + %g is not %g", plan_entry(t.plan, i), f[i], g[i], t.ydot[i]);
+              "%s: %g + %g is not %g", moment_entry(t.moment, i), f[i], g[i], t.ydot[i]);
     check_one_pass(&t, f, g);
     check(strcmp(plan_viscous(t.plan), "effects.laminar-viscosity") == 0, "who is implicit?");
     check(plan_halves(t.plan) != NULL, "two halves");
@@ -287,7 +290,7 @@ static double *run(struct tank *t, const char *name, const char *effects, double
               effects, NULL);
     def.tol = 1e-6;
     assert_int_equal(method_find(name, &def, &m), 0);
-    assert_int_equal(m->create(m, &def, t->plan, 0, t->y, &self), 0);
+    assert_int_equal(m->create(m, &def, t->moment, 0, t->y, &self), 0);
     do
         check(m->step(self, until, &step) == 0, "%s", status_message());
     while (step.t < until);
@@ -312,7 +315,7 @@ static void both_sides_give_the_same_motion(void **state)
         way = fmax(way, fabs(x[i] - t.y[i]));
     }
     check(most < 1e-3 * way, "positions differ by %g m of a way of %g m", most, way);
-    check(plan_counts(u.plan)->solves > 0 && plan_counts(t.plan)->products == 0, "no solves");
+    check(moment_counts(u.moment)->solves > 0 && moment_counts(t.moment)->products == 0, "no solves");
     test_free(x);
     test_free(y);
     tank_free(&t);
@@ -327,8 +330,8 @@ static void bound_is_that_of_the_side(void **state)
 
     (void)state;
     tank_make(&t, tank_water, tank_frame, THICK, NULL);
-    plan_limit(t.plan, 0, t.y, true, with);
-    plan_limit(t.plan, 0, t.y, false, without);
+    moment_limit(t.moment, 0, t.y, true, with);
+    moment_limit(t.moment, 0, t.y, false, without);
     check(strcmp(with[1].part, "laminar-viscosity") == 0, "%s decays fastest", with[1].part);
     check(strcmp(without[1].part, "density-diffusion") == 0, "%s decays fastest",
           without[1].part);
@@ -346,14 +349,14 @@ static void solve_refuses_what_is_not_finite(void **state)
     r = tank_copy(&t, t.y);
     z = tank_copy(&t, t.y);
     r[tank_at(&t, "velocity of fluid", NULL)] = NAN;
-    assert_int_equal(plan_solve(t.plan, 0, 1e-3, r, z), STATUS_FAILED);
-    check(strstr(plan_refusal(t.plan), "found no velocities"), "%s", plan_refusal(t.plan));
+    assert_int_equal(moment_solve(t.moment, 0, 1e-3, r, z), STATUS_FAILED);
+    check(strstr(moment_refusal(t.moment), "found no velocities"), "%s", moment_refusal(t.moment));
     assert_string_equal(status_message(), "");
     r[tank_at(&t, "velocity of fluid", NULL)] = 0;
     r[tank_at(&t, "position of fluid", NULL)] = NAN;
-    assert_int_equal(plan_solve(t.plan, 0, 1e-3, r, z), STATUS_FAILED);
-    check(strstr(plan_refusal(t.plan), "not finite"), "%s", plan_refusal(t.plan));
-    check(plan_counts(t.plan)->refused == 2, "%ld refused", plan_counts(t.plan)->refused);
+    assert_int_equal(moment_solve(t.moment, 0, 1e-3, r, z), STATUS_FAILED);
+    check(strstr(moment_refusal(t.moment), "not finite"), "%s", moment_refusal(t.moment));
+    check(moment_counts(t.moment)->refused == 2, "%ld refused", moment_counts(t.moment)->refused);
     test_free(r);
     test_free(z);
     tank_free(&t);

@@ -1,0 +1,78 @@
+/* eval.c -- the one right-hand side, and its implicit side. */
+#include "plan/inside.h"
+#include "plan/viscous.h"
+
+#include "base/status.h"
+
+#include <string.h>
+
+static void add_stiff(struct moment *m, double t, const double *y, double *ydot)
+{
+    for (int i = 0; i < m->plan->bodies; i++)
+        m->body[i].kind->stiff(m->body[i].body, &m->layout, t, y, ydot);
+}
+
+static int count_pass(struct moment *m, int status)
+{
+    m->counts.passes++;
+    m->counts.refused += status != STATUS_DONE;
+    m->counts.rebuilds = m->own ? m->own->builds : 0;
+    return status;
+}
+
+static int implicit_side(struct moment *m, double t, const double *y, double *ydot)
+{
+    m->counts.rhs_implicit++;
+    memset(ydot, 0, (size_t)moment_size(m) * sizeof *ydot);
+    if (m->viscous)
+        TRY(count_pass(m, viscous_rates(m, t, y, ydot)));
+    add_stiff(m, t, y, ydot);
+    return STATUS_DONE;
+}
+
+/* Either side by itself, or both added up. */
+static int one_vector(struct moment *m, const struct ask *ask, double t, const double *y,
+                      double *ydot)
+{
+    if (ask->sides == ASK_IMPLICIT)
+        return implicit_side(m, t, y, ydot);
+    m->counts.rhs_explicit += ask->rates != ASK_DENSITIES;
+    TRY(count_pass(m, rates_eval(m, ask, t, y, ydot, NULL, NULL)));
+    if (ask->sides & ASK_IMPLICIT)
+        add_stiff(m, t, y, ydot);
+    return STATUS_DONE;
+}
+
+/* Both sides, each for itself. */
+static int two_vectors(struct moment *m, const struct ask *ask, double t, const double *y,
+                       double *ydot)
+{
+    if (!m->viscous) {
+        TRY(one_vector(m, &ASK_EXPLICIT_SIDE, t, y, ydot));
+        return one_vector(m, &ASK_IMPLICIT_SIDE, t, y, ask->apart);
+    }
+    m->counts.rhs_explicit++;
+    m->counts.rhs_implicit++;
+    TRY(count_pass(m, viscous_sides(m, t, y, ydot, ask->apart)));
+    add_stiff(m, t, y, ask->apart);
+    return STATUS_DONE;
+}
+
+int moment_eval(struct moment *m, struct ask ask, double t, const double *y, double *ydot)
+{
+    return ask.apart ? two_vectors(m, &ask, t, y, ydot) : one_vector(m, &ask, t, y, ydot);
+}
+
+int moment_solve(struct moment *m, double t, double gamma, const double *r, double *z)
+{
+    m->counts.solves++;
+    if (m->viscous) {
+        const int status = viscous_solve(m, t, gamma, r, z);
+        m->counts.refused += status != STATUS_DONE;
+        m->counts.rebuilds = m->own->builds;
+        return status;
+    }
+    for (int i = 0; i < m->plan->bodies; i++)
+        TRY(m->body[i].kind->solve(m->body[i].body, &m->layout, t, gamma, r, z));
+    return STATUS_DONE;
+}

@@ -1,0 +1,168 @@
+/* moment.c -- a plan at one (t, y): its memory, and what is asked of it. */
+#include "plan/face.h"
+#include "plan/inside.h"
+#include "plan/viscous.h"
+
+#include "base/status.h"
+#include "state/particles-private.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- memory ---------------------------------------------------------------------- */
+
+static int take_bodies(struct moment *m)
+{
+    const struct plan *p = m->plan;
+
+    if (!(m->body = status_alloc((size_t)p->bodies + 1, sizeof *m->body)))
+        return STATUS_FAILED;
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *of = &p->body[i];
+        m->body[i] = (struct moment_body){ .kind = of->kind, .body = of->body,
+                                           .object = of->object, .skin = of->skin };
+        m->body[i].force = status_alloc((size_t)of->skin + 1, sizeof *m->body[i].force);
+        if (!m->body[i].force)
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
+static int take_memory(struct moment *m)
+{
+    const struct plan *p = m->plan;
+
+    TRY(particles_create_beside(p->particles, &m->particles));
+    TRY(take_bodies(m));
+    if (!(m->force = status_alloc((size_t)p->particles->objects + 1, sizeof *m->force)))
+        return STATUS_FAILED;
+    if (p->particles->n > 0)
+        TRY(p->engine->sum->list->create(&m->own, &p->list_def));
+    m->list = m->own;
+    return STATUS_DONE;
+}
+
+/* What a moment beside another shares with it. */
+static int take_work(struct moment *m)
+{
+    TRY(workspace_create(m->plan, &m->work));
+    TRY(face_create(m));
+    return viscous_create(m);
+}
+
+static int create(const struct plan *plan, struct moment *beside, struct moment **out)
+{
+    struct moment *m = *out = status_alloc(1, sizeof *m);
+    int status;
+
+    if (!m)
+        return STATUS_FAILED;
+    m->plan = plan;
+    m->beside = beside;
+    m->layout = plan->layout;
+    m->density_low = plan->in.eos.lowest * plan->scales.rho0;
+    m->density_high = plan->in.eos.highest * plan->scales.rho0;
+    status = take_memory(m);
+    if (beside) {
+        m->work = beside->work;
+        m->face = beside->face;
+    } else if (status == STATUS_DONE) {
+        status = take_work(m);
+    }
+    if (status != STATUS_DONE)
+        moment_free(out);
+    return status;
+}
+
+int moment_create(const struct plan *plan, struct moment **out)
+{
+    return create(plan, NULL, out);
+}
+
+int moment_create_beside(struct moment *run, struct moment **out)
+{
+    return create(run->plan, run, out);
+}
+
+void moment_free(struct moment **moment)
+{
+    struct moment *m = *moment;
+
+    if (!m)
+        return;
+    moment_free(&m->observer);
+    if (!m->beside) {
+        viscous_free(&m->viscous);
+        face_free(&m->face);
+        workspace_free(&m->work);
+    }
+    m->plan->engine->sum->list->free(&m->own);
+    for (int i = 0; m->body && i < m->plan->bodies; i++)
+        free(m->body[i].force);
+    free(m->body);
+    free(m->force);
+    particles_free(&m->particles);
+    free(m);
+    *moment = NULL;
+}
+
+/* --- what is asked of it --------------------------------------------------------- */
+
+const struct plan *moment_plan(const struct moment *m)
+{
+    return m->plan;
+}
+
+long moment_size(const struct moment *m)
+{
+    return layout_size(&m->layout);
+}
+
+const struct layout *moment_layout(const struct moment *m)
+{
+    return &m->layout;
+}
+
+int moment_stiff_ranges(const struct moment *m, int most, long (*range)[2])
+{
+    return plan_stiff_ranges(m->plan, &m->layout, most, range);
+}
+
+void moment_weights(const struct moment *m, double tol, double *weight)
+{
+    layout_weights(&m->layout, tol, weight);
+}
+
+const char *moment_entry(const struct moment *m, long i)
+{
+    static char text[96];
+    const struct layout_row *r;
+    int which = 0;
+
+    r = layout_find(&m->layout, i, &which);
+    if (r)
+        snprintf(text, sizeof text, "%s, number %d", r->name, which);
+    return r ? text : "nothing";
+}
+
+const char *moment_refusal(const struct moment *m)
+{
+    return m->refusal;
+}
+
+const struct moment_counts *moment_counts(const struct moment *m)
+{
+    return &m->counts;
+}
+
+void moment_solve_tolerance(struct moment *m, double tol)
+{
+    if (m->viscous)
+        m->viscous->tol = tol;
+}
+
+const double *moment_force(const struct moment *m, int object)
+{
+    return m->force[object];
+}

@@ -1,0 +1,108 @@
+/* moment.h -- a plan at one (t, y): what is evaluated there, and what that leaves behind.
+ *
+ * A plan says what there is and never changes; a moment holds where everything stands, the
+ * list of pairs, fields, forces and the book of one evaluation, with the counters and the
+ * complaints of the run that it belongs to.  A run has one.  Outputs look through another,
+ * made beside it (plan/observe.h), so that looking disturbs nothing.
+ *
+ * This header knows no dimension: time/ sees only this and plan.h. */
+#ifndef PLAN_MOMENT_H
+#define PLAN_MOMENT_H
+
+#include "plan/plan.h"
+
+struct moment;
+
+enum { /* sides of f */
+    ASK_EXPLICIT = 1 << 0, /* everything but the implicit side                 */
+    ASK_IMPLICIT = 1 << 1  /* the stiff side of bodies, and a viscosity whose key
+                              `side` says so; rows of others are 0             */
+};
+
+enum { /* rates of the explicit side */
+    ASK_POSITIONS = 1 << 0,
+    ASK_VELOCITIES = 1 << 1, /* and forces on solids                           */
+    ASK_DENSITIES = 1 << 2
+};
+
+/* What an evaluation is asked for. */
+struct ask {
+    unsigned sides;       /* added up, unless `apart` takes the implicit one      */
+    unsigned rates;       /* 0: of everything.  ASK_VELOCITIES or ASK_DENSITIES: one half
+                             of the explicit side, a pass over pairs each; rows of others,
+                             positions among them, are 0; see plan_halves()       */
+    bool without_pressure; /* laws that read no pressure, and what is not pairs': for a
+                             pressure that is solved for                          */
+    double ahead;         /* powers are booked with the velocities of the fluid (half:
+                             velocities) or the pressures (half: densities) that the rates
+                             lead to in this time; with half of h, the book gets the very
+                             work of a kick v += h A [s]                          */
+    double *apart;        /* [size] the implicit side, for both at once; with an implicit
+                             viscosity that is one pass over pairs instead of two; or NULL */
+};
+
+/* The usual ones. */
+#define ASK_ALL ((struct ask){ .sides = ASK_EXPLICIT | ASK_IMPLICIT })
+#define ASK_EXPLICIT_SIDE ((struct ask){ .sides = ASK_EXPLICIT })
+#define ASK_IMPLICIT_SIDE ((struct ask){ .sides = ASK_IMPLICIT })
+#define ASK_HALF(RATES, AHEAD)                                                           \
+    ((struct ask){ .sides = ASK_EXPLICIT, .rates = (RATES), .ahead = (AHEAD) })
+
+/* Takes all memory that a run's evaluations need; the plan must outlive it. */
+int moment_create(const struct plan *plan, struct moment **out);
+void moment_free(struct moment **moment); /* NULL is welcome */
+const struct plan *moment_plan(const struct moment *moment);
+
+/* Sizes belong to the segment that the moment is in. */
+long moment_size(const struct moment *moment);                   /* entries of y */
+const struct layout *moment_layout(const struct moment *moment); /* lent         */
+
+/* Those of plan_stiff_ranges(): all other entries have f_I = 0. */
+int moment_stiff_ranges(const struct moment *moment, int most, long (*range)[2]);
+
+/* Error weights for a tolerance, constant during a segment. */
+void moment_weights(const struct moment *moment, double tol, double *weight);
+
+/* "velocity of fluid.water particle 17" for entry i of y; static buffer. */
+const char *moment_entry(const struct moment *moment, long i);
+
+/* ydot [size] = what was asked for of f(t, y).  0, or STATUS_FAILED when it cannot
+ * answer (density out of bounds, a position not finite): then moment_refusal() says
+ * particle, part and value, and ydot is not to be used.  Allocates nothing between
+ * list rebuilds; f does not depend on history but for the last bits (the order of
+ * sums follows the last rebuild). */
+int moment_eval(struct moment *moment, struct ask ask, double t, const double *y, double *ydot);
+const char *moment_refusal(const struct moment *moment);
+
+/* Finds z with z - gamma f_I(t, z) = r in the stiff ranges (z comes in as a guess);
+ * other entries are not touched.  STATUS_FAILED: without a failure kept, a refusal as
+ * that of moment_eval() -- try a shorter step -- else the failure. */
+int moment_solve(struct moment *moment, double t, double gamma, const double *r, double *z);
+
+/* The error, in units of scales, that a step may have: a solve with an implicit viscosity
+ * is exact to a small part of it (until this is called: of the scene's tol). */
+void moment_solve_tolerance(struct moment *moment, double tol);
+
+/* Largest explicit step the physics allows: rates of waves and of decay [1/s],
+ * with part and particle.  `stiff` says whether the implicit side is taken
+ * explicitly too and so limits as well.  limit[0] is for waves, [1] for decay. */
+void moment_limit(struct moment *moment, double t, const double *y, bool stiff,
+                  struct limit limit[2]);
+
+/* For methods that move bodies by other stages than those at which they ask for
+ * right-hand sides.  Adds to ydot, the book alone, `share` times what bodies get there at
+ * (t, y) under the forces of the last right-hand side: impulse of supports and of
+ * prescribed loads, energy that damping takes and loads give.  A right-hand side of the
+ * same y has booked the same with share 1. */
+void moment_body_book(struct moment *moment, double t, const double *y, double share,
+                      double *ydot);
+
+/* How many right-hand sides have been asked for, by side (two halves are one),
+ * passes over all pairs for them and for solves, products of the implicit viscosity's
+ * matrix, and list rebuilds. */
+struct moment_counts {
+    long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
+};
+const struct moment_counts *moment_counts(const struct moment *moment);
+
+#endif

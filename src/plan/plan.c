@@ -1,0 +1,180 @@
+/* plan.c -- what a plan says of itself. */
+#include "plan/inside.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+const char *plan_drifts(const struct plan *p)
+{
+    return p->drifter ? "an effect of this scene moves positions beside their velocities" : NULL;
+}
+
+const char *plan_halves(const struct plan *p)
+{
+    if (p->drifter)
+        return plan_drifts(p);
+    if (p->stiff)
+        return "its viscosity is implicit (side = \"implicit\")";
+    return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
+}
+
+long plan_size(const struct plan *p)
+{
+    return layout_size(&p->layout);
+}
+
+const struct layout *plan_layout(const struct plan *p)
+{
+    return &p->layout;
+}
+
+double plan_length(const struct plan *p)
+{
+    return p->scales.support;
+}
+
+bool plan_stiff(const struct plan *p)
+{
+    return p->bodies > 0 || p->stiff;
+}
+
+const char *plan_viscous(const struct plan *p)
+{
+    return p->stiff ? p->stiff->path : NULL;
+}
+
+/* Rows of bodies are all rows whose name starts with the body's path. */
+static bool of_body(const struct plan *p, const struct layout_row *r)
+{
+    for (int i = 0; i < p->bodies; i++) {
+        const size_t n = strlen(p->body[i].path);
+        if (strncmp(r->name, p->body[i].path, n) == 0 && r->name[n] == '.')
+            return true;
+    }
+    return false;
+}
+
+static bool is_stiff(const struct plan *p, const struct layout *l, int row)
+{
+    return of_body(p, &l->row[row]) || (p->stiff && (row == p->row.u || row == p->book.row));
+}
+
+int plan_stiff_ranges(const struct plan *p, const struct layout *l, int most, long (*range)[2])
+{
+    int n = 0;
+
+    for (int i = 0; i < l->rows && n < most; i++) {
+        const struct layout_row *r = &l->row[i];
+        if (is_stiff(p, l, i)) {
+            range[n][0] = r->offset;
+            range[n++][1] = r->offset + (long)r->n * r->components;
+        }
+    }
+    return n;
+}
+
+double plan_event(const struct plan *p, double t)
+{
+    double next = HUGE_VAL;
+
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].kind->event)
+            next = fmin(next, p->body[i].kind->event(p->body[i].body, t));
+    for (int i = 0; i < p->walls; i++)
+        next = fmin(next, walls_motion_event(&p->wall[i].motion, t));
+    return next;
+}
+
+int plan_bodies(const struct plan *p)
+{
+    return p->bodies;
+}
+
+const char *plan_body_name(const struct plan *p, int body)
+{
+    return p->body[body].name;
+}
+
+const double *plan_impulse(const struct plan *p, const double *y, int object)
+{
+    return y + layout_at(&p->layout, p->book.row) + p->book.impulse + object * DIM;
+}
+
+void plan_pressures(const struct plan *p, int n, const double *rho, double *press)
+{
+    memset(press, 0, n * sizeof *press);
+    if (p->pressure)
+        p->pressure->part->pressure(p->pressure->self, n, rho, press);
+}
+
+const struct particles *plan_particles(const struct plan *p)
+{
+    return p->particles;
+}
+
+const struct scales *plan_scales(const struct plan *p)
+{
+    return &p->scales;
+}
+
+const struct settings *plan_settings(const struct plan *p)
+{
+    return &p->in.set;
+}
+
+const struct settings_output *plan_output(const struct plan *p)
+{
+    return &p->in.output;
+}
+
+int plan_probes(const struct plan *p)
+{
+    return p->in.probes;
+}
+
+const struct settings_probe *plan_probe(const struct plan *p, int i, const char **name)
+{
+    *name = p->in.probe[i].name;
+    return &p->in.probe[i].set;
+}
+
+int plan_lanes(const struct plan *p)
+{
+    return p->engine->lanes;
+}
+
+double plan_speed_expected(const struct plan *p)
+{
+    double most = plan_start_speed(p), fall2 = 0;
+
+    for (int i = 0; i < p->in.fluids; i++) {
+        double low[DIM], high[DIM];
+        shape_bounds(&p->in.fluid[i].set.shape, low, high);
+        for (int d = 0; d < DIM; d++) {
+            const double g = p->scales.period[d] > 0 ? 0 : p->scales.g[d];
+            fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
+                                               : p->scales.high[d] - low[d]));
+        }
+    }
+    for (int i = 0; i < p->walls; i++) {
+        const double *slides = p->in.wall[i].set.surface;
+        double low[DIM], high[DIM], reach[DIM];
+        shape_bounds(&p->in.wall[i].set.shape, low, high);
+        most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
+                                              reach));
+        most = fmax(most, gsl_hypot3(slides[0], slides[1], slides[2]));
+    }
+    return fmax(most, sqrt(fall2));
+}
+
+int plan_parts(const struct plan *p)
+{
+    return p->parts;
+}
+
+const struct part *plan_part(const struct plan *p, int i, const char **path)
+{
+    *path = p->part[i].path;
+    return p->part[i].part;
+}
