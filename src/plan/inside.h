@@ -28,7 +28,8 @@ struct plan_body {
     struct body *body;
     char name[64], path[80];
     int object;              /* its skin in particles->object, -1: no skin   */
-    int skin;                /* points                                        */
+    int points;              /* that its skin would have                      */
+    int skin;                /* points in the tank: without water none        */
 };
 
 struct plan_wall {
@@ -105,7 +106,7 @@ struct moment_body {
     const struct body_kind *kind;
     struct body *body;
     int object, skin;        /* as in struct plan_body                        */
-    double (*force)[DIM];    /* [skin][DIM] of the last evaluation [N]        */
+    double (*force)[DIM];    /* [points][DIM] of the last evaluation [N]      */
     struct body_load load;   /* likewise                                      */
 };
 
@@ -121,7 +122,7 @@ struct workspace {
     double *rho;     /* [n] densities that fields give, creation order; NULL  */
     double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
-    double (*points)[DIM];    /* [skin of any body][DIM] scratch              */
+    double (*points)[DIM];    /* [points of any body][DIM] scratch            */
     double *rates;   /* [size] of an evaluation that is only looked at        */
     struct sum_scratch scratch;
 };

@@ -22,7 +22,7 @@ static int take_bodies(struct moment *m)
         const struct plan_body *of = &p->body[i];
         m->body[i] = (struct moment_body){ .kind = of->kind, .body = of->body,
                                            .object = of->object, .skin = of->skin };
-        m->body[i].force = status_alloc((size_t)of->skin + 1, sizeof *m->body[i].force);
+        m->body[i].force = status_alloc((size_t)of->points + 1, sizeof *m->body[i].force);
         if (!m->body[i].force)
             return STATUS_FAILED;
     }

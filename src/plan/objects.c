@@ -25,8 +25,6 @@ int plan_bodies_make(struct plan *p)
     for (int i = 0; i < p->in.bodies; i++) {
         const struct input_body *in = &p->in.body[i];
         struct plan_body *b = &p->body[p->bodies];
-        int points;
-
         b->kind = in->kind;
         b->object = -1;
         snprintf(b->name, sizeof b->name, "%s", in->name);
@@ -35,8 +33,8 @@ int plan_bodies_make(struct plan *p)
         if (status != STATUS_DONE)
             return refuse_body(status, in);
         p->bodies++;
-        points = in->kind->skin(b->body, NULL);
-        b->skin = p->scales.fluid ? points : 0; /* without water nothing presses */
+        b->points = in->kind->skin(b->body, NULL);
+        b->skin = p->scales.fluid ? b->points : 0; /* without water nothing presses */
     }
     return STATUS_DONE;
 }

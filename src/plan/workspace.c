@@ -46,7 +46,7 @@ static int take_memory(const struct plan *p, struct workspace *w)
     int points = 0;
 
     for (int i = 0; i < p->bodies; i++)
-        points = p->body[i].skin > points ? p->body[i].skin : points;
+        points = p->body[i].points > points ? p->body[i].points : points;
     w->rates = status_alloc((size_t)plan_size(p) + 1, sizeof *w->rates);
     w->points = status_alloc((size_t)points + 1, sizeof *w->points);
     if (p->drifter && !(w->drift = status_alloc((size_t)n + 1, sizeof *w->drift)))
