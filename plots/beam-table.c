@@ -64,17 +64,21 @@ static gsl_matrix *rates(const struct bending *b, double unit)
 {
     const int n = b->dofs - HELD;
     gsl_matrix *a = gsl_matrix_calloc(2 * (size_t)n, 2 * (size_t)n);
+    struct bending_work *work;
 
+    if (bending_work_create(b, &work) != STATUS_DONE)
+        exit(1);
     for (int j = 0; j < 2 * n; j++) {
         double q[HELD + MOST] = {0}, v[HELD + MOST] = {0}, f[HELD + MOST];
         *(j < n ? &q[HELD + j] : &v[HELD + j - n]) = j < n ? 1 / unit : 1;
-        bending_resist(b, q, v, f);
+        bending_resist(b, work, q, v, f);
         bending_accelerate(b, f);
         for (int i = 0; i < n; i++) {
             gsl_matrix_set(a, (size_t)i, (size_t)j, unit * v[HELD + i]);
             gsl_matrix_set(a, (size_t)(n + i), (size_t)j, -f[HELD + i]);
         }
     }
+    bending_work_free(&work);
     return a;
 }
 

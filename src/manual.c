@@ -162,7 +162,7 @@ static void show_groups(void)
 static void show_bodies(void)
 {
     for (int i = 0; bodies_table[i]; i++) {
-        const struct body_kind *b = bodies_table[i];
+        const struct body_identity *b = &bodies_table[i]->identity;
         char prefix[LINE];
         snprintf(prefix, sizeof prefix, "%s.NAME.", b->group);
         show_thing("", b->name, b->about, b->equation, b->source);
@@ -298,7 +298,7 @@ static int check_groups(void)
         for (int k = 0; k < GROUPS; k++)
             found |= strncmp(groups[k].prefix, name, strlen(name)) == 0;
         for (int k = 0; bodies_table[k]; k++)
-            found |= strcmp(bodies_table[k]->group, name) == 0;
+            found |= strcmp(bodies_table[k]->identity.group, name) == 0;
         if (!found)
             return status_fail(STATUS_FAILED, "group %s is missing in src/manual.c", name);
     }

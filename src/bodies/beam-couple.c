@@ -11,13 +11,13 @@ int beam_couple_unknowns(const struct body *b)
     return b->bending->dofs;
 }
 
-void beam_couple_read(struct body *b, const struct layout *l, const double *y, double *v)
+void beam_couple_read(const struct body *b, const struct layout *l, const double *y, double *v)
 {
     for (int i = 0; i < b->bending->dofs; i++)
         v[i] = y[beam_state_place(b, l, i, true)];
 }
 
-void beam_couple_write(struct body *b, const struct layout *l, double gamma, const double *r,
+void beam_couple_write(const struct body *b, const struct layout *l, double gamma, const double *r,
                        const double *v, double *z)
 {
     for (int i = 0; i < b->bending->dofs; i++) {
@@ -27,18 +27,19 @@ void beam_couple_write(struct body *b, const struct layout *l, double gamma, con
     }
 }
 
-void beam_couple_right(struct body *b, const struct layout *l, double gamma, const double *r,
-                       double *to)
+void beam_couple_right(const struct body *b, struct body_work *w, const struct layout *l,
+                       double gamma, const double *r, double *to)
 {
     for (int i = 0; i < b->bending->dofs; i++)
-        b->vec.q[i] = r[beam_state_place(b, l, i, false)];
+        w->q[i] = r[beam_state_place(b, l, i, false)];
     beam_couple_read(b, l, r, to);
-    bending_right(b->bending, gamma, b->vec.q, to);
+    bending_right(b->bending, w->bending, gamma, w->q, to);
 }
 
-void beam_couple_inertia(struct body *b, double gamma, const double *v, double *to)
+void beam_couple_inertia(const struct body *b, struct body_work *w, double gamma,
+                         const double *v, double *to)
 {
-    bending_inertia(b->bending, gamma, v, to);
+    bending_inertia(b->bending, w->bending, gamma, v, to);
 }
 
 void beam_couple_drift(const struct body *b, const double *v, double (*u)[DIM])
@@ -46,10 +47,11 @@ void beam_couple_drift(const struct body *b, const double *v, double (*u)[DIM])
     beam_skin_drift(b->skin, v, u);
 }
 
-/* Who is held feels nothing. */
-void beam_couple_pull(const struct body *b, const double (*force)[DIM], double c, double *to)
+/* Held degrees of freedom feel nothing. */
+void beam_couple_pull(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                      double c, double *to)
 {
-    double *f = b->vec.force;
+    double *f = w->force;
 
     memset(f, 0, (size_t)b->bending->dofs * sizeof *f);
     beam_skin_load(b->skin, force, f);
@@ -57,18 +59,19 @@ void beam_couple_pull(const struct body *b, const double (*force)[DIM], double c
         to[i] += bending_held(b->bending, i) ? 0 : c * f[i];
 }
 
-int beam_couple_join(struct body *b, double gamma, const double *c)
+int beam_couple_join(const struct body *b, struct body_work *w, double gamma, const double *c)
 {
-    bending_join(b->bending, gamma);
+    bending_join(b->bending, w->bending, gamma);
     for (int i = 0; i < b->skin->points; i++)
-        bending_join_point(b->bending, b->skin->point[i].first, b->skin->point[i].shape,
+        bending_join_point(w->bending, b->skin->point[i].first, b->skin->point[i].shape,
                            gamma * c[i]);
-    return bending_joined(b->bending);
+    return bending_joined(b->bending, w->bending);
 }
 
-void beam_couple_joined(const struct body *b, double *v)
+void beam_couple_joined(const struct body *b, const struct body_work *w, double *v)
 {
-    bending_join_solve(b->bending, v);
+    (void)b;
+    bending_join_solve(w->bending, v);
 }
 
 /* Of a node, or of what an element reaches by turning. */
@@ -83,9 +86,9 @@ double beam_couple_fastest(const struct body *b, const double *v)
 }
 
 /* Adds what the support gives: 1 . (M v' - S^T force) across, with v' in w->given. */
-static void add_support(const struct body *b, const double (*force)[DIM], double support[DIM])
+static void add_support(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                        double support[DIM])
 {
-    const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
     double axial, across = 0;
 
@@ -98,10 +101,9 @@ static void add_support(const struct body *b, const double (*force)[DIM], double
         support[d] += across * b->normal[d] - axial * b->along[d];
 }
 
-void beam_couple_yield(struct body *b, const struct layout *l, const double (*force)[DIM],
-                       double *ydot, double support[DIM])
+void beam_couple_yield(const struct body *b, struct body_work *w, const struct layout *l,
+                       const double (*force)[DIM], double *ydot, double support[DIM])
 {
-    const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
 
     memset(w->given, 0, (size_t)n * sizeof *w->given);
@@ -109,20 +111,19 @@ void beam_couple_yield(struct body *b, const struct layout *l, const double (*fo
     bending_accelerate(b->bending, w->given);
     for (int i = 0; i < n; i++)
         ydot[beam_state_place(b, l, i, true)] += w->given[i];
-    add_support(b, force, support);
+    add_support(b, w, force, support);
 }
 
-void beam_couple_settle(struct body *b, const struct layout *l, double gamma, const double *r,
-                        const double *z, const double (*force)[DIM], double support[DIM])
+void beam_couple_settle(const struct body *b, struct body_work *w, const struct layout *l,
+                        double gamma, const double *r, const double *z,
+                        const double (*force)[DIM], double support[DIM])
 {
-    const struct beam_vectors *w = &b->vec;
-
-    beam_state_read(b, l, z);
-    bending_resist(b->bending, w->q, w->v, w->resist);
+    beam_state_read(b, w, l, z);
+    bending_resist(b->bending, w->bending, w->q, w->v, w->resist);
     bending_accelerate(b->bending, w->resist);
     for (int i = 0; i < b->bending->dofs; i++) {
         const long k = beam_state_place(b, l, i, true);
         w->given[i] = (z[k] - r[k]) / gamma + w->resist[i];
     }
-    add_support(b, force, support);
+    add_support(b, w, force, support);
 }

@@ -6,20 +6,23 @@
 #include "bodies/bodies.h"
 
 int beam_couple_unknowns(const struct body *b);
-void beam_couple_read(struct body *b, const struct layout *l, const double *y, double *v);
-void beam_couple_write(struct body *b, const struct layout *l, double gamma, const double *r,
+void beam_couple_read(const struct body *b, const struct layout *l, const double *y, double *v);
+void beam_couple_write(const struct body *b, const struct layout *l, double gamma, const double *r,
                        const double *v, double *z);
-void beam_couple_right(struct body *b, const struct layout *l, double gamma, const double *r,
-                       double *to);
-void beam_couple_inertia(struct body *b, double gamma, const double *v, double *to);
+void beam_couple_right(const struct body *b, struct body_work *w, const struct layout *l,
+                       double gamma, const double *r, double *to);
+void beam_couple_inertia(const struct body *b, struct body_work *w, double gamma,
+                         const double *v, double *to);
 void beam_couple_drift(const struct body *b, const double *v, double (*u)[DIM]);
-void beam_couple_pull(const struct body *b, const double (*force)[DIM], double c, double *to);
-int beam_couple_join(struct body *b, double gamma, const double *c);
-void beam_couple_joined(const struct body *b, double *v);
+void beam_couple_pull(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                      double c, double *to);
+int beam_couple_join(const struct body *b, struct body_work *w, double gamma, const double *c);
+void beam_couple_joined(const struct body *b, const struct body_work *w, double *v);
 double beam_couple_fastest(const struct body *b, const double *v);
-void beam_couple_yield(struct body *b, const struct layout *l, const double (*force)[DIM],
-                       double *ydot, double support[DIM]);
-void beam_couple_settle(struct body *b, const struct layout *l, double gamma, const double *r,
-                        const double *z, const double (*force)[DIM], double support[DIM]);
+void beam_couple_yield(const struct body *b, struct body_work *w, const struct layout *l,
+                       const double (*force)[DIM], double *ydot, double support[DIM]);
+void beam_couple_settle(const struct body *b, struct body_work *w, const struct layout *l,
+                        double gamma, const double *r, const double *z,
+                        const double (*force)[DIM], double support[DIM]);
 
 #endif

@@ -19,12 +19,29 @@ void beam_make_free(struct body **body)
     *body = NULL;
 }
 
-static int take_vectors(struct body *b)
+void beam_make_work_free(struct body_work **work)
 {
-    double **vector[] = { &b->vec.q, &b->vec.v, &b->vec.weight, &b->vec.pushed, &b->vec.force,
-                          &b->vec.resist, &b->vec.given, &b->vec.rate, &b->vec.inertia };
+    if (!*work)
+        return;
+    bending_work_free(&(*work)->bending);
+    free((*work)->memory);
+    free(*work);
+    *work = NULL;
+}
 
-    return vectors_take(vector, sizeof vector / sizeof vector[0], b->bending->dofs, &b->memory);
+int beam_make_work(const struct body *b, struct body_work **out)
+{
+    struct body_work *w = *out = status_alloc(1, sizeof *w);
+
+    if (!w)
+        return STATUS_FAILED;
+    double **vector[] = { &w->q, &w->v, &w->force, &w->resist, &w->given, &w->rate, &w->inertia };
+    if (bending_work_create(b->bending, &w->bending) == STATUS_DONE
+        && vectors_take(vector, sizeof vector / sizeof vector[0], b->bending->dofs, &w->memory)
+               == STATUS_DONE)
+        return STATUS_DONE;
+    beam_make_work_free(out);
+    return STATUS_FAILED;
 }
 
 static void add_uniform(const struct bending *s, double load, double *f)
@@ -43,7 +60,7 @@ static void prepare_loads(struct body *b, const struct beam_def *d, const struct
 {
     double across = 0, along = 0;
 
-    b->mass = bending_shift(b->bending, b->vec.weight);
+    b->mass = bending_mass(b->bending);
     for (int i = 0; i < DIM; i++) {
         across += s->g[i] * b->normal[i];
         along += s->g[i] * b->along[i];
@@ -51,9 +68,9 @@ static void prepare_loads(struct body *b, const struct beam_def *d, const struct
     b->rest_potential = beam_def_potential(d, s, b->mass);
     b->gravity_along = b->mass * along;
     for (int i = 0; i < b->bending->dofs; i++)
-        b->vec.weight[i] *= across;
-    add_uniform(b->bending, d->load, b->vec.pushed);
-    b->vec.pushed[b->bending->dofs - 2] += d->tip_force;
+        b->weight[i] = b->bending->shift[i] * across;
+    add_uniform(b->bending, d->load, b->pushed);
+    b->pushed[b->bending->dofs - 2] += d->tip_force;
     b->load_until = d->load_until > 0 ? d->load_until : HUGE_VAL;
 }
 
@@ -67,7 +84,7 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
     TRY(bending_create(&bending, &b->bending));
-    TRY(take_vectors(b));
+    TRY(vectors_take((double **[]){ &b->weight, &b->pushed }, 2, b->bending->dofs, &b->memory));
     prepare_loads(b, d, s);
     return beam_skin_create(&skin, &b->skin);
 }

@@ -8,15 +8,6 @@
 
 enum { BEAM_ROW_W, BEAM_ROW_THETA, BEAM_ROW_W_RATE, BEAM_ROW_THETA_RATE, BEAM_ROWS };
 
-/* Vectors [dofs], entries (w, theta) node by node; scratch but for the loads. */
-struct beam_vectors {
-    double *q, *v;             /* [m], [rad] and rates                          */
-    double *weight, *pushed;   /* loads: gravity across, prescribed             */
-    double *force, *resist;    /* F, K q + D v                                  */
-    double *given, *rate;      /* M^-1 F, all of v'                             */
-    double *inertia;           /* M v'                                          */
-};
-
 struct body {
     char path[64];
     double along[DIM], normal[DIM];
@@ -29,13 +20,25 @@ struct body {
     struct bending *bending;
     struct beam_skin *skin;
     int row[BEAM_ROWS];        /* of the layout                                 */
-    double *memory;
-    struct beam_vectors vec;
+    double *weight, *pushed;   /* [dofs] loads: gravity across, prescribed      */
+    double *memory;            /* of both                                       */
+};
+
+/* Vectors [dofs], entries (w, theta) node by node. */
+struct body_work {
+    double *q, *v;             /* [m], [rad] and rates                          */
+    double *force, *resist;    /* F, K q + D v                                  */
+    double *given, *rate;      /* M^-1 F, all of v'                             */
+    double *inertia;           /* M v'                                          */
+    double *memory;            /* of all of them                                */
+    struct bending_work *bending;
 };
 
 /* Members of bodies_beam: see bodies.h. */
 int beam_make(const void *params, const struct scales *s, const char *name, const char *path,
               struct body **out);
 void beam_make_free(struct body **body);
+int beam_make_work(const struct body *b, struct body_work **out);
+void beam_make_work_free(struct body_work **work);
 
 #endif

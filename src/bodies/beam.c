@@ -22,15 +22,12 @@
 #include <stdio.h>
 #include <string.h>
 
-static enum kind beam_skin_kind(const struct body *b)
-{
-    return b->skin_kind;
-}
-
-static int beam_skin(const struct body *b, double (*x)[DIM])
+static int beam_skin(const struct body *b, double (*x)[DIM], enum kind *kind)
 {
     for (int i = 0; x && i < b->skin->points; i++)
         memcpy(x[i], b->skin->point[i].rest, sizeof x[i]);
+    if (kind)
+        *kind = b->skin_kind;
     return b->skin->points;
 }
 
@@ -67,12 +64,12 @@ static void beam_start(const struct body *b, const struct layout *l, double *y)
         y[beam_state_place(b, l, i, false)] = y[beam_state_place(b, l, i, true)] = 0;
 }
 
-static void beam_move(const struct body *b, const struct layout *l, double t, const double *y,
-                      double (*x)[DIM], double (*u)[DIM])
+static void beam_move(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      const double *y, double (*x)[DIM], double (*u)[DIM])
 {
     (void)t;
-    beam_state_read(b, l, y);
-    beam_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
+    beam_state_read(b, w, l, y);
+    beam_skin_move(b->skin, w->q, w->v, x, u);
 }
 
 static bool is_pushed(const struct body *b, double t)
@@ -81,20 +78,19 @@ static bool is_pushed(const struct body *b, double t)
 }
 
 /* All vectors at (t, y).  Returns the force of the water along the axis. */
-static double balance(const struct body *b, const struct layout *l, double t, const double *y,
-                      const double (*force)[DIM])
+static double balance(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      const double *y, const double (*force)[DIM])
 {
-    const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
     double axial;
 
-    beam_state_read(b, l, y);
+    beam_state_read(b, w, l, y);
     for (int i = 0; i < n; i++)
-        w->force[i] = w->weight[i] + (is_pushed(b, t) ? w->pushed[i] : 0);
+        w->force[i] = b->weight[i] + (is_pushed(b, t) ? b->pushed[i] : 0);
     axial = beam_skin_load(b->skin, force, w->force);
     memcpy(w->given, w->force, (size_t)n * sizeof *w->given);
     bending_accelerate(b->bending, w->given);
-    bending_resist(b->bending, w->q, w->v, w->resist);
+    bending_resist(b->bending, w->bending, w->q, w->v, w->resist);
     memcpy(w->rate, w->resist, (size_t)n * sizeof *w->rate);
     bending_accelerate(b->bending, w->rate);
     for (int i = 0; i < n; i++)
@@ -106,12 +102,12 @@ static double balance(const struct body *b, const struct layout *l, double t, co
 /* The supports give what momentum needs beyond the loads: across, 1 . (M v' - F),
  * where what alpha and drag take counts as theirs (both hold on to the ground); along
  * the axis, where nothing moves, the opposite of the loads. */
-static void beam_load(struct body *b, const struct layout *l, double t, const double *y,
-                      const double (*force)[DIM], double *ydot, struct body_load *out)
+static void beam_load(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      const double *y, const double (*force)[DIM], double *ydot,
+                      struct body_load *out)
 {
-    const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
-    const double axial = balance(b, l, t, y, force);
+    const double axial = balance(b, w, l, t, y, force);
     double across = 0, applied = 0;
 
     for (int i = 0; i < n; i++) {
@@ -120,24 +116,22 @@ static void beam_load(struct body *b, const struct layout *l, double t, const do
     }
     for (int i = 0; i < n; i += 2) {
         across += w->inertia[i] - w->force[i];
-        applied += is_pushed(b, t) ? w->pushed[i] : 0;
+        applied += is_pushed(b, t) ? b->pushed[i] : 0;
     }
     out->damping = bending_damping(b->bending, w->v);
-    out->driven = is_pushed(b, t) ? vectors_dot(n, w->pushed, w->v) : 0;
+    out->driven = is_pushed(b, t) ? vectors_dot(n, b->pushed, w->v) : 0;
     for (int d = 0; d < DIM; d++) {
         out->support[d] = across * b->normal[d] - (axial + b->gravity_along) * b->along[d];
         out->applied[d] = applied * b->normal[d];
     }
 }
 
-static void beam_stiff(const struct body *b, const struct layout *l, double t, const double *y,
-                       double *ydot)
+static void beam_stiff(const struct body *b, struct body_work *w, const struct layout *l,
+                       double t, const double *y, double *ydot)
 {
-    const struct beam_vectors *w = &b->vec;
-
     (void)t;
-    beam_state_read(b, l, y);
-    bending_resist(b->bending, w->q, w->v, w->resist);
+    beam_state_read(b, w, l, y);
+    bending_resist(b->bending, w->bending, w->q, w->v, w->resist);
     bending_accelerate(b->bending, w->resist);
     for (int i = 0; i < b->bending->dofs; i++) {
         ydot[beam_state_place(b, l, i, false)] += w->v[i];
@@ -145,10 +139,9 @@ static void beam_stiff(const struct body *b, const struct layout *l, double t, c
     }
 }
 
-static int beam_solve(struct body *b, const struct layout *l, double t, double gamma,
-                      const double *r, double *z)
+static int beam_solve(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      double gamma, const double *r, double *z)
 {
-    const struct beam_vectors *w = &b->vec;
     const int n = b->bending->dofs;
 
     (void)t;
@@ -156,7 +149,7 @@ static int beam_solve(struct body *b, const struct layout *l, double t, double g
         w->q[i] = r[beam_state_place(b, l, i, false)];
         w->v[i] = r[beam_state_place(b, l, i, true)];
     }
-    TRY(bending_solve(b->bending, gamma, w->q, w->v));
+    TRY(bending_solve(b->bending, w->bending, gamma, w->q, w->v));
     for (int i = 0; i < n; i++) {
         z[beam_state_place(b, l, i, false)] = w->q[i];
         z[beam_state_place(b, l, i, true)] = w->v[i];
@@ -182,24 +175,25 @@ static void beam_limit(const struct body *b, struct limit *out)
     snprintf(out->part, sizeof out->part, "%s", b->path);
 }
 
-static void beam_energy(const struct body *b, const struct layout *l, const double *y,
-                        struct energies *to)
+static void beam_energy(const struct body *b, struct body_work *w, const struct layout *l,
+                        const double *y, struct energies *to)
 {
-    beam_state_read(b, l, y);
-    to->kinetic += bending_kinetic(b->bending, b->vec.v);
-    to->elastic += bending_elastic(b->bending, b->vec.q);
-    to->potential += b->rest_potential - vectors_dot(b->bending->dofs, b->vec.weight, b->vec.q);
+    beam_state_read(b, w, l, y);
+    to->kinetic += bending_kinetic(b->bending, w->v);
+    to->elastic += bending_elastic(b->bending, w->q);
+    to->potential += b->rest_potential - vectors_dot(b->bending->dofs, b->weight, w->q);
 }
 
 /* Adds to p [DIM]. */
-static void beam_momentum(const struct body *b, const struct layout *l, const double *y, double *p)
+static void beam_momentum(const struct body *b, struct body_work *w, const struct layout *l,
+                          const double *y, double *p)
 {
     double across = 0;
 
-    beam_state_read(b, l, y);
-    band_multiply(b->bending->mass, b->vec.v, b->vec.inertia);
+    beam_state_read(b, w, l, y);
+    band_multiply(b->bending->mass, w->v, w->inertia);
     for (int i = 0; i < b->bending->dofs; i += 2)
-        across += b->vec.inertia[i];
+        across += w->inertia[i];
     for (int d = 0; d < DIM; d++)
         p[d] += across * b->normal[d];
 }
@@ -212,15 +206,14 @@ static double beam_weight(const struct body *b)
 /* What the support at the root feels: force across (positive along n, as loads are)
  * and moment (positive counter-clockwise), so that a cantilever at rest under a tip
  * force P shows P and P L. */
-static void beam_show(const struct body *b, const struct layout *l, double t, const double *y,
-                      const double (*force)[DIM], struct body_view *out)
+static void beam_show(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      const double *y, const double (*force)[DIM], struct body_view *out)
 {
-    const struct beam_vectors *w = &b->vec;
     const struct bending *s = b->bending;
     const int middle = (s->def.elements - 1) / 2, tip = s->dofs - 2;
     double shape[4], slope[4], across = 0;
 
-    balance(b, l, t, y, force);
+    balance(b, w, l, t, y, force);
     element_shape(0.5 * s->def.elements - middle, s->l, shape, slope);
     for (int k = 0; k < 4; k++)
         across += shape[k] * w->q[2 * middle + k];
@@ -238,23 +231,32 @@ static const struct body_kind *beam_choose(const void *params)
     return beam_def_far(params) ? &bodies_elastica : &bodies_beam;
 }
 
+static const struct body_implicit implicit = {
+    .stiff = beam_stiff, .solve = beam_solve, .limit = beam_limit,
+};
+
+static const struct body_coupled coupled = {
+    .unknowns = beam_couple_unknowns, .read = beam_couple_read, .write = beam_couple_write,
+    .right = beam_couple_right, .inertia = beam_couple_inertia, .drift = beam_couple_drift,
+    .pull = beam_couple_pull, .join = beam_couple_join, .joined = beam_couple_joined,
+    .fastest = beam_couple_fastest, .yield = beam_couple_yield, .settle = beam_couple_settle,
+};
+
 const struct body_kind bodies_beam = {
-    .name = "beam",
-    .about = "elastic beam or plate strip (2D); it bends a little, or with "
-             "theory = \"elastica\" as far as it likes",
-    .equation = "M w'' + D w' + K w = F, D = alpha M + beta K + drag I, EI = E b^3/12 (plane "
-                "strain: /(1 - nu^2))  (39)-(45); elastica: dE/dq for K w  (BE4)-(BE6)",
-    .source = "Toth 2012, section 4; consistent mass and Rayleigh damping unless (44), (45) are "
-              "asked for; elastica: Reissner 1972",
-    .group = "beam",
-    .size = sizeof(struct beam_def), .params = beam_def_params, .choose = beam_choose,
-    .create = beam_make, .free = beam_make_free, .skin_kind = beam_skin_kind, .skin = beam_skin,
-    .rows = beam_rows, .start = beam_start, .move = beam_move, .load = beam_load,
-    .stiff = beam_stiff, .solve = beam_solve, .unknowns = beam_couple_unknowns,
-    .read = beam_couple_read, .write = beam_couple_write, .right = beam_couple_right,
-    .inertia = beam_couple_inertia, .drift = beam_couple_drift, .pull = beam_couple_pull,
-    .join = beam_couple_join, .joined = beam_couple_joined, .fastest = beam_couple_fastest,
-    .yield = beam_couple_yield, .settle = beam_couple_settle, .event = beam_event,
-    .limit = beam_limit, .energy = beam_energy, .momentum = beam_momentum, .weight = beam_weight,
-    .show = beam_show,
+    .identity = {
+        .name = "beam",
+        .about = "elastic beam or plate strip (2D); it bends a little, or with "
+                 "theory = \"elastica\" as far as it likes",
+        .equation = "M w'' + D w' + K w = F, D = alpha M + beta K + drag I, EI = E b^3/12 (plane "
+                    "strain: /(1 - nu^2))  (39)-(45); elastica: dE/dq for K w  (BE4)-(BE6)",
+        .source = "Toth 2012, section 4; consistent mass and Rayleigh damping unless (44), (45) "
+                  "are asked for; elastica: Reissner 1972",
+        .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+        .choose = beam_choose,
+    },
+    .make = { .create = beam_make, .free = beam_make_free, .work = beam_make_work,
+              .work_free = beam_make_work_free },
+    .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
+    .load = beam_load, .event = beam_event, .energy = beam_energy, .momentum = beam_momentum,
+    .weight = beam_weight, .show = beam_show, .implicit = &implicit, .coupled = &coupled,
 };

@@ -3,25 +3,27 @@
 
 #include <math.h>
 
-void bending_rates_drag(struct bending *b, double d)
+void bending_rates_drag(const struct bending *b, struct bending_work *w, double d)
 {
     for (int i = 0; i < b->dofs; i++)
         if (!bending_held(b, i))
-            band_add(b->sum, i, i, d);
+            band_add(w->sum, i, i, d);
 }
 
 /* Largest eigenvalue of k K + d I against M: `high`, which lies above it, is halved
  * towards the least lambda for which lambda M - k K - d I is positive definite. */
-static double largest(struct bending *b, double k, double d, double high)
+static double largest(const struct bending *b, struct bending_work *w, double k, double d,
+                      double high)
 {
     const double enough = 1e-9 * high;
     double low = 0;
 
+    w->kept[0].set = false;
     while (high - low > 0.01 * high && high > enough) {
         const double middle = (low + high) / 2;
-        band_sum(b->sum, middle, b->mass_free, -k, b->stiffness_free);
-        bending_rates_drag(b, -d);
-        if (band_factor_definite(b->kept[0].factor, b->sum))
+        band_sum(w->sum, middle, b->mass_free, -k, b->stiffness_free);
+        bending_rates_drag(b, w, -d);
+        if (band_factor_definite(w->kept[0].factor, w->sum))
             high = middle;
         else
             low = middle;
@@ -33,23 +35,25 @@ static double largest(struct bending *b, double k, double d, double high)
  * 8400 EI/(mu l^4) with its consistent mass (Irons and Treharne 1971).  With the lumped
  * one an element that bends evenly, (0, t, 0, -t), has 2 EI/l t = lambda mu l^3/24 t, so
  * 48; bent like an S, (w, t, -w, t), it has 0 and 24 / (1/2) + 6 / (1/24) = 192. */
-double bending_rates_fastest(struct bending *b)
+double bending_rates_fastest(const struct bending *b, struct bending_work *w)
 {
     const double unit = b->def.EI / (b->def.mu * pow(b->l, 4));
 
-    return sqrt(largest(b, 1, 0, unit * (b->def.inertia == BENDING_CONSISTENT ? 8400 : 192)));
+    return sqrt(largest(b, w, 1, 0,
+                        unit * (b->def.inertia == BENDING_CONSISTENT ? 8400 : 192)));
 }
 
 /* Drag alone lies below 94 d over the least entry of a lumped end: against its lumped
  * mass, the consistent mass of an element is 1/93.1 and more. */
-double bending_rates_decay(struct bending *b)
+double bending_rates_decay(const struct bending *b, struct bending_work *w)
 {
     const double slow = b->def.beta * b->fastest * b->fastest;
     const double least = b->def.mu * b->l * fmin(1.0 / 2, b->l * b->l / 24);
 
     if (!(b->def.drag > 0))
         return b->def.alpha + slow;
-    return b->def.alpha + largest(b, b->def.beta, b->def.drag, slow + 94 * b->def.drag / least);
+    return b->def.alpha
+         + largest(b, w, b->def.beta, b->def.drag, slow + 94 * b->def.drag / least);
 }
 
 /* A mode of frequency omega and damping 2 d = alpha + beta omega^2 has eigenvalues of

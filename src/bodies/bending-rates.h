@@ -6,12 +6,12 @@
 #include "state/limit.h"
 
 /* Largest frequency [rad/s] and largest v . D v / v . M v [1/s], from above by 1 % at
- * most; of the assembled matrices, with the scratch ones. */
-double bending_rates_fastest(struct bending *b);
-double bending_rates_decay(struct bending *b);
+ * most; of the assembled matrices; factorizations that w keeps get lost. */
+double bending_rates_fastest(const struct bending *b, struct bending_work *w);
+double bending_rates_decay(const struct bending *b, struct bending_work *w);
 
-/* Adds d I to the scratch matrix where degrees of freedom move. */
-void bending_rates_drag(struct bending *b, double d);
+/* Adds d I to w->sum where degrees of freedom move. */
+void bending_rates_drag(const struct bending *b, struct bending_work *w, double d);
 
 /* What both of them are to explicit steps: out->rate and out->decay. */
 void bending_rates_limit(const struct bending_def *def, double fastest, double decay,

@@ -3,7 +3,12 @@
  * Degrees of freedom: q[2 i] deflection w [m], q[2 i + 1] rotation theta of node
  * i, nodes from the root (0) to the tip; F holds forces and moments in the same
  * places.  Everything is per metre of width in 2D.  Ends take degrees of freedom
- * away: those stay in the vectors as entries that nothing moves ("held"). */
+ * away: those stay in the vectors as entries that nothing moves ("held").
+ *
+ *     bending_create(&def, &b);     const from here on
+ *     bending_work_create(b, &w);   what functions work in; one for each caller that may
+ *                                   be in the middle of something
+ */
 #ifndef BODIES_BENDING_H
 #define BODIES_BENDING_H
 
@@ -29,13 +34,7 @@ struct bending_def {
     enum bending_end root, tip;
 };
 
-struct bending_factor { /* M + gamma D + gamma^2 K of one gamma */
-    bool set;
-    double gamma;
-    struct band_factor *factor;
-};
-
-enum { BENDING_FACTORS = 4 };
+enum { BENDING_WIDTH = 3 }; /* bandwidth of all matrices */
 
 struct bending {
     struct bending_def def;
@@ -46,17 +45,34 @@ struct bending {
     double decay;                             /* largest v . D v / v . M v [1/s], likewise */
     struct band *mass, *stiffness;            /* all degrees of freedom        */
     struct band *mass_free, *stiffness_free;  /* held ones taken out           */
-    struct band *sum;                         /* scratch                       */
-    struct band_factor *mass_factor;
-    struct bending_factor kept[BENDING_FACTORS];
-    struct band_factor *joint;                /* see bending_join()            */
-    int oldest;                               /* of kept: the next to go       */
-    double *work;                             /* [2][dofs] scratch             */
+    struct band_factor *mass_factor;          /* of mass_free                  */
+    double *shift;                            /* [dofs] M 1, inertia against a shift of
+                                                 the whole beam: times g it is weight */
 };
 
-/* Takes all memory it will ever need.  Free with bending_free(&b). */
+struct bending_factor { /* M + gamma D + gamma^2 K of one gamma */
+    bool set;
+    double gamma;
+    struct band_factor *factor;
+};
+
+enum { BENDING_FACTORS = 4 };
+
+/* Scratch, and factorizations kept to save time: they change no result by a bit. */
+struct bending_work {
+    struct band *sum;
+    struct bending_factor kept[BENDING_FACTORS];
+    int oldest;                /* of kept: the next to go                      */
+    struct band_factor *joint; /* see bending_join()                           */
+    double *vector;            /* [2][dofs]                                    */
+};
+
+/* Each takes all memory it will ever need.  Free with bending_free(&b),
+ * bending_work_free(&w). */
 int bending_create(const struct bending_def *def, struct bending **out);
 void bending_free(struct bending **b); /* NULL is welcome */
+int bending_work_create(const struct bending *b, struct bending_work **out);
+void bending_work_free(struct bending_work **w); /* NULL is welcome */
 
 static inline bool bending_held(const struct bending *b, int dof)
 {
@@ -68,34 +84,36 @@ static inline bool bending_held(const struct bending *b, int dof)
     return end == BENDING_CLAMPED || (end == BENDING_PINNED && dof % 2 == 0);
 }
 
-/* to [dofs] = M 1, inertia against a shift of the whole beam: times g it is weight.
- * Returns the mass, what all nodes have together [kg, 2D: kg/m]. */
-double bending_shift(const struct bending *b, double *to);
+double bending_mass(const struct bending *b); /* of all nodes together [kg, 2D: kg/m] */
 
 /* to [dofs] = K q + D v, rows of held degrees of freedom included. */
-void bending_resist(const struct bending *b, const double *q, const double *v, double *to);
+void bending_resist(const struct bending *b, struct bending_work *w, const double *q,
+                    const double *v, double *to);
 
 /* f [dofs]: forces come in, accelerations M^-1 f go out; held ones are 0. */
 void bending_accelerate(const struct bending *b, double *f);
 
 /* Solves z - gamma f_I(z) = r with f_I = (v, -M^-1 (K q + D v)): r comes in
  * through q and v, z goes out.  Held entries keep r. */
-int bending_solve(struct bending *b, double gamma, double *q, double *v);
+int bending_solve(const struct bending *b, struct bending_work *w, double gamma, double *q,
+                  double *v);
 
 /* The same with forces that are linear in v and not the beam's own: a solver of the
  * whole goes by (M + gamma D + gamma^2 K) v = right + gamma (those forces).
  * bending_inertia(): to = (M + gamma D + gamma^2 K) v, held entries v.
  * bending_right(): v, that comes in as r, becomes M r_v - gamma K r_q, held entries r_v. */
-void bending_inertia(struct bending *b, double gamma, const double *v, double *to);
-void bending_right(struct bending *b, double gamma, const double *q, double *v);
+void bending_inertia(const struct bending *b, struct bending_work *w, double gamma,
+                     const double *v, double *to);
+void bending_right(const struct bending *b, struct bending_work *w, double gamma,
+                   const double *q, double *v);
 
 /* M + gamma D + gamma^2 K and what resists at points: bending_join(), then for each
  * point c times shape shape^T [4][4] at the degree of freedom `first`, then
  * bending_joined(), after which bending_join_solve() solves in place. */
-void bending_join(struct bending *b, double gamma);
-void bending_join_point(struct bending *b, int first, const double *shape, double c);
-int bending_joined(struct bending *b);
-void bending_join_solve(const struct bending *b, double *x);
+void bending_join(const struct bending *b, struct bending_work *w, double gamma);
+void bending_join_point(struct bending_work *w, int first, const double *shape, double c);
+int bending_joined(const struct bending *b, struct bending_work *w);
+void bending_join_solve(const struct bending_work *w, double *x);
 
 double bending_kinetic(const struct bending *b, const double *v); /* [J, 2D: J/m]        */
 double bending_elastic(const struct bending *b, const double *q); /* [J, 2D: J/m]        */

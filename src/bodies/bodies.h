@@ -3,13 +3,24 @@
  * A kind of body is a const struct in the table of this room.  The state of a
  * body lives in y, in rows that it adds to the layout; its skin is a range of
  * particles of kind KIND_SKIN or KIND_SKIN_SLIP, moved by move() and pressed
- * by the fluid through load(), its exact transpose. */
+ * by the fluid through load(), its exact transpose.
+ *
+ * A contract in layers: every kind has the core, struct body_kind.  A kind whose rates
+ * are too fast for explicit steps has an implicit side besides; one that moves with an
+ * implicit viscosity in one solve has a part in that, too.  Pointers to layers that a
+ * kind does not have are NULL.
+ *
+ * A body is const as soon as its rows are known.  What its members work in during a run
+ * is a struct body_work that the caller brings: two works of one body may be in use at
+ * the same time.  What a work keeps saves time and changes no result by a bit, but for
+ * join(), whose matrix joined() solves with. */
 #ifndef BODIES_BODIES_H
 #define BODIES_BODIES_H
 
 #include "state/part.h"
 
-struct body; /* one body of a kind, made by create() */
+struct body;      /* one body of a kind                                        */
+struct body_work; /* what members of that kind work in: scratch and caches     */
 
 struct body_load { /* what load() reports, all [N, 2D: N/m], [N m] */
     double damping;      /* power taken by damping [W], never positive         */
@@ -25,7 +36,9 @@ struct body_view { /* for output: displacements of chosen points */
     double root_moment;        /* bending moment at the root [N m, 2D: N]      */
 };
 
-struct body_kind {
+struct body_kind;
+
+struct body_identity { /* for scenes and for readers */
     const char *name, *about, *equation, *source;
     const char *group;          /* scene group: "beam"                         */
     size_t size;                /* of its parameter struct                     */
@@ -33,79 +46,110 @@ struct body_kind {
 
     /* Another kind with the same parameters that these ask for; NULL: never another. */
     const struct body_kind *(*choose)(const void *params);
+};
 
+struct body_making { /* free and work_free: a pointer to NULL is welcome */
     /* Refuses (BAD_SCENE) what cannot stand; `path` is "beam.NAME". */
     int (*create)(const void *params, const struct scales *s, const char *name,
                   const char *path, struct body **out);
-    void (*free)(struct body **body); /* NULL is welcome */
+    void (*free)(struct body **body);
 
-    enum kind (*skin_kind)(const struct body *b);
-    int (*skin)(const struct body *b, double (*x)[DIM]); /* points at rest; NULL x: count only */
+    /* All the memory that members will ever need. */
+    int (*work)(const struct body *b, struct body_work **out);
+    void (*work_free)(struct body_work **work);
+};
 
-    int (*rows)(struct body *b, struct layout *l);             /* adds its rows     */
-    void (*start)(const struct body *b, const struct layout *l, double *y); /* y at t = 0 */
-
-    /* Skin at this state: x, u [skin][DIM]. */
-    void (*move)(const struct body *b, const struct layout *l, double t, const double *y,
-                 double (*x)[DIM], double (*u)[DIM]);
-
-    /* Explicit rates: M^-1 (N^T force + weight + prescribed loads) into the
-     * velocity rows of ydot, 0 into its position rows.  force [skin][DIM]. */
-    void (*load)(struct body *b, const struct layout *l, double t, const double *y,
-                 const double (*force)[DIM], double *ydot, struct body_load *out);
-
-    /* Implicit rates: q' = v, v' = -M^-1 (K q + D v), ADDED to its rows of ydot. */
-    void (*stiff)(const struct body *b, const struct layout *l, double t, const double *y,
-                  double *ydot);
+/* Rates that explicit steps follow at a price only: f_I, beside what load() gives. */
+struct body_implicit {
+    /* q' = v, v' = -M^-1 (K q + D v), ADDED to its rows of ydot. */
+    void (*stiff)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                  const double *y, double *ydot);
 
     /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched.  A guess
      * comes in through z; STATUS_FAILED when none is found from there. */
-    int (*solve)(struct body *b, const struct layout *l, double t, double gamma,
-                 const double *r, double *z);
+    int (*solve)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                 double gamma, const double *r, double *z);
 
-    /* The same where the fluid's viscosity is implicit, too, and pulls at the skin by
-     * forces that are linear in velocities.  A solver of the whole (plan/viscous.h) has
-     * the body's part of it by v [unknowns], the velocities of its rows:
-     *   B v - gamma S^T (forces on the skin) = right,  positions = r + gamma v */
+    /* The fastest rate of f_I, for those who take it explicitly. */
+    void (*limit)(const struct body *b, struct limit *out);
+};
+
+/* The same where the fluid's viscosity is implicit, too, and pulls at the skin by
+ * forces that are linear in velocities.  A solver of the whole (plan/viscous.h) has
+ * the body's part of it by v [unknowns], the velocities of its rows:
+ *   B v - gamma S^T (forces on the skin) = right,  positions = r + gamma v */
+struct body_coupled {
     int (*unknowns)(const struct body *b);
-    void (*read)(struct body *b, const struct layout *l, const double *y, double *v);
-    void (*write)(struct body *b, const struct layout *l, double gamma, const double *r,
+    void (*read)(const struct body *b, const struct layout *l, const double *y, double *v);
+    void (*write)(const struct body *b, const struct layout *l, double gamma, const double *r,
                   const double *v, double *z);
-    void (*right)(struct body *b, const struct layout *l, double gamma, const double *r,
-                  double *to);
-    void (*inertia)(struct body *b, double gamma, const double *v, double *to); /* B v */
-    void (*drift)(const struct body *b, const double *v, double (*u)[DIM]);     /* S v */
-    void (*pull)(const struct body *b, const double (*force)[DIM], double c,
-                 double *to);                                    /* adds c S^T force  */
+    void (*right)(const struct body *b, struct body_work *w, const struct layout *l,
+                  double gamma, const double *r, double *to);
+    void (*inertia)(const struct body *b, struct body_work *w, double gamma, const double *v,
+                    double *to);                                          /* B v */
+    void (*drift)(const struct body *b, const double *v, double (*u)[DIM]); /* S v */
+    void (*pull)(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                 double c, double *to);                    /* adds c S^T force   */
 
-    /* Ready to solve B + gamma S^T (c of each point) S, in place. */
-    int (*join)(struct body *b, double gamma, const double *c);
-    void (*joined)(const struct body *b, double *v);
+    /* Ready to solve B + gamma S^T (c of each point) S, in place, by this work. */
+    int (*join)(const struct body *b, struct body_work *w, double gamma, const double *c);
+    void (*joined)(const struct body *b, const struct body_work *w, double *v);
     double (*fastest)(const struct body *b, const double *v); /* of its points [m/s] */
 
     /* Rates by forces on the skin alone: adds M^-1 S^T force to its rows of ydot, and
      * what the support gives against them [N, 2D: N/m] to `support`. */
-    void (*yield)(struct body *b, const struct layout *l, const double (*force)[DIM],
-                  double *ydot, double support[DIM]);
+    void (*yield)(const struct body *b, struct body_work *w, const struct layout *l,
+                  const double (*force)[DIM], double *ydot, double support[DIM]);
 
     /* The same support after a solve: with the acceleration that (z - r)/gamma has
      * beyond that of stiff(), so that momentum closes however inexact the solve. */
-    void (*settle)(struct body *b, const struct layout *l, double gamma, const double *r,
-                   const double *z, const double (*force)[DIM], double support[DIM]);
+    void (*settle)(const struct body *b, struct body_work *w, const struct layout *l,
+                   double gamma, const double *r, const double *z, const double (*force)[DIM],
+                   double support[DIM]);
+};
 
-    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s]. */
+struct body_kind {
+    struct body_identity identity;
+    struct body_making make;
+
+    /* The number of its points; x [skin][DIM] at rest and their kind, NULL: not asked. */
+    int (*skin)(const struct body *b, double (*x)[DIM], enum kind *kind);
+
+    /* Adds its rows; the last that changes a body.  As many velocities as positions, in
+     * the same order: methods like "dv" step positions by velocities alone. */
+    int (*rows)(struct body *b, struct layout *l);
+    void (*start)(const struct body *b, const struct layout *l, double *y); /* y at t = 0 */
+
+    /* Skin at this state: x, u [skin][DIM]. */
+    void (*move)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                 const double *y, double (*x)[DIM], double (*u)[DIM]);
+
+    /* Explicit rates, all rows of ydot set: of velocities M^-1 (N^T force + weight +
+     * prescribed loads), of positions q' = v, or, with an implicit side, 0: there it is
+     * stiff() that adds v.  force [skin][DIM]. */
+    void (*load)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                 const double *y, const double (*force)[DIM], double *ydot,
+                 struct body_load *out);
+
+    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
     double (*event)(const struct body *b, double t);
 
-    /* Implicit side taken explicitly: its fastest frequency. */
+    /* The fastest rate of load(), which every method takes explicitly.  NULL: it never
+     * limits a step. */
     void (*limit)(const struct body *b, struct limit *out);
-    void (*energy)(const struct body *b, const struct layout *l, const double *y,
-                   struct energies *to);
-    void (*momentum)(const struct body *b, const struct layout *l, const double *y, double *p);
-    double (*weight)(const struct body *b); /* its mass [kg, 2D: kg/m] */
+
+    void (*energy)(const struct body *b, struct body_work *w, const struct layout *l,
+                   const double *y, struct energies *to); /* adds to it */
+    void (*momentum)(const struct body *b, struct body_work *w, const struct layout *l,
+                     const double *y, double *p);         /* adds to p [DIM] */
+    double (*weight)(const struct body *b);               /* its mass [kg, 2D: kg/m] */
 
     /* force [skin][DIM] as in load(); y and t of the same moment. */
-    void (*show)(const struct body *b, const struct layout *l, double t, const double *y,
-                 const double (*force)[DIM], struct body_view *out);
+    void (*show)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                 const double *y, const double (*force)[DIM], struct body_view *out);
+
+    const struct body_implicit *implicit; /* NULL: it makes no plan stiff          */
+    const struct body_coupled *coupled;   /* NULL: no part in a solve of the whole */
 };
 
 extern const struct body_kind *const bodies_table[]; /* NULL-ended */

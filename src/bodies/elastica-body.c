@@ -18,15 +18,12 @@
 #include <stdio.h>
 #include <string.h>
 
-static enum kind elastica_skin_kind(const struct body *b)
-{
-    return b->skin_kind;
-}
-
-static int elastica_skin(const struct body *b, double (*x)[DIM])
+static int elastica_skin(const struct body *b, double (*x)[DIM], enum kind *kind)
 {
     if (x)
-        follower_skin_move(b->skin, b->vec.start, b->vec.start_rate, x, NULL);
+        follower_skin_move(b->skin, b->start, b->start_rate, x, NULL);
+    if (kind)
+        *kind = b->skin_kind;
     return b->skin->points;
 }
 
@@ -59,60 +56,59 @@ static long place(const struct body *b, const struct layout *l, int i, bool rate
 }
 
 /* y to q and v; held degrees of freedom are 0 whatever y says. */
-static void gather(const struct body *b, const struct layout *l, const double *y)
+static void gather(const struct body *b, struct body_work *w, const struct layout *l,
+                   const double *y)
 {
     for (int i = 0; i < b->beam->dofs; i++) {
         const bool held = elastica_held(b->beam, i);
-        b->vec.q[i] = held ? 0 : y[place(b, l, i, false)];
-        b->vec.v[i] = held ? 0 : y[place(b, l, i, true)];
+        w->q[i] = held ? 0 : y[place(b, l, i, false)];
+        w->v[i] = held ? 0 : y[place(b, l, i, true)];
     }
 }
 
 static void elastica_start(const struct body *b, const struct layout *l, double *y)
 {
     for (int i = 0; i < b->beam->dofs; i++) {
-        y[place(b, l, i, false)] = b->vec.start[i];
-        y[place(b, l, i, true)] = b->vec.start_rate[i];
+        y[place(b, l, i, false)] = b->start[i];
+        y[place(b, l, i, true)] = b->start_rate[i];
     }
 }
 
-static void elastica_move(const struct body *b, const struct layout *l, double t, const double *y,
-                          double (*x)[DIM], double (*u)[DIM])
+static void elastica_move(const struct body *b, struct body_work *w, const struct layout *l,
+                          double t, const double *y, double (*x)[DIM], double (*u)[DIM])
 {
     (void)t;
-    gather(b, l, y);
-    follower_skin_move(b->skin, b->vec.q, b->vec.v, x, u);
+    gather(b, w, l, y);
+    follower_skin_move(b->skin, w->q, w->v, x, u);
 }
 
 /* Prescribed loads at (t, q). */
-static void give(const struct body *b, double t)
+static void give(const struct body *b, struct body_work *w, double t)
 {
-    const struct elastica_vectors *w = &b->vec;
     const size_t size = (size_t)b->beam->dofs * sizeof *w->given;
 
     if (!(t < b->load_until)) {
         memset(w->given, 0, size);
         return;
     }
-    memcpy(w->given, w->pushed, size);
+    memcpy(w->given, b->pushed, size);
     elastica_follow(b->beam, b->turning_load, b->turning_force, w->q, w->given);
 }
 
 /* All vectors at (t, y). */
-static void balance(const struct body *b, const struct layout *l, double t, const double *y,
-                    const double (*force)[DIM])
+static void balance(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                    const double *y, const double (*force)[DIM])
 {
-    const struct elastica_vectors *w = &b->vec;
     const int n = b->beam->dofs;
 
-    gather(b, l, y);
-    give(b, t);
+    gather(b, w, l, y);
+    give(b, w, t);
     for (int i = 0; i < n; i++)
-        w->force[i] = w->weight[i] + w->given[i];
+        w->force[i] = b->weight[i] + w->given[i];
     follower_skin_load(b->skin, w->q, force, w->force);
     memcpy(w->load, w->force, (size_t)n * sizeof *w->load);
     elastica_accelerate(b->beam, w->load);
-    elastica_resist(b->beam, w->q, w->v, w->resist);
+    elastica_resist(b->beam, w->beam, w->q, w->v, w->resist);
     memcpy(w->rate, w->resist, (size_t)n * sizeof *w->rate);
     elastica_accelerate(b->beam, w->rate);
     for (int i = 0; i < n; i++)
@@ -134,14 +130,14 @@ static void total(const struct body *b, const double *f, double *to)
 
 /* The supports give what momentum needs beyond the loads, 1 . (M v' - F), where what alpha
  * and drag take counts as theirs (both hold on to the ground). */
-static void elastica_load(struct body *b, const struct layout *l, double t, const double *y,
-                          const double (*force)[DIM], double *ydot, struct body_load *out)
+static void elastica_load(const struct body *b, struct body_work *w, const struct layout *l,
+                          double t, const double *y, const double (*force)[DIM], double *ydot,
+                          struct body_load *out)
 {
-    const struct elastica_vectors *w = &b->vec;
     const int n = b->beam->dofs;
     double moved[DIM], loads[DIM];
 
-    balance(b, l, t, y, force);
+    balance(b, w, l, t, y, force);
     for (int i = 0; i < n; i++) {
         ydot[place(b, l, i, false)] = 0;
         ydot[place(b, l, i, true)] = w->load[i];
@@ -155,14 +151,12 @@ static void elastica_load(struct body *b, const struct layout *l, double t, cons
         out->support[d] = moved[d] - loads[d];
 }
 
-static void elastica_stiff(const struct body *b, const struct layout *l, double t,
-                           const double *y, double *ydot)
+static void elastica_stiff(const struct body *b, struct body_work *w, const struct layout *l,
+                           double t, const double *y, double *ydot)
 {
-    const struct elastica_vectors *w = &b->vec;
-
     (void)t;
-    gather(b, l, y);
-    elastica_resist(b->beam, w->q, w->v, w->resist);
+    gather(b, w, l, y);
+    elastica_resist(b->beam, w->beam, w->q, w->v, w->resist);
     elastica_accelerate(b->beam, w->resist);
     for (int i = 0; i < b->beam->dofs; i++) {
         ydot[place(b, l, i, false)] += w->v[i];
@@ -170,10 +164,9 @@ static void elastica_stiff(const struct body *b, const struct layout *l, double 
     }
 }
 
-static int elastica_body_solve(struct body *b, const struct layout *l, double t, double gamma,
-                               const double *r, double *z)
+static int elastica_body_solve(const struct body *b, struct body_work *w, const struct layout *l,
+                               double t, double gamma, const double *r, double *z)
 {
-    const struct elastica_vectors *w = &b->vec;
     const int n = b->beam->dofs;
 
     (void)t;
@@ -182,7 +175,7 @@ static int elastica_body_solve(struct body *b, const struct layout *l, double t,
         w->resist[i] = r[place(b, l, i, true)];
         w->q[i] = z[place(b, l, i, false)];
     }
-    TRY(elastica_solve(b->beam, gamma, w->force, w->resist, w->q, w->v));
+    TRY(elastica_solve(b->beam, w->beam, gamma, w->force, w->resist, w->q, w->v));
     for (int i = 0; i < n; i++) {
         z[place(b, l, i, false)] = w->q[i];
         z[place(b, l, i, true)] = w->v[i];
@@ -205,24 +198,24 @@ static void elastica_limit(const struct body *b, struct limit *out)
     snprintf(out->part, sizeof out->part, "%s", b->path);
 }
 
-static void elastica_energies(const struct body *b, const struct layout *l, const double *y,
-                              struct energies *to)
+static void elastica_energies(const struct body *b, struct body_work *w, const struct layout *l,
+                              const double *y, struct energies *to)
 {
-    gather(b, l, y);
-    to->kinetic += elastica_kinetic(b->beam, b->vec.v);
-    to->elastic += elastica_elastic(b->beam, b->vec.q);
-    to->potential += b->rest_potential - vectors_dot(b->beam->dofs, b->vec.weight, b->vec.q);
+    gather(b, w, l, y);
+    to->kinetic += elastica_kinetic(b->beam, w->v);
+    to->elastic += elastica_elastic(b->beam, w->q);
+    to->potential += b->rest_potential - vectors_dot(b->beam->dofs, b->weight, w->q);
 }
 
 /* Adds to p [DIM]. */
-static void elastica_momentum(const struct body *b, const struct layout *l, const double *y,
-                              double *p)
+static void elastica_momentum(const struct body *b, struct body_work *w, const struct layout *l,
+                              const double *y, double *p)
 {
     double sum[DIM];
 
-    gather(b, l, y);
-    band_multiply(b->beam->mass, b->vec.v, b->vec.inertia);
-    total(b, b->vec.inertia, sum);
+    gather(b, w, l, y);
+    band_multiply(b->beam->mass, w->v, w->inertia);
+    total(b, w->inertia, sum);
     for (int d = 0; d < DIM; d++)
         p[d] += sum[d];
 }
@@ -233,9 +226,8 @@ static double elastica_weight(const struct body *b)
 }
 
 /* Angle of the tip, turn by turn from node to node: it counts on beyond half a turn. */
-static double tip_angle(const struct body *b)
+static double tip_angle(const struct body *b, const double *q)
 {
-    const double *q = b->vec.q;
     double sum = 0, from[2] = { 1, 0 };
 
     for (int i = 2; i < b->beam->dofs; i += ELASTICA_NODE) {
@@ -248,11 +240,11 @@ static double tip_angle(const struct body *b)
 }
 
 /* Displacement of the centre line at s, in the frame of the tank. */
-static void displace(const struct body *b, double s, double *to)
+static void displace(const struct body *b, double s, const double *q, double *to)
 {
     double r[2];
 
-    follower_skin_centre(b->skin, s, b->vec.q, r);
+    follower_skin_centre(b->skin, s, q, r);
     for (int d = 0; d < DIM; d++)
         to[d] = (r[0] - s) * b->along[d] + r[1] * b->normal[d];
 }
@@ -260,32 +252,38 @@ static void displace(const struct body *b, double s, double *to)
 /* What the support at the root feels: force across the straight beam (positive along n, as
  * loads are) and moment (positive counter-clockwise): a turn by theta changes the slope
  * across by |r'| theta. */
-static void elastica_show(const struct body *b, const struct layout *l, double t,
-                          const double *y, const double (*force)[DIM], struct body_view *out)
+static void elastica_show(const struct body *b, struct body_work *w, const struct layout *l,
+                          double t, const double *y, const double (*force)[DIM],
+                          struct body_view *out)
 {
-    const struct elastica_vectors *w = &b->vec;
     const struct elastica *e = b->beam;
     const double L = e->def.bending.length;
 
-    balance(b, l, t, y, force);
-    displace(b, L, out->tip);
-    displace(b, L / 2, out->mid);
-    out->tip_angle = tip_angle(b);
+    balance(b, w, l, t, y, force);
+    displace(b, L, w->q, out->tip);
+    displace(b, L / 2, w->q, out->mid);
+    out->tip_angle = tip_angle(b, w->q);
     out->root_force = elastica_held(e, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
     out->root_moment = elastica_held(e, 3)
                      ? (1 + w->q[2]) * (w->force[3] - w->inertia[3] - w->resist[3]) : 0;
 }
 
+static const struct body_implicit implicit = {
+    .stiff = elastica_stiff, .solve = elastica_body_solve, .limit = elastica_limit,
+};
+
 const struct body_kind bodies_elastica = {
-    .name = "elastica", .about = "the same beam, bending as far as it likes (2D)",
-    .equation = "M q'' + D q' + dE/dq = F, E = int EA/4 (|r'|^2 - 1 - ln |r'|^2) + "
-                "EI/2 kappa^2 ds, kappa = (r' x r'')/|r'|^2  (BE4)-(BE6)",
-    .source = "Reissner 1972 without shear; cubic centre line as Gerstmayr, Shabana 2006",
-    .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
-    .create = elastica_make, .free = elastica_make_free, .skin_kind = elastica_skin_kind,
+    .identity = {
+        .name = "elastica", .about = "the same beam, bending as far as it likes (2D)",
+        .equation = "M q'' + D q' + dE/dq = F, E = int EA/4 (|r'|^2 - 1 - ln |r'|^2) + "
+                    "EI/2 kappa^2 ds, kappa = (r' x r'')/|r'|^2  (BE4)-(BE6)",
+        .source = "Reissner 1972 without shear; cubic centre line as Gerstmayr, Shabana 2006",
+        .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    },
+    .make = { .create = elastica_make, .free = elastica_make_free, .work = elastica_make_work,
+              .work_free = elastica_make_work_free },
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
-    .move = elastica_move, .load = elastica_load, .stiff = elastica_stiff,
-    .solve = elastica_body_solve, .event = elastica_event, .limit = elastica_limit,
+    .move = elastica_move, .load = elastica_load, .event = elastica_event,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
-    .show = elastica_show,
+    .show = elastica_show, .implicit = &implicit,
 };

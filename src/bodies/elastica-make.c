@@ -19,11 +19,35 @@ void elastica_make_free(struct body **body)
     *body = NULL;
 }
 
+void elastica_make_work_free(struct body_work **work)
+{
+    if (!*work)
+        return;
+    elastica_work_free(&(*work)->beam);
+    free((*work)->memory);
+    free(*work);
+    *work = NULL;
+}
+
+int elastica_make_work(const struct body *b, struct body_work **out)
+{
+    struct body_work *w = *out = status_alloc(1, sizeof *w);
+
+    if (!w)
+        return STATUS_FAILED;
+    double **vector[] = { &w->q, &w->v, &w->given, &w->force, &w->resist, &w->load, &w->rate,
+                          &w->inertia };
+    if (elastica_work_create(b->beam, &w->beam) == STATUS_DONE
+        && vectors_take(vector, sizeof vector / sizeof vector[0], b->beam->dofs, &w->memory)
+               == STATUS_DONE)
+        return STATUS_DONE;
+    elastica_make_work_free(out);
+    return STATUS_FAILED;
+}
+
 static int take_vectors(struct body *b)
 {
-    struct elastica_vectors *w = &b->vec;
-    double **vector[] = { &w->start, &w->start_rate, &w->weight, &w->pushed, &w->q, &w->v,
-                          &w->given, &w->force, &w->resist, &w->load, &w->rate, &w->inertia };
+    double **vector[] = { &b->start, &b->start_rate, &b->weight, &b->pushed };
 
     return vectors_take(vector, sizeof vector / sizeof vector[0], b->beam->dofs, &b->memory);
 }
@@ -41,16 +65,16 @@ static void add_uniform(const struct elastica *e, double load, double *f)
 /* Weight is that of the inertia, M g, so that the beam falls as all things do. */
 static void prepare_weight(struct body *b, const struct beam_def *d, const struct scales *s)
 {
-    double g[2] = { 0, 0 }, *shift = b->vec.force; /* scratch */
+    double g[2] = { 0, 0 };
 
-    b->mass = bending_shift(b->beam->plane, shift);
+    b->mass = bending_mass(b->beam->plane);
     for (int i = 0; i < DIM; i++) {
         g[0] += s->g[i] * b->along[i];
         g[1] += s->g[i] * b->normal[i];
     }
     b->rest_potential = beam_def_potential(d, s, b->mass);
     for (int i = 0; i < b->beam->dofs; i++)
-        b->vec.weight[i] = g[i % 2] * shift[i / 2];
+        b->weight[i] = g[i % 2] * b->beam->plane->shift[i / 2];
 }
 
 static void prepare_loads(struct body *b, const struct beam_def *d)
@@ -61,8 +85,8 @@ static void prepare_loads(struct body *b, const struct beam_def *d)
         b->turning_force = d->tip_force;
         return;
     }
-    add_uniform(b->beam, d->load, b->vec.pushed);
-    b->vec.pushed[b->beam->dofs - ELASTICA_NODE + 1] += d->tip_force;
+    add_uniform(b->beam, d->load, b->pushed);
+    b->pushed[b->beam->dofs - ELASTICA_NODE + 1] += d->tip_force;
 }
 
 /* Turn of the tangent at part x of the length when the tip has turned by 1: without moment
@@ -92,7 +116,7 @@ static void prepare_start(struct body *b, const struct beam_def *d)
 {
     const double at[3] = { 0.5 - sqrt(0.15), 0.5, 0.5 + sqrt(0.15) };
     const double weight[3] = { 5 / 18.0, 8 / 18.0, 5 / 18.0 };
-    double *q = b->vec.start, *v = b->vec.start_rate, a[2], a_rate[2];
+    double *q = b->start, *v = b->start_rate, a[2], a_rate[2];
 
     for (int i = 0; i <= d->elements; i++, q += ELASTICA_NODE, v += ELASTICA_NODE) {
         tangent_at(b->beam, d, (double)i / d->elements, q + 2, v + 2);

@@ -7,17 +7,6 @@
 #include "bodies/elastica.h"
 #include "bodies/follower-skin.h"
 
-/* Vectors [dofs], in the order of elastica.h; scratch but for the first ones. */
-struct elastica_vectors {
-    double *start, *start_rate; /* q and v at t = 0                             */
-    double *weight, *pushed;    /* loads that keep their direction              */
-    double *q, *v;              /* [m], [1] and rates                           */
-    double *given;              /* prescribed loads here and now                */
-    double *force, *resist;     /* F, dE/dq + D v                               */
-    double *load, *rate;        /* M^-1 F, all of v'                            */
-    double *inertia;            /* M v'                                         */
-};
-
 struct body { /* of this kind */
     char path[64];
     double along[DIM], normal[DIM];
@@ -30,13 +19,27 @@ struct body { /* of this kind */
     struct elastica *beam;
     struct follower_skin *skin;
     int row[2 * ELASTICA_NODE]; /* of the layout: positions, then rates         */
-    double *memory;
-    struct elastica_vectors vec;
+    double *start, *start_rate; /* [dofs] q and v at t = 0                      */
+    double *weight, *pushed;   /* [dofs] loads that keep their direction        */
+    double *memory;            /* of all four                                   */
+};
+
+/* Vectors [dofs], in the order of elastica.h. */
+struct body_work { /* of this kind */
+    double *q, *v;             /* [m], [1] and rates                            */
+    double *given;             /* prescribed loads here and now                 */
+    double *force, *resist;    /* F, dE/dq + D v                                */
+    double *load, *rate;       /* M^-1 F, all of v'                             */
+    double *inertia;           /* M v'                                          */
+    double *memory;            /* of all of them                                */
+    struct elastica_work *beam;
 };
 
 /* Members of bodies_elastica: see bodies.h. */
 int elastica_make(const void *params, const struct scales *s, const char *name, const char *path,
                   struct body **out);
 void elastica_make_free(struct body **body);
+int elastica_make_work(const struct body *b, struct body_work **out);
+void elastica_make_work_free(struct body_work **work);
 
 #endif

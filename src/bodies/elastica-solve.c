@@ -37,12 +37,12 @@ static bool is_there(double size, double before)
 }
 
 /* -R(v) into f. */
-static void lack(const struct elastica *e, double gamma, const double *rv, const double *q,
-                 const double *v, double *f)
+static void lack(const struct elastica *e, struct elastica_work *w, double gamma,
+                 const double *rv, const double *q, const double *v, double *f)
 {
-    double *off = e->work + e->dofs, *push = e->work;
+    double *off = w->vector + e->dofs, *push = w->vector;
 
-    elastica_resist(e, q, v, f);
+    elastica_resist(e, w, q, v, f);
     for (int i = 0; i < e->dofs; i++)
         off[i] = v[i] - rv[i];
     band_multiply(e->mass, off, push);
@@ -50,17 +50,18 @@ static void lack(const struct elastica *e, double gamma, const double *rv, const
         f[i] = elastica_held(e, i) ? 0 : -push[i] - gamma * f[i];
 }
 
-/* e->factor for M + gamma D + gamma^2 d2E/dq2 at q. */
-static int factorize(struct elastica *e, double gamma, const double *q)
+/* w->factor for M + gamma D + gamma^2 d2E/dq2 at q. */
+static int factorize(const struct elastica *e, struct elastica_work *w, double gamma,
+                     const double *q)
 {
     const struct bending_def *b = &e->def.bending;
 
-    elastica_tangent(e, q);
-    band_sum(e->sum, 1 + gamma * b->alpha, e->mass, gamma * gamma, e->tangent);
+    elastica_tangent(e, w, q);
+    band_sum(w->sum, 1 + gamma * b->alpha, e->mass, gamma * gamma, w->tangent);
     for (int i = 0; i < e->dofs; i++)
-        band_add(e->sum, i, i, gamma * b->drag);
-    elastica_hold(e);
-    return band_factor_set(e->factor, e->sum);
+        band_add(w->sum, i, i, gamma * b->drag);
+    elastica_hold(e, w);
+    return band_factor_set(w->factor, w->sum);
 }
 
 /* Held entries get those of r, and v what makes q the guess. */
@@ -77,14 +78,14 @@ static void begin(const struct elastica *e, double gamma, const double *rq, cons
 }
 
 /* One step of Newton's method; its size goes to *size. */
-static int iterate(struct elastica *e, double gamma, const double *rq, const double *rv, double *q,
-                   double *v, double *size)
+static int iterate(const struct elastica *e, struct elastica_work *w, double gamma,
+                   const double *rq, const double *rv, double *q, double *v, double *size)
 {
-    double *dv = e->work + 2 * e->dofs;
+    double *dv = w->vector + 2 * e->dofs;
 
-    lack(e, gamma, rv, q, v, dv);
-    TRY(factorize(e, gamma, q));
-    band_factor_solve(e->factor, dv);
+    lack(e, w, gamma, rv, q, v, dv);
+    TRY(factorize(e, w, gamma, q));
+    band_factor_solve(w->factor, dv);
     for (int i = 0; i < e->dofs; i++)
         if (!elastica_held(e, i)) {
             v[i] += dv[i];
@@ -94,15 +95,15 @@ static int iterate(struct elastica *e, double gamma, const double *rq, const dou
     return STATUS_DONE;
 }
 
-int elastica_solve(struct elastica *e, double gamma, const double *rq, const double *rv,
-                   double *q, double *v)
+int elastica_solve(const struct elastica *e, struct elastica_work *w, double gamma,
+                   const double *rq, const double *rv, double *q, double *v)
 {
     double size = HUGE_VAL;
 
     begin(e, gamma, rq, rv, q, v);
     for (int k = 0; k < ELASTICA_ITERATIONS; k++) {
         const double before = size;
-        TRY(iterate(e, gamma, rq, rv, q, v, &size));
+        TRY(iterate(e, w, gamma, rq, rv, q, v, &size));
         if (is_there(size, before))
             return STATUS_DONE;
     }

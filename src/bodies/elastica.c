@@ -30,60 +30,94 @@ static void spread_mass(struct elastica *e)
                 band_add(e->mass, 2 * i + c, 2 * j + c, band_at(m, i, j));
 }
 
-void elastica_hold(struct elastica *e)
+void elastica_hold(const struct elastica *e, struct elastica_work *w)
 {
     for (int i = 0; i < e->dofs; i++)
         if (elastica_held(e, i))
-            band_hold(e->sum, i, 1);
+            band_hold(w->sum, i, 1);
 }
 
-static int take_memory(struct elastica *e)
+static int take_work(const struct elastica *e, struct elastica_work *w)
 {
-    struct band **matrix[] = { &e->mass, &e->tangent, &e->sum };
+    TRY(band_create(e->dofs, BANDWIDTH, &w->tangent));
+    TRY(band_create(e->dofs, BANDWIDTH, &w->sum));
+    TRY(band_factor_create(e->dofs, BANDWIDTH, &w->factor));
+    w->vector = status_alloc((unsigned long)e->dofs * 3, sizeof *w->vector);
+    return w->vector ? STATUS_DONE : STATUS_FAILED;
+}
 
-    for (size_t i = 0; i < sizeof matrix / sizeof matrix[0]; i++)
-        TRY(band_create(e->dofs, BANDWIDTH, matrix[i]));
-    TRY(band_factor_create(e->dofs, BANDWIDTH, &e->mass_factor));
-    TRY(band_factor_create(e->dofs, BANDWIDTH, &e->factor));
-    e->work = status_alloc((unsigned long)e->dofs * 3, sizeof *e->work);
-    return e->work ? STATUS_DONE : STATUS_FAILED;
+int elastica_work_create(const struct elastica *e, struct elastica_work **out)
+{
+    struct elastica_work *w = status_alloc(1, sizeof *w);
+
+    *out = w;
+    if (!w)
+        return STATUS_FAILED;
+    if (take_work(e, w) == STATUS_DONE)
+        return STATUS_DONE;
+    elastica_work_free(out);
+    return STATUS_FAILED;
+}
+
+void elastica_work_free(struct elastica_work **w)
+{
+    if (!*w)
+        return;
+    band_free(&(*w)->tangent);
+    band_free(&(*w)->sum);
+    band_factor_free(&(*w)->factor);
+    free((*w)->vector);
+    free(*w);
+    *w = NULL;
 }
 
 /* Largest frequency at rest: the least lambda for which lambda M - d2E/dq2 is positive
  * definite.  None exceeds the largest of a free element: of one that bends see bending-rates.c,
  * one that stretches has lambda mu l^2/EA = 379 with its consistent mass, 9.47 with the
  * lumped ones, where its ends move apart while its middle shrinks. */
-static double fastest(struct elastica *e)
+static double fastest(const struct elastica *e, struct elastica_work *w)
 {
     const struct bending_def *b = &e->def.bending;
     const double stretch = b->inertia == BENDING_CONSISTENT ? 379 : 9.47;
     double high = fmax(pow(e->plane->fastest, 2), stretch * e->def.EA / (b->mu * e->l * e->l));
     double low = 0;
 
-    memset(e->work, 0, (size_t)e->dofs * sizeof *e->work);
-    elastica_tangent(e, e->work);
+    memset(w->vector, 0, (size_t)e->dofs * sizeof *w->vector);
+    elastica_tangent(e, w, w->vector);
     while (high - low > 0.01 * high) {
         const double middle = (low + high) / 2;
-        band_sum(e->sum, middle, e->mass, -1, e->tangent);
-        elastica_hold(e);
-        *(band_factor_definite(e->factor, e->sum) ? &high : &low) = middle;
+        band_sum(w->sum, middle, e->mass, -1, w->tangent);
+        elastica_hold(e, w);
+        *(band_factor_definite(w->factor, w->sum) ? &high : &low) = middle;
     }
     return sqrt(high);
+}
+
+/* The largest frequency and the mass without held degrees of freedom. */
+static int prepare(struct elastica *e, struct elastica_work *w)
+{
+    e->fastest = fastest(e, w);
+    band_sum(w->sum, 1, e->mass, 0, e->mass);
+    elastica_hold(e, w);
+    return band_factor_set(e->mass_factor, w->sum);
 }
 
 static int build(struct elastica *e)
 {
     const struct bending_def *b = &e->def.bending;
+    struct elastica_work *w;
+    int code;
 
     TRY(bending_create(b, &e->plane));
-    TRY(take_memory(e));
+    TRY(band_create(e->dofs, BANDWIDTH, &e->mass));
+    TRY(band_factor_create(e->dofs, BANDWIDTH, &e->mass_factor));
     elastica_element_make(e->def.EA, b->EI, e->l, &e->element);
     e->decay = e->plane->decay;
     spread_mass(e);
-    e->fastest = fastest(e);
-    band_sum(e->sum, 1, e->mass, 0, e->mass);
-    elastica_hold(e);
-    return band_factor_set(e->mass_factor, e->sum);
+    TRY(elastica_work_create(e, &w));
+    code = prepare(e, w);
+    elastica_work_free(&w);
+    return code;
 }
 
 int elastica_create(const struct elastica_def *def, struct elastica **out)
@@ -109,11 +143,7 @@ void elastica_free(struct elastica **e)
         return;
     bending_free(&(*e)->plane);
     band_free(&(*e)->mass);
-    band_free(&(*e)->tangent);
-    band_free(&(*e)->sum);
     band_factor_free(&(*e)->mass_factor);
-    band_factor_free(&(*e)->factor);
-    free((*e)->work);
     free(*e);
     *e = NULL;
 }
@@ -127,24 +157,25 @@ static void bend(const struct elastica *e, const double *q, double *f)
         elastica_element_force(&e->element, q + ELASTICA_NODE * i, f + ELASTICA_NODE * i);
 }
 
-void elastica_resist(const struct elastica *e, const double *q, const double *v, double *to)
+void elastica_resist(const struct elastica *e, struct elastica_work *w, const double *q,
+                     const double *v, double *to)
 {
     const struct bending_def *b = &e->def.bending;
 
     bend(e, q, to);
-    band_multiply(e->mass, v, e->work);
+    band_multiply(e->mass, v, w->vector);
     for (int i = 0; i < e->dofs; i++)
-        to[i] += b->alpha * e->work[i] + b->drag * v[i];
+        to[i] += b->alpha * w->vector[i] + b->drag * v[i];
 }
 
-void elastica_tangent(struct elastica *e, const double *q)
+void elastica_tangent(const struct elastica *e, struct elastica_work *w, const double *q)
 {
     double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT];
 
-    band_sum(e->tangent, 0, e->mass, 0, e->mass);
+    band_sum(w->tangent, 0, e->mass, 0, e->mass);
     for (int i = 0; i < e->def.bending.elements; i++) {
         elastica_element_tangent(&e->element, q + ELASTICA_NODE * i, k);
-        band_add_block(e->tangent, ELASTICA_NODE * i, ELASTICA_ELEMENT, &k[0][0]);
+        band_add_block(w->tangent, ELASTICA_NODE * i, ELASTICA_ELEMENT, &k[0][0]);
     }
 }
 

@@ -28,14 +28,21 @@ struct elastica {
     struct elastica_element element;
     struct bending *plane;      /* the linear beam: mass, frequencies                 */
     struct band *mass;          /* all degrees of freedom                             */
-    struct band *tangent, *sum; /* scratch                                            */
-    struct band_factor *mass_factor, *factor;
-    double *work;               /* [3][dofs] scratch                                  */
+    struct band_factor *mass_factor; /* held ones taken out                           */
 };
 
-/* Takes all memory it will ever need.  Free with elastica_free(&e). */
+struct elastica_work { /* scratch */
+    struct band *tangent, *sum;
+    struct band_factor *factor;
+    double *vector;             /* [3][dofs]                                          */
+};
+
+/* Each takes all memory it will ever need; the beam is const from there on, a work is for
+ * one caller at a time.  Free with elastica_free(&e), elastica_work_free(&w). */
 int elastica_create(const struct elastica_def *def, struct elastica **out);
 void elastica_free(struct elastica **e); /* NULL is welcome */
+int elastica_work_create(const struct elastica *e, struct elastica_work **out);
+void elastica_work_free(struct elastica_work **w); /* NULL is welcome */
 
 bool elastica_held(const struct elastica *e, int dof);
 
@@ -46,13 +53,14 @@ static inline int elastica_at(int element, int k, int c)
 }
 
 /* to [dofs] = dE/dq + D v, rows of held degrees of freedom included. */
-void elastica_resist(const struct elastica *e, const double *q, const double *v, double *to);
+void elastica_resist(const struct elastica *e, struct elastica_work *w, const double *q,
+                     const double *v, double *to);
 
-/* Takes held degrees of freedom out of e->sum. */
-void elastica_hold(struct elastica *e);
+/* Takes held degrees of freedom out of w->sum. */
+void elastica_hold(const struct elastica *e, struct elastica_work *w);
 
-/* d2E/dq2 at q into e->tangent, held ones included. */
-void elastica_tangent(struct elastica *e, const double *q);
+/* d2E/dq2 at q into w->tangent, held ones included. */
+void elastica_tangent(const struct elastica *e, struct elastica_work *w, const double *q);
 
 /* f [dofs]: forces come in, accelerations M^-1 f go out; held ones are 0. */
 void elastica_accelerate(const struct elastica *e, double *f);
@@ -61,8 +69,8 @@ void elastica_accelerate(const struct elastica *e, double *f);
  * guess of z_q comes in through q, z goes out; held entries get those of r.
  * STATUS_FAILED: no solution was found within ELASTICA_ITERATIONS. */
 enum { ELASTICA_ITERATIONS = 25 };
-int elastica_solve(struct elastica *e, double gamma, const double *rq, const double *rv,
-                   double *q, double *v);
+int elastica_solve(const struct elastica *e, struct elastica_work *w, double gamma,
+                   const double *rq, const double *rv, double *q, double *v);
 
 /* Adds to f [dofs] a uniform load across the beam [N/m, 2D: N/m^2] and a force across its
  * tip [N, 2D: N/m], which turn with it. */

@@ -72,8 +72,10 @@ void moment_body_book(struct moment *m, double t, const double *y, double share,
         const struct moment_body *b = &m->body[i];
         struct body_load load;
 
-        b->kind->load(b->body, &m->layout, t, y, (const double (*)[DIM])b->force, m->work->rates,
-                      &load);
+        if (!plan_body_stiff(p, i)) /* moved by the right-hand sides themselves */
+            continue;
+        b->kind->load(b->body, b->work, &m->layout, t, y, (const double (*)[DIM])b->force,
+                      m->work->rates, &load);
         book[p->book.damping + i] += share * load.damping;
         book[p->book.driven + i] += share * load.driven;
         for (int d = 0; d < DIM; d++) {
@@ -168,8 +170,9 @@ void observe_sheet(struct moment *m, double t, const double *y, struct plan_shee
             p->part[i].part->energy(p->part[i].self, &v, &s->energy);
     for (int i = 0; i < p->bodies; i++) {
         double momentum[DIM] = {0};
-        p->body[i].kind->energy(p->body[i].body, &m->layout, y, &s->energy);
-        p->body[i].kind->momentum(p->body[i].body, &m->layout, y, momentum);
+        const struct moment_body *b = &m->body[i];
+        b->kind->energy(b->body, b->work, &m->layout, y, &s->energy);
+        b->kind->momentum(b->body, b->work, &m->layout, y, momentum);
         for (int d = 0; d < DIM; d++)
             s->momentum[d] += momentum[d];
     }

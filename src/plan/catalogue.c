@@ -85,7 +85,7 @@ static void list_parts(const struct part *const *table, FILE *to)
 static void list_bodies(FILE *to)
 {
     for (int i = 0; bodies_table[i]; i++)
-        fprintf(to, "%-22s %s\n", bodies_table[i]->name, bodies_table[i]->about);
+        fprintf(to, "%-22s %s\n", bodies_table[i]->identity.name, bodies_table[i]->identity.about);
 }
 
 static void list_flows(FILE *to)
@@ -199,8 +199,8 @@ static bool explain_part(const struct part *const *table, const char *name, FILE
 static bool explain_body(const char *name, FILE *to)
 {
     for (int i = 0; bodies_table[i]; i++)
-        if (strcmp(bodies_table[i]->name, name) == 0) {
-            const struct body_kind *b = bodies_table[i];
+        if (strcmp(bodies_table[i]->identity.name, name) == 0) {
+            const struct body_identity *b = &bodies_table[i]->identity;
             explain_thing(b->name, b->about, b->equation, b->source, b->params, to);
             return true;
         }
@@ -251,7 +251,7 @@ static void all_names(const char **names)
         for (int i = 0; tables[t][i] && n < NAMES - 1; i++)
             names[n++] = tables[t][i]->name;
     for (int i = 0; bodies_table[i] && n < NAMES - 1; i++)
-        names[n++] = bodies_table[i]->name;
+        names[n++] = bodies_table[i]->identity.name;
     for (int i = 0; i < GROUPS && n < NAMES - 1; i++)
         names[n++] = groups[i].name;
     for (int i = 0; shapes[i] && n < NAMES - 1; i++)

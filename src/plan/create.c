@@ -184,7 +184,7 @@ static void destroy(struct plan **plan)
     for (int i = 0; i < p->parts; i++)
         free(p->part[i].self);
     for (int i = 0; i < p->bodies; i++)
-        p->body[i].kind->free(&p->body[i].body);
+        p->body[i].kind->make.free(&p->body[i].body);
     free(p->face);
     particles_free(&p->particles);
     input_free(&p->in);

@@ -8,8 +8,11 @@
 
 static void add_stiff(struct moment *m, double t, const double *y, double *ydot)
 {
-    for (int i = 0; i < m->plan->bodies; i++)
-        m->body[i].kind->stiff(m->body[i].body, &m->layout, t, y, ydot);
+    for (int i = 0; i < m->plan->bodies; i++) {
+        const struct moment_body *b = &m->body[i];
+        if (b->kind->implicit)
+            b->kind->implicit->stiff(b->body, b->work, &m->layout, t, y, ydot);
+    }
 }
 
 static int count_pass(struct moment *m, int status)
@@ -72,7 +75,10 @@ int moment_solve(struct moment *m, double t, double gamma, const double *r, doub
         m->counts.rebuilds = m->own->builds;
         return status;
     }
-    for (int i = 0; i < m->plan->bodies; i++)
-        TRY(m->body[i].kind->solve(m->body[i].body, &m->layout, t, gamma, r, z));
+    for (int i = 0; i < m->plan->bodies; i++) {
+        const struct moment_body *b = &m->body[i];
+        if (b->kind->implicit)
+            TRY(b->kind->implicit->solve(b->body, b->work, &m->layout, t, gamma, r, z));
+    }
     return STATUS_DONE;
 }

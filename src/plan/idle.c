@@ -156,10 +156,10 @@ int idle_wall(const struct scene_node *node, const char *path, const struct wall
 /* Who gives 0 says that it shall not count. */
 static void doubt_ratio(const struct scene_node *node, const char *path, const struct input_body *b)
 {
-    for (const struct param *row = b->kind->params; row->key; row++)
+    for (const struct param *row = b->kind->identity.params; row->key; row++)
         if (strcmp(row->key, "nu") == 0 && is_given(row, b->params)
             && *(const double *)((const char *)b->params + row->offset) != 0
-            && !key_given(b->kind->params, b->params, "plane"))
+            && !key_given(b->kind->identity.params, b->params, "plane"))
             status_warn("%s: %s.nu counts with plane = \"strain\" only, a plate that is wide; "
                         "without it the beam is a narrow strip", where(node, "nu"), path);
 }
@@ -167,7 +167,7 @@ static void doubt_ratio(const struct scene_node *node, const char *path, const s
 int idle_body(const struct scene_node *node, const char *path, const struct input_body *b)
 {
     doubt_ratio(node, path, b);
-    return check_rules(node, path, b->kind->params, b->params, body_rules);
+    return check_rules(node, path, b->kind->identity.params, b->params, body_rules);
 }
 
 static int check_probes(const struct scene *scene, const struct input *in)

@@ -295,21 +295,21 @@ static int read_probes(struct scene *scene, struct input *in)
 
 static int read_bodies_of(struct scene *scene, const struct body_kind *kind, struct input *in)
 {
-    const struct scene_node *group = scene_child(scene_root(scene), kind->group);
+    const struct scene_node *group = scene_child(scene_root(scene), kind->identity.group);
 
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
         struct input_body *b = &in->body[in->bodies++];
 
         snprintf(b->name, sizeof b->name, "%s", scene_name(node));
-        snprintf(b->path, sizeof b->path, "%s.%s", kind->group, b->name);
+        snprintf(b->path, sizeof b->path, "%s.%s", kind->identity.group, b->name);
         snprintf(b->where, sizeof b->where, "%s", scene_where(node));
         b->kind = kind;
-        if (!(b->params = status_alloc(1, kind->size)))
+        if (!(b->params = status_alloc(1, kind->identity.size)))
             return STATUS_FAILED;
-        TRY(scene_fill(scene, node, b->path, kind->params, NULL, DIM, b->params));
+        TRY(scene_fill(scene, node, b->path, kind->identity.params, NULL, DIM, b->params));
         TRY(idle_body(node, b->path, b));
-        b->kind = kind->choose ? kind->choose(b->params) : kind;
+        b->kind = kind->identity.choose ? kind->identity.choose(b->params) : kind;
     }
     return STATUS_DONE;
 }
@@ -319,8 +319,9 @@ static int read_bodies(struct scene *scene, struct input *in)
     int n = 0;
 
     for (int k = 0; bodies_table[k]; k++) {
-        const struct scene_node *group = scene_child(scene_root(scene), bodies_table[k]->group);
-        TRY(check_objects(group, bodies_table[k]->group));
+        const char *name = bodies_table[k]->identity.group;
+        const struct scene_node *group = scene_child(scene_root(scene), name);
+        TRY(check_objects(group, name));
         n += scene_count(group);
     }
     if (n > INPUT_BODIES)

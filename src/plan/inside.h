@@ -104,7 +104,8 @@ struct plan {
 /* A body at a moment. */
 struct moment_body {
     const struct body_kind *kind;
-    struct body *body;
+    const struct body *body;
+    struct body_work *work;
     int object, skin;        /* as in struct plan_body                        */
     double (*force)[DIM];    /* [points][DIM] of the last evaluation [N]      */
     struct body_load load;   /* likewise                                      */

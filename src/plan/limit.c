@@ -14,6 +14,15 @@ static void keep_fastest(const struct limit *one, const char *name, struct limit
     snprintf(best->part, sizeof best->part, "%.63s", name);
 }
 
+static void keep_body(const struct plan_body *b,
+                      void (*of)(const struct body *, struct limit *), struct limit limit[2])
+{
+    struct limit one = { .where = -1 };
+
+    of(b->body, &one);
+    keep_fastest(&one, b->path, limit);
+}
+
 void moment_limit(struct moment *m, double t, const double *y, bool stiff, struct limit limit[2])
 {
     const struct plan *p = m->plan;
@@ -31,9 +40,11 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
             keep_fastest(&one, p->part[i].part->name, limit);
         }
     }
-    for (int i = 0; i < p->bodies && stiff; i++) {
-        struct limit one = { .where = -1 };
-        p->body[i].kind->limit(p->body[i].body, &one);
-        keep_fastest(&one, p->body[i].path, limit);
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        if (b->kind->limit)
+            keep_body(b, b->kind->limit, limit);
+        if (b->kind->implicit && stiff)
+            keep_body(b, b->kind->implicit->limit, limit);
     }
 }

@@ -25,6 +25,7 @@ static int take_bodies(struct moment *m)
         m->body[i].force = status_alloc((size_t)of->points + 1, sizeof *m->body[i].force);
         if (!m->body[i].force)
             return STATUS_FAILED;
+        TRY(of->kind->make.work(of->body, &m->body[i].work));
     }
     return STATUS_DONE;
 }
@@ -85,6 +86,13 @@ int moment_create_beside(struct moment *run, struct moment **out)
     return create(run->plan, run, out);
 }
 
+static void free_body(struct moment_body *b)
+{
+    if (b->kind)
+        b->kind->make.work_free(&b->work);
+    free(b->force);
+}
+
 void moment_free(struct moment **moment)
 {
     struct moment *m = *moment;
@@ -99,7 +107,7 @@ void moment_free(struct moment **moment)
     }
     m->plan->engine->sum->list->free(&m->own);
     for (int i = 0; m->body && i < m->plan->bodies; i++)
-        free(m->body[i].force);
+        free_body(&m->body[i]);
     free(m->body);
     free(m->force);
     particles_free(&m->particles);

@@ -29,11 +29,12 @@ int plan_bodies_make(struct plan *p)
         b->object = -1;
         snprintf(b->name, sizeof b->name, "%s", in->name);
         snprintf(b->path, sizeof b->path, "%s", in->path);
-        const int status = in->kind->create(in->params, &p->scales, in->name, in->path, &b->body);
+        const int status = in->kind->make.create(in->params, &p->scales, in->name,
+                                                  in->path, &b->body);
         if (status != STATUS_DONE)
             return refuse_body(status, in);
         p->bodies++;
-        b->points = in->kind->skin(b->body, NULL);
+        b->points = in->kind->skin(b->body, NULL, NULL);
         b->skin = p->scales.fluid ? b->points : 0; /* without water nothing presses */
     }
     return STATUS_DONE;
@@ -59,10 +60,10 @@ static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DI
         const struct plan_body *b = &p->body[i];
         if (b->skin == 0)
             continue;
-        b->kind->skin(b->body, skin + at);
-        item[n] = (struct fill_item){ .group = b->kind->group, .where = p->in.body[i].where,
-                                      .kind = b->kind->skin_kind(b->body), .points = b->skin,
+        item[n] = (struct fill_item){ .group = b->kind->identity.group,
+                                      .where = p->in.body[i].where, .points = b->skin,
                                       .point = (const double (*)[DIM])(skin + at) };
+        b->kind->skin(b->body, skin + at, &item[n].kind);
         strcpy(item[n++].name, b->name);
         at += b->skin;
     }

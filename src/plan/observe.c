@@ -71,7 +71,7 @@ void observe_body(const struct moment *run, int body, double t, const double *y,
 {
     const struct moment_body *b = &run->observer->body[body];
 
-    b->kind->show(b->body, &run->layout, t, y, (const double (*)[DIM])b->force, out);
+    b->kind->show(b->body, b->work, &run->layout, t, y, (const double (*)[DIM])b->force, out);
 }
 
 int observe_escaped(struct moment *run, double t, const double *y)

@@ -38,6 +38,7 @@ int plan_probes(const struct plan *plan);
 const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
 int plan_bodies(const struct plan *plan);
 const char *plan_body_name(const struct plan *plan, int body);
+bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
 int plan_lanes(const struct plan *plan);
 
 /* Pressure [Pa] of n densities. */

@@ -36,7 +36,10 @@ double plan_length(const struct plan *p)
 
 bool plan_stiff(const struct plan *p)
 {
-    return p->bodies > 0 || p->stiff;
+    for (int i = 0; i < p->bodies; i++)
+        if (plan_body_stiff(p, i))
+            return true;
+    return p->stiff != NULL;
 }
 
 const char *plan_viscous(const struct plan *p)
@@ -44,12 +47,13 @@ const char *plan_viscous(const struct plan *p)
     return p->stiff ? p->stiff->path : NULL;
 }
 
-/* Rows of bodies are all rows whose name starts with the body's path. */
-static bool of_body(const struct plan *p, const struct layout_row *r)
+/* Of a body with an implicit side, whose rows are those that start with its path? */
+static bool of_stiff_body(const struct plan *p, const struct layout_row *r)
 {
     for (int i = 0; i < p->bodies; i++) {
         const size_t n = strlen(p->body[i].path);
-        if (strncmp(r->name, p->body[i].path, n) == 0 && r->name[n] == '.')
+        if (plan_body_stiff(p, i) && strncmp(r->name, p->body[i].path, n) == 0
+            && r->name[n] == '.')
             return true;
     }
     return false;
@@ -57,7 +61,8 @@ static bool of_body(const struct plan *p, const struct layout_row *r)
 
 static bool is_stiff(const struct plan *p, const struct layout *l, int row)
 {
-    return of_body(p, &l->row[row]) || (p->stiff && (row == p->row.u || row == p->book.row));
+    return of_stiff_body(p, &l->row[row])
+           || (p->stiff && (row == p->row.u || row == p->book.row));
 }
 
 int plan_stiff_ranges(const struct plan *p, const struct layout *l, int most, long (*range)[2])
@@ -94,6 +99,11 @@ int plan_bodies(const struct plan *p)
 const char *plan_body_name(const struct plan *p, int body)
 {
     return p->body[body].name;
+}
+
+bool plan_body_stiff(const struct plan *p, int body)
+{
+    return p->body[body].kind->implicit != NULL;
 }
 
 const double *plan_impulse(const struct plan *p, const double *y, int object)

@@ -224,7 +224,8 @@ static void load_bodies(struct moment *m, double t, const double *y, double *ydo
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
         rates_of_skin(m, b);
-        b->kind->load(b->body, &m->layout, t, y, (const double (*)[DIM])b->force, ydot, &b->load);
+        b->kind->load(b->body, b->work, &m->layout, t, y, (const double (*)[DIM])b->force, ydot,
+                      &b->load);
     }
 }
 
@@ -299,15 +300,14 @@ static void halve(struct moment *m, const struct ask *ask, const struct view *v,
     const long *from = m->layout.from;
     double *book = ydot + layout_at(&m->layout, b->row);
 
-    memset(ydot, 0, (size_t)from[LAYOUT_VELOCITY] * sizeof *ydot);
     if (ask->rates == ASK_VELOCITIES) {
         memset(ydot + from[LAYOUT_OTHER], 0,
                (size_t)(from[LAYOUT_CLASSES] - from[LAYOUT_OTHER]) * sizeof *ydot);
         push(m, v, y, ydot);
+        memset(ydot, 0, (size_t)from[LAYOUT_VELOCITY] * sizeof *ydot);
         return;
     }
-    memset(ydot + from[LAYOUT_VELOCITY], 0,
-           (size_t)(from[LAYOUT_OTHER] - from[LAYOUT_VELOCITY]) * sizeof *ydot);
+    memset(ydot, 0, (size_t)from[LAYOUT_OTHER] * sizeof *ydot);
     memset(book, 0, (size_t)b->n * sizeof *book);
     for (int i = 0; i < m->plan->slots; i++)
         book[b->work + i] = m->work->power[i];

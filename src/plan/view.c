@@ -32,7 +32,8 @@ static void move_solids(struct moment *m, double t, const double *y)
     for (int i = 0; i < p->bodies; i++) {
         const struct moment_body *b = &m->body[i];
         if (b->object >= 0)
-            b->kind->move(b->body, &m->layout, t, y, all->x + all->object[b->object].from,
+            b->kind->move(b->body, b->work, &m->layout, t, y,
+                          all->x + all->object[b->object].from,
                           all->u + all->object[b->object].from);
     }
 }

@@ -41,8 +41,8 @@ static void set_drag(struct moment *m, double gamma)
                 const int s = l->slot[m->particles->object[b->object].from + j];
                 at[j][d] = s < 0 ? 0 : u->job.firm[s];
             }
-            b->kind->pull(b->body, (const double (*)[DIM])at, -gamma, to);
-            to += viscous_body(m, i);
+            b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])at, -gamma, to);
+            to += viscous_body(m->plan, i);
         }
     }
 }

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <string.h>
 
-int viscous_body(const struct moment *m, int i)
+int viscous_body(const struct plan *p, int i)
 {
-    return m->body[i].kind->unknowns(m->body[i].body);
+    return p->body[i].kind->coupled->unknowns(p->body[i].body);
 }
 
 /* Velocities of everybody by slot; of walls only when they are asked for. */
@@ -28,13 +28,13 @@ static void spread(struct moment *m, const double *x, bool walls)
             to[s][d] = walls ? all->u[l->order[s]][d] : 0;
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->drift(b->body, w, point);
+        b->kind->coupled->drift(b->body, w, point);
         for (int j = 0; j < b->skin; j++) {
             const int s = l->slot[all->object[b->object].from + j];
             if (s >= 0)
                 memcpy(to[s], point[j], sizeof point[j]);
         }
-        w += viscous_body(m, i);
+        w += viscous_body(m->plan, i);
     }
     for (int s = l->image[0]; s < l->listed; s++)
         memcpy(to[s], to[l->slot[l->order[s]]], sizeof to[s]);
@@ -67,10 +67,10 @@ static void image_of(struct moment *m, double gamma, const double *x, double *to
             to[k] = mass[l->order[s]] * x[k] - gamma * f[k];
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->inertia(b->body, gamma, x + at, to + at);
+        b->kind->coupled->inertia(b->body, b->work, gamma, x + at, to + at);
         rates_of_skin(m, b);
-        b->kind->pull(b->body, (const double (*)[DIM])b->force, -gamma, to + at);
-        at += viscous_body(m, i);
+        b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -gamma, to + at);
+        at += viscous_body(m->plan, i);
     }
 }
 
@@ -106,7 +106,7 @@ int viscous_join(struct moment *m, double gamma)
             const int s = m->list->slot[m->particles->object[b->object].from + j];
             c[j] = s < 0 ? 0 : u->job.firm[s];
         }
-        TRY(b->kind->join(b->body, gamma, c));
+        TRY(b->kind->coupled->join(b->body, b->work, gamma, c));
     }
     return STATUS_DONE;
 }
@@ -129,10 +129,10 @@ double viscous_precondition(struct moment *m, double gamma, const double *residu
     }
     for (int i = 0; i < m->plan->bodies; i++) {
         const struct moment_body *b = &m->body[i];
-        const int size = viscous_body(m, i);
+        const int size = viscous_body(m->plan, i);
         memcpy(near + at, residual + at, (size_t)size * sizeof *near);
-        b->kind->joined(b->body, near + at);
-        most = fmax(most, b->kind->fastest(b->body, near + at));
+        b->kind->coupled->joined(b->body, b->work, near + at);
+        most = fmax(most, b->kind->coupled->fastest(b->body, near + at));
         at += size;
     }
     return most / m->plan->scales.speed;

@@ -33,8 +33,8 @@ static void set_stage(struct moment *m, double gamma, const double *r)
     memcpy(u->stage + layout_at(&m->layout, m->plan->row.u), v, (size_t)u->fluid * sizeof *v);
     v += u->fluid;
     for (int i = 0; i < m->plan->bodies; i++) {
-        m->body[i].kind->write(m->body[i].body, &m->layout, gamma, r, v, u->stage);
-        v += viscous_body(m, i);
+        m->body[i].kind->coupled->write(m->body[i].body, &m->layout, gamma, r, v, u->stage);
+        v += viscous_body(m->plan, i);
     }
 }
 
@@ -60,9 +60,10 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
             u->right[k] = m->particles->m[l->order[s]] * r_u[c];
         }
     for (int i = 0; i < m->plan->bodies; i++) {
-        m->body[i].kind->right(m->body[i].body, &m->layout, gamma, r, u->right + at);
-        memcpy(u->x + at, u->v + at, (size_t)viscous_body(m, i) * sizeof *u->x);
-        at += viscous_body(m, i);
+        const struct moment_body *b = &m->body[i];
+        b->kind->coupled->right(b->body, b->work, &m->layout, gamma, r, u->right + at);
+        memcpy(u->x + at, u->v + at, (size_t)viscous_body(m->plan, i) * sizeof *u->x);
+        at += viscous_body(m->plan, i);
     }
     TRY(viscous_assemble(m, gamma, u->x, u->guess_image));
     for (int i = 0; i < u->unknowns; i++)
@@ -96,7 +97,7 @@ static double moved(struct moment *m, double t)
             continue;
         const int from = all->object[b->object].from;
         double (*x)[DIM] = m->work->points;
-        b->kind->move(b->body, &m->layout, t, m->viscous->stage, x, all->u + from);
+        b->kind->move(b->body, b->work, &m->layout, t, m->viscous->stage, x, all->u + from);
         for (int j = 0; j < b->skin; j++)
             for (int d = 0; d < DIM; d++)
                 most = fmax(most, fabs(x[j][d] - all->x[from + j][d]));
@@ -140,10 +141,11 @@ static void finish(struct moment *m, double gamma, const double *r, double *z)
     memcpy(z + layout_at(&m->layout, m->plan->row.u), u->v, (size_t)u->fluid * sizeof *z);
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->write(b->body, &m->layout, gamma, r, u->v + at, z);
-        b->kind->settle(b->body, &m->layout, gamma, r, z, (const double (*)[DIM])b->force,
-                        rates + m->plan->book.support + i * DIM);
-        at += viscous_body(m, i);
+        b->kind->coupled->write(b->body, &m->layout, gamma, r, u->v + at, z);
+        b->kind->coupled->settle(b->body, b->work, &m->layout, gamma, r, z,
+                                 (const double (*)[DIM])b->force,
+                                 rates + m->plan->book.support + i * DIM);
+        at += viscous_body(m->plan, i);
     }
     for (int k = 0; k < m->plan->book.n; k++)
         z[book + k] = r[book + k] + gamma * rates[k];

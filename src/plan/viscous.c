@@ -74,7 +74,7 @@ bool viscous_faces(const struct plan *p)
 int viscous_agree(const struct plan *p)
 {
     for (int i = 0; i < p->bodies && p->stiff; i++)
-        if (!p->body[i].kind->unknowns)
+        if (!p->body[i].kind->coupled)
             return status_fail(STATUS_BAD_SCENE, "%s: theory = \"elastica\" is not linear, but %s "
                                "with side = \"implicit\" and the beams are solved as one linear "
                                "system; set side = \"explicit\", or theory = \"linear\"",
@@ -103,7 +103,7 @@ int viscous_create(struct moment *m)
     u->fluid = particles_count(p->particles, KIND_FLUID) * DIM;
     u->unknowns = u->fluid;
     for (int i = 0; i < p->bodies; i++)
-        u->unknowns += p->body[i].kind->unknowns(p->body[i].body);
+        u->unknowns += viscous_body(p, i);
     return take_memory(m, u);
 }
 
@@ -162,8 +162,8 @@ static void spread_rates(struct moment *m, double t, const double *y, double *yd
     viscous_book(m, book);
     for (int i = 0; i < p->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->yield(b->body, &m->layout, (const double (*)[DIM])b->force, ydot,
-                       book + p->book.support + i * DIM);
+        b->kind->coupled->yield(b->body, b->work, &m->layout, (const double (*)[DIM])b->force,
+                                ydot, book + p->book.support + i * DIM);
     }
     viscous_begin(m, t, y);
 }

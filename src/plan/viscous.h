@@ -65,7 +65,7 @@ void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool wa
 void viscous_apply(struct moment *m, double gamma, const double *x, double *to);
 int viscous_join(struct moment *m, double gamma);
 double viscous_precondition(struct moment *m, double gamma, const double *residual, double *near);
-int viscous_body(const struct moment *m, int i);
+int viscous_body(const struct plan *p, int i);
 
 /* viscous-directions.c: "all fluid alike" and the guess, for which a solve is exact.
  * set: they are made of x and guess_image = A x.  clear: takes A times so much of them

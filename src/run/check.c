@@ -20,7 +20,8 @@ static void print_parts(const struct run *r)
         printf("  %-32s %s\n", path, part->about);
     }
     for (int i = 0; i < plan_bodies(r->plan); i++)
-        printf("  body %-27s implicit\n", plan_body_name(r->plan, i));
+        printf("  body %-27s %s\n", plan_body_name(r->plan, i),
+               plan_body_stiff(r->plan, i) ? "implicit" : "explicit");
 }
 
 static void print_state(const struct run *r)

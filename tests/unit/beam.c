@@ -5,7 +5,7 @@ static void parameters_have_units_ranges_and_sentences(void **state)
 {
     (void)state;
     assert_ptr_equal(bodies_table[0], &bodies_beam);
-    for (const struct param *r = bodies_beam.params; r->key; r++) {
+    for (const struct param *r = bodies_beam.identity.params; r->key; r++) {
         assert_non_null(r->unit);
         assert_true(r->about && r->about[0]);
         if (r->type == PARAM_NUMBER || r->type == PARAM_INTEGER)
@@ -44,6 +44,7 @@ static void skin_is_centred_on_the_axis(void **state)
 {
     double x[BENCH_SKIN][DIM], mean[DIM] = {0};
     struct bench b;
+    enum kind kind;
 
     (void)state;
     bench_defaults(&b);
@@ -51,7 +52,7 @@ static void skin_is_centred_on_the_axis(void **state)
     b.def.angle = 0;
     bench_make(&b);
     assert_int_equal(b.skin, 20 * 3);
-    assert_int_equal(bodies_beam.skin(b.body, x), 60);
+    assert_int_equal(bodies_beam.skin(b.body, x, &kind), 60);
     for (int i = 0; i < 60; i++)
         for (int d = 0; d < DIM; d++)
             mean[d] += x[i][d] / 60;
@@ -60,14 +61,15 @@ static void skin_is_centred_on_the_axis(void **state)
     check_close(x[0][0], 0.3 + 0.203 / 40, 1e-15, "first row at half a spacing");
     check_close(x[0][1], 0.09, 1e-15, "first layer");
     check_close(x[3][0] - x[0][0], 0.203 / 20, 1e-15, "rows are evenly spaced");
-    assert_int_equal(bodies_beam.skin_kind(b.body), KIND_SKIN);
+    assert_int_equal(kind, KIND_SKIN);
     bench_free(&b);
     bench_defaults(&b);
     b.def.layers = 4;
     b.def.slip = true;
     bench_make(&b);
     assert_int_equal(b.skin, 20 * 4);
-    assert_int_equal(bodies_beam.skin_kind(b.body), KIND_SKIN_SLIP);
+    bodies_beam.skin(b.body, NULL, &kind);
+    assert_int_equal(kind, KIND_SKIN_SLIP);
     bench_free(&b);
     bench_defaults(&b); /* support 2.5 dx needs three layers too */
     b.scales.support = 0.025;
@@ -88,10 +90,10 @@ static void skin_velocity_is_the_rate_of_its_position(void **state)
     b.def.angle = -20;
     bench_make(&b);
     bench_shake(&b, 9);
-    bodies_beam.move(b.body, &b.layout, 0, b.y, x, u);
+    bodies_beam.move(b.body, b.work, &b.layout, 0, b.y, x, u);
     for (int i = 0; i < bench_dofs(&b); i++)
         b.y[bench_at(&b, i, false)] += h * b.y[bench_at(&b, i, true)];
-    bodies_beam.move(b.body, &b.layout, h, b.y, later, w);
+    bodies_beam.move(b.body, b.work, &b.layout, h, b.y, later, w);
     for (int i = 0; i < b.skin; i++)
         for (int d = 0; d < DIM; d++)
             check_close((later[i][d] - x[i][d]) / h, u[i][d], 1e-12, "u = dx/dt");
@@ -111,7 +113,7 @@ static void stiff_adds_and_load_sets(void **state)
     bench_load(&b, 0);
     check_close(b.ydot[bench_at(&b, 6, false)], 0, 0, "explicit rate of w");
     const double before = b.ydot[bench_at(&b, 6, true)];
-    bodies_beam.stiff(b.body, &b.layout, 0, b.y, b.ydot);
+    bodies_beam.implicit->stiff(b.body, b.work, &b.layout, 0, b.y, b.ydot);
     check_close(b.ydot[bench_at(&b, 6, false)], b.y[bench_at(&b, 6, true)], 0, "w' = v");
     assert_true(b.ydot[bench_at(&b, 6, true)] != before);
     for (int i = 0; i < 3; i++)
@@ -211,7 +213,7 @@ static void limit_names_the_beam(void **state)
     (void)state;
     bench_defaults(&b);
     bench_make(&b);
-    bodies_beam.limit(b.body, &limit);
+    bodies_beam.implicit->limit(b.body, &limit);
     check_close(limit.rate, b.body->bending->fastest, 0, "rate");
     assert_false(limit.decay);
     assert_int_equal(limit.where, 7);
@@ -220,7 +222,7 @@ static void limit_names_the_beam(void **state)
     bench_defaults(&b); /* D so large that the fastest mode only creeps: beta omega^2 */
     b.def.beta = 1;
     bench_make(&b);
-    bodies_beam.limit(b.body, &limit);
+    bodies_beam.implicit->limit(b.body, &limit);
     assert_true(limit.decay);
     check_close(limit.rate / pow(b.body->bending->fastest, 2), 1, 1e-6, "rate of decay");
     bench_free(&b);

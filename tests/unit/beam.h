@@ -66,7 +66,7 @@ static inline void bench_settle(struct bench *b, double t)
     bench_load(b, t);
     for (int i = 0; i < bench_dofs(b); i++)
         r[bench_at(b, i, true)] = gamma * b->ydot[bench_at(b, i, true)];
-    assert_int_equal(bodies_beam.solve(b->body, &b->layout, t, gamma, r, b->y), STATUS_DONE);
+    assert_int_equal(bench_solve(b, t, gamma, r, b->y), STATUS_DONE);
     for (int i = 0; i < bench_dofs(b); i++)
         b->y[bench_at(b, i, true)] = 0;
 }

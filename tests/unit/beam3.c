@@ -13,12 +13,12 @@
 static void a_beam_in_three_dimensions_is_refused(void **state)
 {
     const struct scales scales = { .dimension = 3 };
-    void *params = calloc(1, bodies_beam.size);
+    void *params = calloc(1, bodies_beam.identity.size);
     struct body *body = NULL;
 
     (void)state;
     assert_non_null(params);
-    assert_int_equal(bodies_beam.create(params, &scales, "it", "beam.it", &body),
+    assert_int_equal(bodies_beam.make.create(params, &scales, "it", "beam.it", &body),
                      STATUS_BAD_SCENE);
     assert_null(body);
     assert_non_null(strstr(status_message(), "beam.it: a beam in three dimensions is not there"));

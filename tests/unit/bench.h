@@ -16,6 +16,7 @@ struct bench {
     struct beam_def def;
     struct scales scales;
     struct body *body;
+    struct body_work *work;
     struct layout layout;
     int skin;
     long size;
@@ -29,7 +30,7 @@ static inline void bench_of(struct bench *b, const struct body_kind *kind)
 {
     memset(b, 0, sizeof *b);
     b->kind = kind;
-    fill_defaults(kind->params, &b->def);
+    fill_defaults(kind->identity.params, &b->def);
     b->def.at[0] = 0.3;
     b->def.at[1] = 0.1;
     b->def.length = 0.2;
@@ -44,21 +45,24 @@ static inline void bench_of(struct bench *b, const struct body_kind *kind)
 static inline void bench_make(struct bench *b)
 {
     status_clear();
-    if (b->kind->create(&b->def, &b->scales, "it", "beam.it", &b->body))
+    if (b->kind->make.create(&b->def, &b->scales, "it", "beam.it", &b->body))
         fail_msg("%s", status_message());
+    assert_int_equal(b->kind->make.work(b->body, &b->work), STATUS_DONE);
     layout_add(&b->layout, LAYOUT_POSITION, "others", "m", 3, 1, 1);
     assert_int_equal(b->kind->rows(b->body, &b->layout), STATUS_DONE);
     layout_add(&b->layout, LAYOUT_VELOCITY, "others", "m/s", 3, 1, 1);
     layout_done(&b->layout);
     b->size = layout_size(&b->layout);
-    b->skin = b->kind->skin(b->body, NULL);
+    b->skin = b->kind->skin(b->body, NULL, NULL);
     assert_true(b->size <= BENCH_Y && b->skin <= BENCH_SKIN);
     b->kind->start(b->body, &b->layout, b->y);
 }
 
 static inline void bench_free(struct bench *b)
 {
-    b->kind->free(&b->body);
+    b->kind->make.work_free(&b->work);
+    b->kind->make.free(&b->body);
+    assert_null(b->work);
     assert_null(b->body);
 }
 
@@ -68,7 +72,7 @@ static inline void bench_refuses(const struct bench *b, const char *word)
     struct body *body = NULL;
 
     status_clear();
-    assert_int_equal(b->kind->create(&b->def, &b->scales, "it", "beam.it", &body),
+    assert_int_equal(b->kind->make.create(&b->def, &b->scales, "it", "beam.it", &body),
                      STATUS_BAD_SCENE);
     assert_null(body);
     if (!strstr(status_message(), "beam.it") || !strstr(status_message(), word))
@@ -85,16 +89,22 @@ static inline void bench_push(struct bench *b, unsigned *seed)
 
 static inline void bench_load(struct bench *b, double t)
 {
-    b->kind->load(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, b->ydot,
-                  &b->load);
+    b->kind->load(b->body, b->work, &b->layout, t, b->y, (const double (*)[DIM])b->force,
+                  b->ydot, &b->load);
 }
 
 static inline double bench_energy(const struct bench *b, const double *y)
 {
     struct energies e = {0};
 
-    b->kind->energy(b->body, &b->layout, y, &e);
+    b->kind->energy(b->body, b->work, &b->layout, y, &e);
     return e.kinetic + e.potential + e.internal + e.elastic;
+}
+
+/* As implicit->solve() of the kind. */
+static inline int bench_solve(struct bench *b, double t, double gamma, const double *r, double *z)
+{
+    return b->kind->implicit->solve(b->body, b->work, &b->layout, t, gamma, r, z);
 }
 
 /* ydot of both sides. */
@@ -102,7 +112,7 @@ static inline void bench_rates(struct bench *b, double t)
 {
     memset(b->ydot, 0, sizeof b->ydot);
     bench_load(b, t);
-    b->kind->stiff(b->body, &b->layout, t, b->y, b->ydot);
+    b->kind->implicit->stiff(b->body, b->work, &b->layout, t, b->y, b->ydot);
 }
 
 /* Power of the forces on the skin, at t = 0. */
@@ -111,7 +121,7 @@ static inline double bench_power(const struct bench *b)
     static double x[BENCH_SKIN][DIM], u[BENCH_SKIN][DIM];
     double power = 0;
 
-    b->kind->move(b->body, &b->layout, 0, b->y, x, u);
+    b->kind->move(b->body, b->work, &b->layout, 0, b->y, x, u);
     for (int i = 0; i < b->skin; i++)
         for (int d = 0; d < DIM; d++)
             power += b->force[i][d] * u[i][d];
@@ -132,7 +142,7 @@ static inline double bench_energy_rate(const struct bench *b, double h)
 
 static inline void bench_show(struct bench *b, double t, struct body_view *view)
 {
-    b->kind->show(b->body, &b->layout, t, b->y, (const double (*)[DIM])b->force, view);
+    b->kind->show(b->body, b->work, &b->layout, t, b->y, (const double (*)[DIM])b->force, view);
 }
 
 #endif

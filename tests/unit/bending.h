@@ -82,11 +82,13 @@ static inline gsl_vector_complex *bending_eigenvalues(const struct bending *b)
     gsl_matrix *a = gsl_matrix_calloc(2 * (size_t)n, 2 * (size_t)n);
     gsl_vector_complex *lambda = gsl_vector_complex_alloc(2 * (size_t)n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(2 * (size_t)n);
+    struct bending_work *scratch;
 
+    assert_int_equal(bending_work_create(b, &scratch), STATUS_DONE);
     for (int j = 0; j < 2 * n; j++) {
         double q[BENDING_MOST] = {0}, v[BENDING_MOST] = {0}, f[BENDING_MOST];
         *(j < n ? &q[dof[j]] : &v[dof[j - n]]) = j < n ? 1 / unit : 1;
-        bending_resist(b, q, v, f);
+        bending_resist(b, scratch, q, v, f);
         bending_accelerate(b, f);
         for (int i = 0; i < n; i++) {
             gsl_matrix_set(a, (size_t)i, (size_t)j, unit * v[dof[i]]);
@@ -95,6 +97,7 @@ static inline gsl_vector_complex *bending_eigenvalues(const struct bending *b)
     }
     assert_int_equal(gsl_eigen_nonsymm(a, lambda, work), 0);
     gsl_eigen_nonsymm_free(work);
+    bending_work_free(&scratch);
     gsl_matrix_free(a);
     return lambda;
 }

@@ -43,7 +43,7 @@ static void skin_follows_the_beam(void **state)
     (void)state;
     bench_defaults(&b);
     bench_make(&b);
-    assert_int_equal(bodies_elastica.skin(b.body, x), 20 * 3);
+    assert_int_equal(bodies_elastica.skin(b.body, x, NULL), 20 * 3);
     for (int i = 0; i < 60; i++) {
         check_close(x[i][0], 0.3 - (i % 3 - 1) * 0.01, 1e-15, "layer");
         check_close(x[i][1], 0.1 + (i / 3 + 0.5) * 0.01, 1e-15, "row");
@@ -54,7 +54,7 @@ static void skin_follows_the_beam(void **state)
         b.def.elements = 20;
         b.def.bent = bent;
         bench_make(&b);
-        bodies_elastica.skin(b.body, x);
+        bodies_elastica.skin(b.body, x, NULL);
         for (int i = 0; i + 3 < b.skin; i++) {
             const double layer = hypot(x[i + 1][0] - x[i][0], x[i + 1][1] - x[i][1]);
             const double row = hypot(x[i + 3][0] - x[i][0], x[i + 3][1] - x[i][1]);
@@ -78,11 +78,11 @@ static void skin_velocity_is_the_rate_of_its_position(void **state)
     bench_defaults(&b);
     b.def.angle = -20;
     far_out(&b, 9);
-    bodies_elastica.move(b.body, &b.layout, 0, b.y, up, u);
+    bodies_elastica.move(b.body, b.work, &b.layout, 0, b.y, up, u);
     for (int side = -1; side <= 1; side += 2) {
         for (int i = 0; i < bench_dofs(&b); i++)
             b.y[bench_at(&b, i, false)] += (side < 0 ? -h : 2 * h) * b.y[bench_at(&b, i, true)];
-        bodies_elastica.move(b.body, &b.layout, 0, b.y, side < 0 ? down : up, NULL);
+        bodies_elastica.move(b.body, b.work, &b.layout, 0, b.y, side < 0 ? down : up, NULL);
     }
     for (int i = 0; i < b.skin; i++)
         for (int d = 0; d < DIM; d++)
@@ -102,7 +102,7 @@ static void work_on_the_skin_is_work_on_the_beam(void **state)
         bench_defaults(&b);
         b.def.angle = 37;
         far_out(&b, seed);
-        bodies_elastica.move(b.body, &b.layout, 0, b.y, x, u);
+        bodies_elastica.move(b.body, b.work, &b.layout, 0, b.y, x, u);
         for (int i = 0; i < b.skin; i++)
             for (int d = 0; d < DIM; d++) {
                 work += b.force[i][d] * u[i][d];
@@ -157,7 +157,7 @@ static void supports_close_the_momentum(void **state)
         memcpy(moving, b.y, sizeof moving);
         for (int i = 0; i < bench_dofs(&b); i++)
             moving[bench_at(&b, i, true)] = b.ydot[bench_at(&b, i, true)];
-        bodies_elastica.momentum(b.body, &b.layout, moving, rate);
+        bodies_elastica.momentum(b.body, b.work, &b.layout, moving, rate);
         for (int d = 0; d < DIM; d++) {
             double given = b.load.support[d] + b.load.applied[d]
                          + bodies_elastica.weight(b.body) * b.scales.g[d];
@@ -332,9 +332,9 @@ static void theory_chooses_the_kind(void **state)
 
     (void)state;
     bench_defaults(&b);
-    assert_ptr_equal(bodies_beam.choose(&b.def), &bodies_elastica);
+    assert_ptr_equal(bodies_beam.identity.choose(&b.def), &bodies_elastica);
     b.def.theory = "linear";
-    assert_ptr_equal(bodies_beam.choose(&b.def), &bodies_beam);
+    assert_ptr_equal(bodies_beam.identity.choose(&b.def), &bodies_beam);
 }
 
 int main(void)

@@ -43,7 +43,7 @@ static inline int bench_step(struct bench *b, double t, double gamma)
     bench_load(b, t);
     for (int i = 0; i < BENCH_Y; i++)
         r[i] = b->y[i] + gamma * b->ydot[i];
-    return bodies_elastica.solve(b->body, &b->layout, t, gamma, r, b->y);
+    return bench_solve(b, t, gamma, r, b->y);
 }
 
 /* Puts the beam where its loads hold it at rest: implicit steps from rest whose rates are
