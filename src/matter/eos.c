@@ -108,3 +108,15 @@ void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
     for (int i = 0; i < n; i++)
         p[i] = eos_pressure(e, rho[i]);
 }
+
+/* rho dp/drho = gamma (p + B), of (E2). */
+void eos_moduli(const struct eos *e, int n, const double *restrict p, double *restrict modulus)
+{
+    const double gamma = e->gamma, stiff = e->rho0 * e->c0 * e->c0;
+
+    for (int i = 0; i < n; i++)
+        modulus[i] = gamma * p[i] + stiff;
+    for (int i = 0; i < n && e->clamped; i++)
+        if (!(p[i] > 0))
+            modulus[i] = 0;
+}

@@ -85,6 +85,15 @@ static void density_below_the_least_pressure_is_nan(void **state)
     assert_true(isnan(eos_energy(&e, NAN)));
 }
 
+static double modulus(const struct eos *e, double rho)
+{
+    const double p = eos_pressure(e, rho);
+    double to;
+
+    eos_moduli(e, 1, &p, &to);
+    return to;
+}
+
 static void sound_is_the_slope_of_pressure(void **state)
 {
     (void)state;
@@ -95,6 +104,7 @@ static void sound_is_the_slope_of_pressure(void **state)
             const double slope = (eos_pressure(&e, rho + h) - eos_pressure(&e, rho - h)) / (2 * h);
 
             assert_close(c * c, slope, 1e-8);
+            assert_close(modulus(&e, rho), rho * slope, 1e-8);
         }
 }
 
@@ -192,11 +202,14 @@ static void clamped_knows_no_tension(void **state)
         for (double rho = 300; rho < 1000; rho += 33) {
             assert_true(eos_pressure(&e, rho) == 0);
             assert_true(eos_energy(&e, rho) == 0);
+            assert_true(modulus(&e, rho) == 0);
             assert_true(eos_density(&e, eos_pressure(&free, rho)) == 1000);
         }
         for (double rho = 1000; rho < 1500; rho += 33) {
             assert_true(eos_pressure(&e, rho) == eos_pressure(&free, rho));
             assert_true(eos_energy(&e, rho) == eos_energy(&free, rho));
+            if (rho > 1000) /* at it, p bends */
+                assert_true(modulus(&e, rho) == modulus(&free, rho));
             assert_close(eos_density(&e, eos_pressure(&e, rho)), rho, 1e-14);
         }
     }
@@ -226,7 +239,7 @@ static void clamped_energy_has_no_corner(void **state)
 
 static void batches_have_the_bits_of_single_calls(void **state)
 {
-    double rho[67], p[67];
+    double rho[67], p[67], moduli[67];
 
     (void)state;
     for (int k = 0; k < 2 * GAMMAS; k++) {
@@ -238,6 +251,9 @@ static void batches_have_the_bits_of_single_calls(void **state)
         eos_pressures(&e, 67, rho, p);
         for (int i = 0; i < 67; i++)
             assert_true(p[i] == eos_pressure(&e, rho[i]));
+        eos_moduli(&e, 67, p, moduli);
+        for (int i = 0; i < 67; i++)
+            assert_true(moduli[i] == modulus(&e, rho[i]));
     }
 }
 
