@@ -48,6 +48,14 @@ static int prepare(void *self, const struct scales *scales)
     return 0;
 }
 
+static const struct part_law law = {
+    .rows = NEED_X | NEED_P2 | NEED_W | NEED_GRADW,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_PRESSURE,
+    .acts = EFFECTS_ACT_FLUID,
+    .pairs = pairs,
+};
+
 const struct part LANE_NAME(effects_artificial_stress) = {
     .name = "artificial-stress",
     .about = "keeps particles under tension from pairing",
@@ -57,10 +65,6 @@ const struct part LANE_NAME(effects_artificial_stress) = {
     .size = sizeof(struct artificial_stress),
     .params = params,
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
-    .rows = NEED_X | NEED_P2 | NEED_W | NEED_GRADW,
-    .columns = COLUMN_FORCE,
-    .kernel = PART_PRESSURE,
-    .acts = EFFECTS_ACT_FLUID,
     .prepare = prepare,
-    .pairs = pairs,
+    .as.law = &law,
 };

@@ -70,6 +70,15 @@ static void limit(const void *self, const struct view *v, struct limit *out)
     out->where = -1; /* the same everywhere */
 }
 
+static const struct part_law law = {
+    .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
+    .acts = EFFECTS_ACT_STICKY,
+    .pairs = pairs,
+    .choose = choose,
+};
+
 const struct part LANE_NAME(effects_artificial_viscosity) = {
     .name = "artificial-viscosity",
     .about = "Monaghan's viscosity along the line of centres",
@@ -78,12 +87,7 @@ const struct part LANE_NAME(effects_artificial_viscosity) = {
     .size = sizeof(struct artificial_viscosity),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
-    .columns = COLUMN_FORCE,
-    .kernel = PART_VISCOSITY,
-    .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
-    .pairs = pairs,
-    .choose = choose,
     .limit = limit,
+    .as.law = &law,
 };

@@ -19,7 +19,7 @@ static const struct param params[] = {
     { 0 },
 };
 
-static void field(const void *self, const struct view *v, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, double (*rate)[DIM])
 {
     const struct central_force *s = self;
     const int n = particles_count(v->p, KIND_FLUID);
@@ -45,6 +45,11 @@ static void energy(const void *self, const struct view *v, struct energies *to)
     to->potential += sum;
 }
 
+static const struct part_force force = {
+    .accelerate = accelerate,
+    .placed = true,
+};
+
 const struct part LANE_NAME(effects_central_force) = {
     .name = "central-force",
     .about = "a pull towards a point, as of a spring",
@@ -52,7 +57,6 @@ const struct part LANE_NAME(effects_central_force) = {
     .source = "Monaghan, Rafiee 2013, Int. J. Numer. Meth. Fluids 71, 537",
     .size = sizeof(struct central_force),
     .params = params,
-    .field = field,
-    .placed = true,
     .energy = energy,
+    .as.force = &force,
 };

@@ -14,7 +14,7 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
 }
 
 /* The fluid's own density; solids get theirs from their wall model. */
-static int blocks(void *self, const struct scales *s, const struct particles *p,
+static int blocks(const void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS])
 {
     const double mach = s->speed / s->c0;
@@ -26,16 +26,20 @@ static int blocks(void *self, const struct scales *s, const struct particles *p,
     return density_row[KIND_FLUID] < 0 ? 1 : 0;
 }
 
+static const struct part_law law = {
+    .rows = NEED_XV | NEED_GRADW,
+    .columns = COLUMN_DRHO,
+    .acts = EFFECTS_ACT_ALL,
+    .conservative = true,
+    .pairs = pairs,
+};
+
 const struct part LANE_NAME(effects_continuity) = {
     .name = "continuity",
     .about = "density that evolves with the flow",
     .equation = "(D1) d rho_a/dt = sum_b m_b (v_a - v_b) . gradW_ab",
     .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406",
     .provides = FIELD_DENSITY | FIELD_DENSITY_RATE,
-    .rows = NEED_XV | NEED_GRADW,
-    .columns = COLUMN_DRHO,
-    .acts = EFFECTS_ACT_ALL,
-    .conservative = true,
     .blocks = blocks,
-    .pairs = pairs,
+    .as.law = &law,
 };

@@ -46,6 +46,13 @@ static void limit(const void *self, const struct view *v, struct limit *out)
     out->where = -1; /* the same everywhere */
 }
 
+static const struct part_law law = {
+    .rows = NEED_X | NEED_RHO | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
+    .columns = COLUMN_DRHO,
+    .acts = EFFECTS_ACT_FLUID,
+    .pairs = pairs,
+};
+
 const struct part LANE_NAME(effects_density_diffusion) = {
     .name = "density-diffusion",
     .about = "smooths density, hydrostatic differences excepted",
@@ -56,10 +63,7 @@ const struct part LANE_NAME(effects_density_diffusion) = {
     .size = sizeof(struct density_diffusion),
     .params = params,
     .needs = FIELD_DENSITY | FIELD_DENSITY_RATE,
-    .rows = NEED_X | NEED_RHO | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
-    .columns = COLUMN_DRHO,
-    .acts = EFFECTS_ACT_FLUID,
     .prepare = prepare,
-    .pairs = pairs,
     .limit = limit,
+    .as.law = &law,
 };

@@ -102,7 +102,7 @@ static bool same(const struct pairs_table *table, const struct part *const *part
     int n = 0;
 
     for (; part[n]; n++)
-        if (n == table->n || table->work[n].law != part[n]->pairs
+        if (n == table->n || table->work[n].law != part[n]->as.law->pairs
             || table->work[n].kernel != table->work[0].kernel)
             return false;
     return n == table->n && table->work[0].kernel->kernel == &kernel_wendland_c2;

@@ -19,7 +19,7 @@ static int prepare(void *self, const struct scales *scales)
     return 0;
 }
 
-static void field(const void *self, const struct view *v, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, double (*rate)[DIM])
 {
     const struct gravity *s = self;
     const int n = particles_count(v->p, KIND_FLUID);
@@ -42,6 +42,11 @@ static void energy(const void *self, const struct view *v, struct energies *to)
     to->potential += sum;
 }
 
+static const struct part_force force = {
+    .accelerate = accelerate,
+    .weight = true,
+};
+
 const struct part LANE_NAME(effects_gravity) = {
     .name = "gravity",
     .about = "weight of the fluid (the scene's `gravity` calls for it)",
@@ -49,6 +54,6 @@ const struct part LANE_NAME(effects_gravity) = {
     .source = "Toth 2012, (32)",
     .size = sizeof(struct gravity),
     .prepare = prepare,
-    .field = field,
     .energy = energy,
+    .as.force = &force,
 };

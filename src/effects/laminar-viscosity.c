@@ -68,6 +68,21 @@ static void limit(const void *self, const struct view *v, struct limit *out)
     out->decay = true;
 }
 
+static const struct part_law law = {
+    .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
+    .acts = EFFECTS_ACT_STICKY,
+    .pairs = pairs,
+};
+
+static const struct part_operator operator = {
+    .couple = couple,
+    .stiff = stiff,
+    .faces = faces,
+    .mu = mu,
+};
+
 const struct part LANE_NAME(effects_laminar_viscosity) = {
     .name = "laminar-viscosity",
     .about = "laminar viscosity between neighbours",
@@ -76,15 +91,8 @@ const struct part LANE_NAME(effects_laminar_viscosity) = {
     .size = sizeof(struct laminar_viscosity),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_V | NEED_IRHO | NEED_R2 | NEED_GRADW_R2,
-    .columns = COLUMN_FORCE,
-    .kernel = PART_VISCOSITY,
-    .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
-    .pairs = pairs,
-    .couple = couple,
-    .stiff = stiff,
-    .faces = faces,
-    .mu = mu,
     .limit = limit,
+    .as.law = &law,
+    .as.operator = &operator,
 };

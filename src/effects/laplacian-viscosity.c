@@ -45,14 +45,18 @@ static double mu(const void *self)
     return ((const struct laplacian_viscosity *)self)->mu;
 }
 
+static const struct part_operator operator = {
+    .couple = couple,
+    .stiff = stiff,
+    .faces = faces,
+    .mu = mu,
+};
+
 const struct part LANE_NAME(effects_laplacian_viscosity) = {
     .name = "laplacian-viscosity",
     .about = "laminar viscosity by the Laplacian of a kernel, as the seed has it",
     .equation = "(V3) F_ab = -m_a m_b mu/(rho_a rho_b) lapW_ab (v_a - v_b)",
     .source = "Toth 2012, (28), with (31) corrected",
     LAPLACIAN_VISCOSITY_PART,
-    .couple = couple,
-    .stiff = stiff,
-    .faces = faces,
-    .mu = mu,
+    .as.operator = &operator,
 };

@@ -53,10 +53,17 @@ static void laplacian_viscosity_limit(const void *self, const struct view *v, st
     out->decay = true;
 }
 
+static const struct part_law laplacian_viscosity_law = {
+    .rows = NEED_V | NEED_IRHO | NEED_LAPW,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
+    .acts = EFFECTS_ACT_STICKY,
+    .pairs = laplacian_viscosity_pairs,
+};
+
 #define LAPLACIAN_VISCOSITY_PART                                                         \
     .size = sizeof(struct laplacian_viscosity), .params = params,                        \
-    .needs = FIELD_DENSITY, .rows = NEED_V | NEED_IRHO | NEED_LAPW,                      \
-    .columns = COLUMN_FORCE, .kernel = PART_VISCOSITY, .acts = EFFECTS_ACT_STICKY,       \
-    .prepare = prepare, .pairs = laplacian_viscosity_pairs, .limit = laplacian_viscosity_limit
+    .needs = FIELD_DENSITY, .prepare = prepare, .limit = laplacian_viscosity_limit,      \
+    .as.law = &laplacian_viscosity_law
 
 #endif

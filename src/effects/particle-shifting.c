@@ -66,7 +66,7 @@ static double inside(double c)
     return s * s * (3 - 2 * s);
 }
 
-static void carry(const void *self, const struct settle *s, double (*drift)[DIM])
+static void carry(const void *self, const struct part_sums *s, double (*drift)[DIM])
 {
     const struct particle_shifting *o = self;
     const struct particles *p = s->v->p;
@@ -98,6 +98,13 @@ static void limit(const void *self, const struct view *v, struct limit *out)
 
 #define EVERYBODY (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
 
+static const struct part_summed summed = {
+    .meets = { [KIND_FLUID] = EVERYBODY },
+    .rows = NEED_X | NEED_IRHO | NEED_W | NEED_GRADW,
+    .gather = gather,
+    .carry = carry,
+};
+
 const struct part LANE_NAME(effects_particle_shifting) = {
     .name = "particle-shifting",
     .about = "particles drift from crowds to gaps: for vortices, and tension far from a surface",
@@ -107,10 +114,7 @@ const struct part LANE_NAME(effects_particle_shifting) = {
     .size = sizeof(struct particle_shifting),
     .params = params,
     .needs = FIELD_DENSITY,
-    .meets = { [KIND_FLUID] = EVERYBODY },
-    .gather_rows = NEED_X | NEED_IRHO | NEED_W | NEED_GRADW,
     .prepare = prepare,
-    .gather = gather,
-    .carry = carry,
     .limit = limit,
+    .as.summed = &summed,
 };

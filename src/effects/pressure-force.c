@@ -13,16 +13,20 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     pairs_rows(pressure_force_row, self, a, b, to);
 }
 
-const struct part LANE_NAME(effects_pressure_force) = {
-    .name = "pressure",
-    .about = "force of the pressure between neighbours",
-    .equation = "(P1) F_ab = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW_ab",
-    .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406",
-    .needs = FIELD_DENSITY | FIELD_PRESSURE,
+static const struct part_law law = {
     .rows = NEED_X | NEED_P2 | NEED_GRADW,
     .columns = COLUMN_FORCE,
     .kernel = PART_PRESSURE,
     .acts = EFFECTS_ACT_ALL,
     .conservative = true,
     .pairs = pairs,
+};
+
+const struct part LANE_NAME(effects_pressure_force) = {
+    .name = "pressure",
+    .about = "force of the pressure between neighbours",
+    .equation = "(P1) F_ab = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW_ab",
+    .source = "Monaghan, J. Comput. Phys. 110 (1994) 399-406",
+    .needs = FIELD_DENSITY | FIELD_PRESSURE,
+    .as.law = &law,
 };

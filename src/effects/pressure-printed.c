@@ -21,6 +21,15 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     *to = t;
 }
 
+static const struct part_law law = {
+    .rows = NEED_X | NEED_RHO | NEED_P2 | NEED_GRADW,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_PRESSURE,
+    .acts = EFFECTS_ACT_ALL,
+    .conservative = true,
+    .pairs = pairs,
+};
+
 const struct part LANE_NAME(effects_pressure_printed) = {
     .name = "pressure-printed",
     .about = "pressure force with the seed's misprint: a thousand times too strong in water",
@@ -28,10 +37,5 @@ const struct part LANE_NAME(effects_pressure_printed) = {
     .source = "Toth 2012, (24) as printed",
     .instead = "pressure",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
-    .rows = NEED_X | NEED_RHO | NEED_P2 | NEED_GRADW,
-    .columns = COLUMN_FORCE,
-    .kernel = PART_PRESSURE,
-    .acts = EFFECTS_ACT_ALL,
-    .conservative = true,
-    .pairs = pairs,
+    .as.law = &law,
 };

@@ -55,6 +55,14 @@ static void limit(const void *self, const struct view *v, struct limit *out)
     out->decay = true;
 }
 
+static const struct part_law law = {
+    .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
+    .columns = COLUMN_FORCE,
+    .kernel = PART_VISCOSITY,
+    .acts = EFFECTS_ACT_STICKY,
+    .pairs = pairs,
+};
+
 const struct part LANE_NAME(effects_stress_viscosity) = {
     .name = "stress-viscosity",
     .about = "laminar viscosity along the line of centres, right below free surfaces",
@@ -63,11 +71,7 @@ const struct part LANE_NAME(effects_stress_viscosity) = {
     .size = sizeof(struct stress_viscosity),
     .params = params,
     .needs = FIELD_DENSITY,
-    .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
-    .columns = COLUMN_FORCE,
-    .kernel = PART_VISCOSITY,
-    .acts = EFFECTS_ACT_STICKY,
     .prepare = prepare,
-    .pairs = pairs,
     .limit = limit,
+    .as.law = &law,
 };

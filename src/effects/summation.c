@@ -35,14 +35,14 @@ static void gather(const void *self, const struct side *a, const struct block *b
     to->s[0] = sum;
 }
 
-static void settle(const void *self, const struct settle *s)
+static void densities(const void *self, const struct part_sums *s, double *rho)
 {
     const struct summation *o = self;
     const int first = s->v->p->from[s->kind];
 
     for (int i = 0; i < s->n; i++) {
         const double m = s->v->p->m[s->owner[i]];
-        s->rho[s->owner[i] - first] = s->sum[i][0] / m + m * o->centre;
+        rho[s->owner[i] - first] = s->sum[i][0] / m + m * o->centre;
     }
 }
 
@@ -56,6 +56,21 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     { [KIND_FLUID] = EVERYBODY, [KIND_WALL] = EVERYBODY, [KIND_WALL_SLIP] = EVERYBODY,   \
       [KIND_SKIN] = EVERYBODY, [KIND_SKIN_SLIP] = EVERYBODY }
 
+static const struct part_law law = {
+    .rows = NEED_XV | NEED_GRADW,
+    .columns = COLUMN_DRHO,
+    .acts = MEETS_EVERYBODY,
+    .conservative = true,
+    .pairs = pairs,
+};
+
+static const struct part_summed summed = {
+    .meets = MEETS_EVERYBODY,
+    .rows = NEED_W,
+    .gather = gather,
+    .densities = densities,
+};
+
 const struct part LANE_NAME(effects_summation) = {
     .name = "summation",
     .about = "density as a sum over neighbours; take eos.tension = false with it",
@@ -64,14 +79,7 @@ const struct part LANE_NAME(effects_summation) = {
     .size = sizeof(struct summation),
     .provides = FIELD_DENSITY,
     .instead = "continuity",
-    .rows = NEED_XV | NEED_GRADW,
-    .columns = COLUMN_DRHO,
-    .acts = MEETS_EVERYBODY,
-    .conservative = true,
-    .meets = MEETS_EVERYBODY,
-    .gather_rows = NEED_W,
     .prepare = prepare,
-    .gather = gather,
-    .settle = settle,
-    .pairs = pairs,
+    .as.law = &law,
+    .as.summed = &summed,
 };

@@ -2,7 +2,6 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "plan/catalogue.h"
 #include "plan/kernels.h"
 #include "scene/scene.h"
 
@@ -48,13 +47,13 @@ static int check_drift(const struct plan *p, const struct scene *scene)
 
     for (int i = 0; i < p->parts; i++) {
         const struct part *part = p->part[i].part;
-        if (part->carry && drift)
+        if (part_drifts(part) && drift)
             return status_fail(STATUS_BAD_SCENE, "%s: %s and %s both move particles beside their "
                                "velocity; leave one of them out", scene_path(scene), drift->path,
                                p->part[i].path);
-        if (part->carry)
+        if (part_drifts(part))
             drift = &p->part[i];
-        if (part->field && !catalogue_implied(part))
+        if (part->as.force && !part->as.force->weight)
             pull = &p->part[i];
     }
     if (drift && pull)
@@ -74,7 +73,7 @@ static int check_needs(const struct plan *p, const struct scene *scene)
     for (int i = 0; i < p->parts; i++) {
         const unsigned missing = p->part[i].part->needs & ~provided;
         TRY(check_part(p, scene, &p->part[i]));
-        if (p->part[i].part->placed && repeats(p))
+        if (p->part[i].part->as.force && p->part[i].part->as.force->placed && repeats(p))
             return status_fail(STATUS_BAD_SCENE, "%s: %s depends on the place, and so does not go "
                                "with domain.periodic; leave one of them out", scene_path(scene),
                                p->part[i].path);
@@ -97,7 +96,7 @@ static void list_walls(const struct plan *p, const char *density, char *text, si
     size_t n = 0;
 
     for (int i = 0; p->engine->walls[i]; i++)
-        for (const char *const *w = p->engine->walls[i]->with; *w; w++)
+        for (const char *const *w = p->engine->walls[i]->as.wall->with; *w; w++)
             if (strcmp(*w, density) == 0 && n < room)
                 n += (size_t)snprintf(text + n, room - n, "%s\"%s\"", n ? " or " : "",
                                       p->engine->walls[i]->name);
@@ -119,7 +118,7 @@ static int check_walls(const struct plan *p, const struct scene *scene)
         bool good = false;
         if (!(density->provides & FIELD_DENSITY) || !has_solids(p))
             continue;
-        for (const char *const *w = p->in.walls->with; *w; w++)
+        for (const char *const *w = p->in.walls->as.wall->with; *w; w++)
             good |= strcmp(*w, density->name) == 0;
         list_walls(p, density->name, fits, sizeof fits);
         if (!good)
@@ -148,13 +147,13 @@ static void advise_side(const struct plan *p)
 
     for (int i = 0; i < p->parts; i++) {
         const struct plan_part *one = &p->part[i];
-        if (!one->part->mu)
+        if (!one->part->as.operator)
             continue;
-        const double ratio = one->part->mu(one->self) / ratio_of_1;
-        if (!one->part->stiff(one->self) && ratio > 0.2)
+        const double ratio = one->part->as.operator->mu(one->self) / ratio_of_1;
+        if (!one->part->as.operator->stiff(one->self) && ratio > 0.2)
             status_warn("%s: mu/(rho0 c0 hs) = %.3g: the viscosity keeps explicit steps short; "
                         "above 0.5 or so side = \"implicit\" is cheaper", one->path, ratio);
-        if (one->part->stiff(one->self) && ratio < 0.1)
+        if (one->part->as.operator->stiff(one->self) && ratio < 0.1)
             status_warn("%s: mu/(rho0 c0 hs) = %.3g: sound keeps steps shorter than this "
                         "viscosity does; side = \"explicit\" is cheaper", one->path, ratio);
     }

@@ -108,18 +108,18 @@ static double field_rate(const struct blame *b, const struct plan_part *part)
     if (b->density || b->who >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
     memset(b->rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *b->rate);
-    part->part->field(part->self, b->v, b->rate);
+    part->part->as.force->accelerate(part->self, b->v, b->rate);
     return size_of(b->rate[b->who]);
 }
 
 static int part_rate(const struct blame *b, const struct plan_part *part, double *rate)
 {
     *rate = 0;
-    if (part->part->pairs) {
+    if (part->part->as.law) {
         TRY(sum_of(b, part->slot));
         *rate = rate_now(b);
     }
-    if (part->part->field)
+    if (part->part->as.force)
         *rate += field_rate(b, part);
     return STATUS_DONE;
 }
@@ -145,7 +145,7 @@ static int find_worst(const struct blame *b, struct deed *worst)
 static const struct plan_part *summer(const struct plan *p, enum kind k)
 {
     for (int i = p->fields - 1; i >= 0; i--)
-        if (p->field[i].meets[k] && !p->field[i].part->part->carry)
+        if (p->field[i].meets[k] && !p->field[i].part->part->as.summed->carry)
             return p->field[i].part;
     return NULL;
 }

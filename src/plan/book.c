@@ -3,7 +3,6 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "plan/catalogue.h"
 
 #include <assert.h>
 #include <math.h>
@@ -16,7 +15,7 @@ static_assert(PLAN_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "all works fit");
 static bool pulls(const struct plan *p)
 {
     for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->field && !catalogue_implied(p->part[i].part))
+        if (p->part[i].part->as.force && !p->part[i].part->as.force->weight)
             return true;
     return false;
 }
@@ -105,7 +104,7 @@ static void read_works(const struct plan *p, const double *book, struct plan_she
     for (int i = 0; i < p->parts; i++) {
         if (p->part[i].slot < 0)
             continue;
-        if (p->part[i].part->conservative)
+        if (part_conserves(p->part[i].part))
             s->pressure_defect += book[p->book.work + p->part[i].slot];
         else
             s->work[s->works++] = book[p->book.work + p->part[i].slot];
@@ -144,7 +143,7 @@ int plan_work_names(const struct plan *p, char (*name)[80])
     int n = 0;
 
     for (int i = 0; i < p->parts; i++)
-        if (p->part[i].slot >= 0 && !p->part[i].part->conservative)
+        if (p->part[i].slot >= 0 && !part_conserves(p->part[i].part))
             snprintf(name[n++], 80, "%s", p->part[i].part->name);
     snprintf(name[n++], 80, "walls");
     for (int i = 0; i < p->bodies; i++) {

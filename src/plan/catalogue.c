@@ -52,7 +52,7 @@ const struct part *catalogue_part(const struct part *const *table, const char *n
 
 bool catalogue_implied(const struct part *part)
 {
-    return strcmp(part->name, "gravity") == 0;
+    return part->as.force && part->as.force->weight;
 }
 
 static void part_names(const struct part *const *table, const char **names)

@@ -22,7 +22,7 @@ static int take_part(struct plan *p, const struct part *part, void **self, const
     to->self = self ? *self : NULL;
     if (self)
         *self = NULL;
-    to->slot = part->pairs || part->carry ? p->slots++ : -1;
+    to->slot = part->as.law || part_drifts(part) ? p->slots++ : -1;
     snprintf(to->path, sizeof to->path, "%s", path);
     if (part->provides & FIELD_PRESSURE)
         p->pressure = to;
@@ -70,7 +70,7 @@ static int find_stiff(struct plan *p, const struct scene *scene)
 {
     for (int i = 0; i < p->parts; i++) {
         const struct plan_part *one = &p->part[i];
-        if (!one->part->stiff || !one->part->stiff(one->self))
+        if (!one->part->as.operator || !one->part->as.operator->stiff(one->self))
             continue;
         if (p->stiff)
             return status_fail(STATUS_BAD_SCENE, "%s: both %s and %s are to be implicit, but one "
@@ -161,7 +161,7 @@ static int build(struct plan *p, struct scene *scene)
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
                      p->kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
-    p->walls_as_fluid = p->in.walls->as_fluid;
+    p->walls_as_fluid = p->in.walls->as.wall->as_fluid;
     TRY(plan_bodies_make(p));
     TRY(plan_objects_fill(p));
     TRY(take_parts(p));

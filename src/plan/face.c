@@ -62,9 +62,9 @@ int face_create(struct moment *m)
         return STATUS_FAILED;
     o->of = of;
     o->job = (struct couple_job){
-        .acts = of->acts, .couple = of->part->part->couple, .self = of->part->self,
-        .needs = of->part->part->rows & ~(unsigned)NEED_V,
-        .kernel = m->plan->kernel[of->part->part->kernel],
+        .acts = of->acts, .couple = of->part->part->as.operator->couple, .self = of->part->self,
+        .needs = of->part->part->as.law->rows & ~(unsigned)NEED_V,
+        .kernel = m->plan->kernel[of->part->part->as.law->kernel],
     };
     return take_memory(m->plan, o);
 }
@@ -116,7 +116,7 @@ static int find_part(struct plan *p, const struct scene *scene, const struct pla
     *part = NULL;
     for (int i = 0; i < p->parts; i++) {
         const struct plan_part *one = &p->part[i];
-        if (!one->part->faces || !(slides || one->part->faces(one->self)))
+        if (!one->part->as.operator || !(slides || one->part->as.operator->faces(one->self)))
             continue;
         if (*part)
             return status_fail(STATUS_BAD_SCENE, "%s: %s and %s both act at the faces of walls, "
@@ -140,7 +140,7 @@ int face_make(struct plan *p, const struct scene *scene)
     if (!(o = p->face = status_alloc(1, sizeof *o)))
         return STATUS_FAILED;
     o->part = part;
-    o->mirrored = part->part->faces(part->self);
+    o->mirrored = part->part->as.operator->faces(part->self);
     o->acts[KIND_FLUID] = KIND_STICKY;
     o->acts[KIND_WALL] = o->acts[KIND_SKIN] = KIND_BIT(KIND_FLUID);
     for (int i = 0; i < p->walls; i++)

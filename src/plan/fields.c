@@ -39,14 +39,14 @@ static void settle_kind(struct moment *m, const struct plan_field *f, struct vie
     const struct workspace *w = m->work;
     const int from = m->list->start[k], n = particles_count(v->p, k);
     double *rho = w->rho + v->p->from[k];
-    const struct settle job = {
+    const struct part_sums job = {
         .v = v, .kind = k, .n = m->list->start[k + 1] - from, .owner = m->list->order + from,
-        .sum = (const double (*)[PART_SUMS])(w->sum + from), .rho = rho,
+        .sum = (const double (*)[PART_SUMS])(w->sum + from),
     };
 
     for (int i = 0; i < n && job.n < n; i++)
         rho[i] = m->plan->scales.rho0;
-    f->part->part->settle(f->part->self, &job);
+    f->part->part->as.summed->densities(f->part->self, &job, rho);
     v->rho[k] = rho;
     v->stores[k] = (f->part->part->provides & FIELD_DENSITY) != 0;
 }
@@ -56,27 +56,27 @@ static void carry(struct moment *m, const struct plan_field *f, struct view *v)
 {
     const struct workspace *w = m->work;
     const int from = m->list->start[KIND_FLUID], n = particles_count(v->p, KIND_FLUID);
-    const struct settle job = {
+    const struct part_sums job = {
         .v = v, .kind = KIND_FLUID, .n = m->list->start[KIND_FLUID + 1] - from,
         .owner = m->list->order + from, .sum = (const double (*)[PART_SUMS])(w->sum + from),
     };
 
     memset(w->drift, 0, (size_t)n * sizeof *w->drift);
-    f->part->part->carry(f->part->self, &job, w->drift);
+    f->part->part->as.summed->carry(f->part->self, &job, w->drift);
 }
 
 static int sum_field(struct moment *m, const struct plan_field *f, struct view *v)
 {
     const struct sum_field_job job = {
         .list = m->list, .record = m->work->record, .meets = f->meets,
-        .needs = f->part->part->gather_rows, .gather = f->part->part->gather,
+        .needs = f->part->part->as.summed->rows, .gather = f->part->part->as.summed->gather,
         .self = f->part->self, .kernel = m->plan->kernel[PART_DENSITY],
         .sum = m->work->sum,
     };
     unsigned kinds = 0;
 
     m->plan->engine->sum->field(&job);
-    if (f->part->part->carry) {
+    if (f->part->part->as.summed->carry) {
         carry(m, f, v);
         return STATUS_DONE;
     }

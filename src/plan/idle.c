@@ -211,7 +211,7 @@ static void doubt_kernels(const struct scene_node *root, const struct input *in)
     for (int use = 0; use < PART_KERNELS; use++) {
         bool used = !keys[use];
         for (int i = 0; i < in->effects; i++)
-            used |= in->effect[i].part->pairs && (int)in->effect[i].part->kernel == use;
+            used |= in->effect[i].part->as.law && (int)in->effect[i].part->as.law->kernel == use;
         if (!used && key_given(settings_kernel_params, &in->kernel, keys[use]))
             status_warn("%s: kernel.%s does nothing here, as no effect of the scene uses it",
                         where(kernel, keys[use]), keys[use]);

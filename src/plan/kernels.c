@@ -164,11 +164,15 @@ void kernels_scales(const struct engine *engine, struct kernel_use *const use[PA
 const char *kernels_forbid(struct kernel_use *const use[PART_KERNELS], const struct part *part,
                            const char **kernel)
 {
+    const struct part_law *law = part->as.law;
+
     *kernel = use[PART_DENSITY]->kernel->name;
-    if (part->gather && use[PART_DENSITY]->kernel->singular)
+    if (part->as.summed && use[PART_DENSITY]->kernel->singular)
         return "needs a kernel that is finite at its centre: set kernel.density";
-    *kernel = use[part->kernel]->kernel->name;
-    if ((part->rows & NEED_LAPW) && !use[part->kernel]->kernel->spreads)
+    if (!law)
+        return NULL;
+    *kernel = use[law->kernel]->kernel->name;
+    if ((law->rows & NEED_LAPW) && !use[law->kernel]->kernel->spreads)
         return "needs a kernel whose Laplacian is positive everywhere, or it drives the fluid "
                "instead of braking it: set kernel.viscosity = \"viscosity-log\"";
     return NULL;

@@ -73,7 +73,7 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
         press[s - from] = 0;
     }
     if (p->pressure)
-        p->pressure->part->pressure(p->pressure->self, to - from, rho, press);
+        p->pressure->part->as.pressure->pressures(p->pressure->self, to - from, rho, press);
     for (int s = from; s < to; s++) {
         const int c = l->order[s], i = c - first;
         const double *x = v->x[k] + (size_t)i * DIM;

@@ -115,7 +115,7 @@ void plan_pressures(const struct plan *p, int n, const double *rho, double *pres
 {
     memset(press, 0, n * sizeof *press);
     if (p->pressure)
-        p->pressure->part->pressure(p->pressure->self, n, rho, press);
+        p->pressure->part->as.pressure->pressures(p->pressure->self, n, rho, press);
 }
 
 const struct particles *plan_particles(const struct plan *p)

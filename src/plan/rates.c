@@ -2,7 +2,6 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "plan/catalogue.h"
 #include "plan/face.h"
 #include "plan/viscous.h"
 
@@ -17,8 +16,9 @@ int rates_sum(struct moment *m, const struct rates_job *of)
     struct workspace *w = m->work;
     const struct sum_job job = {
         .list = m->list, .record = w->record, .table = of->table, .slots = p->slots,
-        .later = of->ahead, .push = (const double (*)[DIM])of->push, .gamma = p->scales.gamma,
-        .bulk = p->scales.rho0 * p->scales.c0 * p->scales.c0, .clamped = p->scales.clamped,
+        .later = of->ahead, .push = (const double (*)[DIM])of->push,
+        .moduli = of->table == p->table.velocities ? NULL : p->in.pressure->as.pressure->moduli,
+        .eos = p->pressure ? p->pressure->self : p->in.pressure_self,
         .f = w->f, .drho = w->drho, .power = w->power, .rates = of->to,
         .apart = of->apart, .apart_slot = of->apart ? p->stiff->slot : 0,
     };
@@ -246,12 +246,13 @@ static void add_fields(struct moment *m, const struct view *v, double *ydot)
     memset(m->pull, 0, sizeof m->pull);
     for (int i = 0; i < m->plan->parts; i++) {
         const struct plan_part *one = &m->plan->part[i];
-        if (!one->part->field)
+        const struct part_force *force = one->part->as.force;
+        if (!force)
             continue;
-        if (!catalogue_implied(one->part))
+        if (!force->weight)
             add_momentum(v->p, -1, (const double (*)[DIM])udot, m->pull);
-        one->part->field(one->self, v, udot);
-        if (!catalogue_implied(one->part))
+        force->accelerate(one->self, v, udot);
+        if (!force->weight)
             add_momentum(v->p, 1, (const double (*)[DIM])udot, m->pull);
     }
 }

@@ -62,16 +62,24 @@ static void sum_segment(const struct sum_job *job, const struct pairs_table *tab
     }
 }
 
+/* rho dp/drho [Pa] of owners. */
+static lanes moduli(const struct sum_job *job, lanes rho, lanes p)
+{
+    lanes modulus;
+
+    job->moduli(job->eos, LANES, (const double *)&rho, (const double *)&p, (double *)&modulus);
+    return modulus;
+}
+
 /* Velocities of fluid and p/rho^2 as they will be `later`, to first order; those
  * of solids are not the pairs' to change. */
 static void look_ahead(const struct sum_job *job, int first, int owners, const struct sum *all,
                        struct side *a)
 {
     const lanes p = a->p2 * a->rho * a->rho, irho = a->irho, time = job->later / a->m;
-    const lanes slope = (job->gamma * p + job->bulk - 2 * p) * (irho * irho * irho);
-    const lanes to = job->later * slope * all->drho;
 
-    a->p2 += job->clamped ? lanes_where(p > (lanes){0}, to) : to;
+    if (job->moduli)
+        a->p2 += job->later * ((moduli(job, a->rho, p) - 2 * p) * (irho * irho * irho)) * all->drho;
     if (!job->push || first >= job->list->start[KIND_FLUID + 1])
         return;
     for (int d = 0; d < DIM; d++) {

@@ -6,14 +6,10 @@
 #define PLAN_SUM_H
 
 #include "space/list.h"
+#include "state/part.h"
 
 struct pairs_table;
 struct kernel_use;
-struct side; /* space/pairs.h, lanes wide */
-struct block;
-struct field_sum;
-typedef void pairs_field(const void *self, const struct side *a, const struct block *b,
-                         struct field_sum *to);
 
 enum {
     SUM_CHUNK = 128, /* slots of one kind whose powers are added first        */
@@ -38,8 +34,10 @@ struct sum_job {
     const double (*push)[DIM];         /* accelerations of the fluid by other
                                           things than pairs, creation order;
                                           for later != 0, NULL: velocities stay */
-    double gamma, bulk;                /* dp/drho = (gamma p + bulk)/rho, 0 for */
-    bool clamped;                      /* p = 0 if clamped; for later != 0    */
+    part_moduli *moduli;               /* of the equation of state `eos`: what rates
+                                          of density make of pressures; for
+                                          later != 0, NULL: pressures stay    */
+    const void *eos;
     double *f;                         /* [particles][DIM] force on a slot [N] */
     double *drho;                      /* [particles] rate of density of a slot
                                           [kg/m^D/s]: divided by the mass     */
@@ -58,10 +56,10 @@ struct sum_field_job {
     const double *record;            /* as in struct sum_job                  */
     const unsigned *meets;           /* [KINDS] partner kinds by owner kind   */
     unsigned needs;                  /* NEED_ bits                            */
-    pairs_field *gather;
+    part_gather *gather;
     const void *self;
     const struct kernel_use *kernel;
-    double (*sum)[2 + DIM];          /* [particles] of owners; others untouched */
+    double (*sum)[PART_SUMS];        /* [particles] of owners; others untouched */
 };
 
 /* Starts as { 0 }; memory is taken at the first call and after a rebuild that

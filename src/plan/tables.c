@@ -7,31 +7,32 @@
 #include "space/pairs.h"
 
 /* The density of solids that a wall model settles by itself has no rate. */
-static bool owns(const struct plan *p, const struct part *part, int owner)
+static bool owns(const struct plan *p, const struct part_law *law, int owner)
 {
     const bool solid = KIND_BIT(owner) & KIND_SOLIDS;
 
-    return !(solid && part->columns == COLUMN_DRHO && !p->walls_as_fluid);
+    return !(solid && law->columns == COLUMN_DRHO && !p->walls_as_fluid);
 }
 
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
                    int owner, int partner)
 {
+    const struct part_law *law = part->part->as.law;
     struct pairs_table *t = &table[owner * KINDS + partner];
 
-    if (!(part->part->acts[owner] & KIND_BIT(partner)) || !owns(p, part->part, owner))
+    if (!(law->acts[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
         return STATUS_DONE;
     if (t->n == PAIRS_LAWS)
         return status_fail(STATUS_BAD_SCENE, "more than %d effects between particles", PAIRS_LAWS);
     t->work[t->n++] = (struct pairs_work){
-        .law = part->part->choose ? part->part->choose(part->self) : part->part->pairs,
+        .law = law->choose ? law->choose(part->self) : law->pairs,
         .self = part->self,
-        .kernel = p->kernel[part->part->kernel],
+        .kernel = p->kernel[law->kernel],
         .slot = part->slot,
-        .needs = part->part->rows,
+        .needs = law->rows,
     };
     p->list_def.acts[owner] |= KIND_BIT(partner);
-    t->needs |= part->part->rows;
+    t->needs |= law->rows;
     return STATUS_DONE;
 }
 
@@ -57,7 +58,9 @@ struct choice {
 static bool is_chosen(const struct plan *p, const struct plan_part *part,
                       const struct choice *which)
 {
-    if (part->slot < 0 || (which->columns && part->part->columns != which->columns))
+    const struct part_law *law = part->part->as.law;
+
+    if (!law || (which->columns && law->columns != which->columns))
         return false;
     if (which->without_pressure && (part->part->needs & FIELD_PRESSURE))
         return false;
@@ -94,7 +97,8 @@ int plan_tables_make(struct plan *p)
     to->explicit = p->stiff ? to->all + 4 * ONE : to->all;
     to->implicit = to->all + 5 * ONE;
     for (int i = 0; i < p->parts; i++)
-        p->mixed |= p->part[i].part->columns == (COLUMN_DRHO | COLUMN_FORCE);
+        p->mixed |= p->part[i].part->as.law
+                    && p->part[i].part->as.law->columns == (COLUMN_DRHO | COLUMN_FORCE);
     TRY(make_table(p, to->all, (struct choice){ BOTH, 0, false }));
     TRY(make_table(p, to->densities, (struct choice){ BOTH, COLUMN_DRHO, false }));
     TRY(make_table(p, to->velocities, (struct choice){ BOTH, COLUMN_FORCE, false }));
@@ -110,12 +114,12 @@ static void add_field(struct plan *p, const struct plan_part *part)
     struct plan_field *f = &p->field[p->fields++];
 
     f->part = part;
-    if (part->part->carry)
+    if (part->part->as.summed->carry)
         p->drifter = part;
     for (int k = 0; k < KINDS; k++) {
         const bool solid = KIND_BIT(k) & KIND_SOLIDS;
         if (!(solid && (part->part->provides & FIELD_DENSITY) && !p->walls_as_fluid))
-            f->meets[k] = part->part->meets[k];
+            f->meets[k] = part->part->as.summed->meets[k];
         p->list_def.acts[k] |= f->meets[k];
     }
 }
@@ -125,7 +129,7 @@ void plan_fields_make(struct plan *p)
 {
     for (int first = 1; first >= 0; first--)
         for (int i = 0; i < p->parts; i++)
-            if (p->part[i].part->gather
+            if (p->part[i].part->as.summed
                 && first == ((p->part[i].part->provides & FIELD_DENSITY) != 0))
                 add_field(p, &p->part[i]);
 }

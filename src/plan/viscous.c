@@ -96,9 +96,10 @@ int viscous_create(struct moment *m)
     u->part = part;
     u->tol = p->in.set.tol;
     u->job = (struct couple_job){
-        .list = m->own, .acts = part->part->acts, .couple = part->part->couple,
-        .self = part->self, .needs = part->part->rows & ~(unsigned)NEED_V,
-        .kernel = p->kernel[part->part->kernel],
+        .list = m->own, .acts = part->part->as.law->acts,
+        .couple = part->part->as.operator->couple, .self = part->self,
+        .needs = part->part->as.law->rows & ~(unsigned)NEED_V,
+        .kernel = p->kernel[part->part->as.law->kernel],
     };
     u->fluid = particles_count(p->particles, KIND_FLUID) * DIM;
     u->unknowns = u->fluid;

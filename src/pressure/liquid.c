@@ -11,12 +11,22 @@ int liquid_prepare(void *self, const struct scales *s)
     return 0;
 }
 
-void liquid_pressures(const void *self, int n, const double *rho, double *p)
+static void pressures(const void *self, int n, const double *rho, double *p)
 {
     const struct liquid *l = self;
 
     eos_pressures(&l->eos, n, rho, p);
 }
+
+static void moduli(const void *self, int n, const double *rho, const double *p, double *modulus)
+{
+    const struct liquid *l = self;
+
+    (void)rho; /* p says as much */
+    eos_moduli(&l->eos, n, p, modulus);
+}
+
+const struct part_pressure liquid_pressure = { .pressures = pressures, .moduli = moduli };
 
 /* Sound and flow together, sound where it is: it is faster in what is pressed. */
 void liquid_limit(const void *self, const struct view *v, struct limit *out)

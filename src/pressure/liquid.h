@@ -15,8 +15,8 @@ struct liquid {
 };
 
 /* Members of their parts. */
+extern const struct part_pressure liquid_pressure;
 int liquid_prepare(void *self, const struct scales *s);
-void liquid_pressures(const void *self, int n, const double *rho, double *p);
 void liquid_limit(const void *self, const struct view *v, struct limit *out);
 void liquid_energy(const void *self, const struct view *v, struct energies *to);
 

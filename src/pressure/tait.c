@@ -35,7 +35,7 @@ const struct part pressure_tait = {
     .provides = FIELD_PRESSURE,
     .complete = complete,
     .prepare = liquid_prepare,
-    .pressure = liquid_pressures,
     .limit = liquid_limit,
     .energy = liquid_energy,
+    .as.pressure = &liquid_pressure,
 };

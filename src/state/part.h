@@ -1,9 +1,14 @@
-/* part.h -- the contract of a piece of physics: one file, one const struct at
- * its end, one line in its room's table.
+/* part.h -- the contract of a piece of physics: one file, one const struct at its
+ * end, one line in its room's table.
+ *
+ * In layers: struct part says which part this is and has what all parts may have;
+ * what it does in the sums, it says in one small struct for each role that it plays.
+ * Roles that it does not play, and functions that it does not need, are NULL and
+ * never called.
  *
  * A part's parameters are read into a struct of its own (`self`, `size` bytes)
- * by its rows; prepare() then derives constants.  Members that are NULL are
- * never called. */
+ * by its rows; complete() and prepare() derive constants.  After that nothing of it
+ * changes: all other functions get it const, and write to what they get without. */
 #ifndef STATE_PART_H
 #define STATE_PART_H
 
@@ -19,13 +24,13 @@ struct sum;
 struct field_sum;
 struct coupling; /* effects/effects.h */
 
-enum { /* fields */
+enum { /* what parts need and provide */
     FIELD_DENSITY = 1 << 0,
     FIELD_PRESSURE = 1 << 1,
     FIELD_DENSITY_RATE = 1 << 2 /* a density that evolves: rates may be added */
 };
 
-/* Whose kernel a law is weighed with: a scene may give each use its own. */
+/* Which of the kernels that a scene may give weighs a law. */
 enum part_kernel { PART_DENSITY, PART_PRESSURE, PART_VISCOSITY, PART_KERNELS };
 
 enum { /* columns of a pair law's sum */
@@ -39,23 +44,101 @@ struct energies {
 
 typedef void part_pairs(const void *self, const struct side *a, const struct block *b,
                         struct sum *to);
-typedef void part_gather(const void *self, const struct side *a, const struct block *b,
-                         struct field_sum *to);
+
+/* A law between pairs of particles. */
+struct part_law {
+    enum part_kernel kernel;  /* that pairs() is weighed with                 */
+    unsigned rows;            /* NEED_ bits of pairs()                        */
+    unsigned columns;         /* COLUMN_ bits of pairs()                      */
+    unsigned acts[KINDS];     /* partner kinds by owner kind                  */
+    bool conservative;        /* its power only moves energy between kinetic
+                                 and internal: booked as pressure_defect      */
+
+    /* Adds to the owners' own sum; written symmetric in its two sides. */
+    part_pairs *pairs;
+
+    /* Picks another law than pairs by what the parameters say, once. */
+    part_pairs *(*choose)(const void *self);
+};
+
 typedef void part_couple(const void *self, const struct side *a, const struct block *b,
                          struct coupling *to);
 
-enum { PART_SUMS = 2 + DIM }; /* numbers that a field's gather() may add up     */
+/* Of a law that is linear in velocities, F_ab = -c (v_a - v_b), and so can be solved
+ * for; it has a struct part_law, too. */
+struct part_operator {
+    part_couple *couple;               /* the c >= 0 of rows; law's rows without v  */
+    bool (*stiff)(const void *self);   /* its parameters ask for the implicit side  */
+    bool (*faces)(const void *self);   /* the fluid is to stick at faces of solids  */
+    double (*mu)(const void *self);    /* its viscosity [Pa s]                      */
+};
 
-/* What settle() makes densities of: owners of kind k with what gather() added up
- * for them. */
-struct settle {
+enum { PART_SUMS = 2 + DIM }; /* numbers that gather() may add up               */
+
+/* What gather() added up for the owners of one kind. */
+struct part_sums {
     const struct view *v;
     enum kind kind;
     int n;                           /* owners                                  */
     const int *owner;                /* [n] creation index                      */
     const double (*sum)[PART_SUMS];  /* [n]                                     */
-    double *rho;                     /* [count of kind], creation order, to fill
-                                        where there is an owner       [kg/m^D]  */
+};
+
+typedef void part_gather(const void *self, const struct side *a, const struct block *b,
+                         struct field_sum *to);
+
+/* A quantity that is summed over pairs before the forces are known: a density that does
+ * not evolve, or a drift.  One of densities() and carry() is there. */
+struct part_summed {
+    unsigned meets[KINDS];    /* gather(): partner kinds by owner kind        */
+    unsigned rows;            /* NEED_ bits of gather()                       */
+
+    /* Adds to the owners' own sum, weighed with the kernel of densities. */
+    part_gather *gather;
+
+    /* The densities [kg/m^D] of owners, into rho [count of kind], creation order. */
+    void (*densities)(const void *self, const struct part_sums *s, double *rho);
+
+    /* Velocities that fluid moves with beside those in y, added to drift [count of
+     * kind][DIM] [m/s], creation order.  Its power has a column of the book. */
+    void (*carry)(const void *self, const struct part_sums *s, double (*drift)[DIM]);
+};
+
+/* A force on the fluid that no pair gives. */
+struct part_force {
+    /* Adds to the acceleration of the fluid, rate [n fluid][DIM] [m/s^2]. */
+    void (*accelerate)(const void *self, const struct view *v, double (*rate)[DIM]);
+    bool placed;              /* depends on the place, and so does not repeat */
+    bool weight;              /* the scene's `gravity` calls for it, not its name;
+                                 the books know what it gives                 */
+};
+
+typedef void part_moduli(const void *self, int n, const double *rho, const double *p,
+                         double *modulus);
+
+/* What gives a pressure (parts that provide FIELD_PRESSURE). */
+struct part_pressure {
+    /* p [Pa] of n densities [kg/m^D]. */
+    void (*pressures)(const void *self, int n, const double *rho, double *p);
+
+    /* rho dp/drho [Pa] of n densities and their pressures; 0 where p is cut off. */
+    part_moduli *moduli;
+};
+
+/* A wall model: where the density of solids comes from, if not from its own sums. */
+struct part_wall {
+    bool as_fluid;            /* from the part that gives the fluid its own,
+                                 and solids store energy by it                */
+    const char *const *with;  /* effects that may give the fluid its density, NULL-ended */
+};
+
+struct part_roles {
+    const struct part_law *law;
+    const struct part_operator *operator;
+    const struct part_summed *summed;
+    const struct part_force *force;
+    const struct part_pressure *pressure;
+    const struct part_wall *wall;
 };
 
 struct part {
@@ -67,67 +150,36 @@ struct part {
 
     unsigned needs, provides; /* FIELD_ bits                                  */
     const char *instead;      /* name of the effect it stands for: not both   */
-    enum part_kernel kernel;  /* that pairs() is weighed with                 */
-    unsigned rows;            /* NEED_ bits of pairs()                        */
-    unsigned columns;         /* COLUMN_ bits of pairs()                      */
-    unsigned acts[KINDS];     /* pairs(): partner kinds by owner kind         */
-    bool conservative;        /* its power only moves energy between kinetic
-                                 and internal: booked as pressure_defect      */
 
     /* Completes what its rows have read: called once, before anything else. */
     int (*complete)(void *self);
 
-    /* Adds rows to y; density_row[k] becomes the row that holds the density of
-     * kind k, for kinds whose density it evolves. */
-    int (*blocks)(void *self, const struct scales *s, const struct particles *p,
-                  struct layout *l, int density_row[KINDS]);
-
     /* Derives constants from parameters; refuses what makes no sense. */
     int (*prepare)(void *self, const struct scales *s);
 
-    /* Adds to the owners' own sum; written symmetric in its two sides. */
-    part_pairs *pairs;
-
-    /* Picks another law than pairs by what the parameters say, once. */
-    part_pairs *(*choose)(const void *self);
-
-    /* Of a law that is linear in velocities, F_ab = -c (v_a - v_b): the c >= 0 of rows,
-     * without v; stiff(): its parameters ask for the implicit side; faces(): the fluid is
-     * to stick at the faces of solids; its mu [Pa s]. */
-    part_couple *couple;
-    bool (*stiff)(const void *self);
-    bool (*faces)(const void *self);
-    double (*mu)(const void *self);
-
-    /* A density that does not evolve: gather() visits pairs before the forces are
-     * known, weighed with the kernel of densities, and settle() makes the density
-     * of its sums. */
-    unsigned meets[KINDS];    /* gather(): partner kinds by owner kind        */
-    unsigned gather_rows;     /* NEED_ bits of gather()                       */
-    part_gather *gather;
-    void (*settle)(const void *self, const struct settle *s);
-
-    /* Instead of settle(): velocities that fluid moves with beside those in y, of the
-     * sums, added to drift [count of kind][DIM] [m/s]. */
-    void (*carry)(const void *self, const struct settle *s, double (*drift)[DIM]);
-
-    /* Of a wall model: solids get their density by the part that gives the fluid
-     * its own, and store energy by it; else the model settles it itself. */
-    bool as_fluid;
-    const char *const *with;  /* effects that may give the fluid its density  */
-
-    /* p [Pa] of n densities [kg/m^D] (parts that provide FIELD_PRESSURE). */
-    void (*pressure)(const void *self, int n, const double *rho, double *p);
-
-    /* Adds to the acceleration of the fluid, rate [n fluid][DIM] [m/s^2]; `placed`:
-     * one that depends on the place, and so does not repeat. */
-    void (*field)(const void *self, const struct view *v, double (*rate)[DIM]);
-    bool placed;
+    /* Adds rows to y; density_row[k] becomes the row that holds the density of
+     * kind k, for kinds whose density it evolves. */
+    int (*blocks)(const void *self, const struct scales *s, const struct particles *p,
+                  struct layout *l, int density_row[KINDS]);
 
     void (*limit)(const void *self, const struct view *v, struct limit *out);
 
     /* Adds what it stores. */
     void (*energy)(const void *self, const struct view *v, struct energies *to);
+
+    struct part_roles as;
 };
+
+/* Does its power only move energy between kinetic and internal? */
+static inline bool part_conserves(const struct part *part)
+{
+    return part->as.law && part->as.law->conservative;
+}
+
+/* Does it move particles beside their velocity? */
+static inline bool part_drifts(const struct part *part)
+{
+    return part->as.summed && part->as.summed->carry;
+}
 
 #endif

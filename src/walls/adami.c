@@ -65,7 +65,7 @@ static double density(const struct adami *w, const double *acceleration, const d
     return eos_density(&w->eos, p > w->least ? p : w->least);
 }
 
-static void settle(const void *self, const struct settle *s)
+static void densities(const void *self, const struct part_sums *s, double *rho)
 {
     const struct particles *p = s->v->p;
     const int first = p->from[s->kind];
@@ -74,11 +74,23 @@ static void settle(const void *self, const struct settle *s)
         const int c = s->owner[i];
         double a[DIM];
         object_acceleration(&p->object[p->object_of[c]], p->x[c], a);
-        s->rho[c - first] = density(self, a, s->sum[i]);
+        rho[c - first] = density(self, a, s->sum[i]);
     }
 }
 
 #define FLUID KIND_BIT(KIND_FLUID)
+
+static const struct part_summed summed = {
+    .meets = { [KIND_WALL] = FLUID, [KIND_WALL_SLIP] = FLUID, [KIND_SKIN] = FLUID,
+               [KIND_SKIN_SLIP] = FLUID },
+    .rows = NEED_X | NEED_RHO | NEED_P2 | NEED_W,
+    .gather = gather,
+    .densities = densities,
+};
+
+static const struct part_wall wall = {
+    .with = with,
+};
 
 const struct part LANE_NAME(walls_adami) = {
     .name = "adami",
@@ -87,11 +99,7 @@ const struct part LANE_NAME(walls_adami) = {
     .source = "Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057-7075",
     .size = sizeof(struct adami),
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
-    .with = with,
-    .meets = { [KIND_WALL] = FLUID, [KIND_WALL_SLIP] = FLUID, [KIND_SKIN] = FLUID,
-               [KIND_SKIN_SLIP] = FLUID },
-    .gather_rows = NEED_X | NEED_RHO | NEED_P2 | NEED_W,
     .prepare = prepare,
-    .gather = gather,
-    .settle = settle,
+    .as.summed = &summed,
+    .as.wall = &wall,
 };

@@ -10,12 +10,16 @@
 
 static const char *const with[] = { "summation", NULL };
 
+static const struct part_wall wall = {
+    .as_fluid = true,
+    .with = with,
+};
+
 const struct part LANE_NAME(walls_ghost) = {
     .name = "ghost",
     .about = "solids with a density summed like the fluid's, the seed's walls",
     .equation = "(D3) and (P1) with the velocity of the solid",
     .source = "Toth 2012, section 3.5.3",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
-    .as_fluid = true,
-    .with = with,
+    .as.wall = &wall,
 };

@@ -10,7 +10,7 @@
 
 static const char *const with[] = { "continuity", NULL };
 
-static int blocks(void *self, const struct scales *s, const struct particles *p,
+static int blocks(const void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS])
 {
     static const char *const names[KINDS] = {
@@ -34,13 +34,17 @@ static int blocks(void *self, const struct scales *s, const struct particles *p,
     return 0;
 }
 
+static const struct part_wall wall = {
+    .as_fluid = true,
+    .with = with,
+};
+
 const struct part LANE_NAME(walls_own_density) = {
     .name = "own-density",
     .about = "solids with a density of their own (dynamic boundary particles)",
     .equation = "(D1) and (P1) with the velocity of the solid",
     .source = "Crespo, Gomez-Gesteira, Dalrymple, Comput. Mater. Contin. 5 (2007) 173-184",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
-    .as_fluid = true,
-    .with = with,
     .blocks = blocks,
+    .as.wall = &wall,
 };

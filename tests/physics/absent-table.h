@@ -27,21 +27,27 @@ static void gather(const void *self, const struct side *a, const struct block *b
         to->s[0] += b->w[k];
 }
 
-static void settle(const void *self, const struct settle *s)
+static void densities(const void *self, const struct part_sums *s, double *rho)
 {
     const int first = s->v->p->from[s->kind];
 
     (void)self;
     for (int i = 0; i < s->n; i++)
-        s->rho[s->owner[i] - first] = 1000 + 1e-9 * s->sum[i][0];
+        rho[s->owner[i] - first] = 1000 + 1e-9 * s->sum[i][0];
 }
+
+static const struct part_law law = {
+    .rows = 0x3ff, .columns = COLUMN_FORCE | COLUMN_DRHO, .acts = EFFECTS_ACT_ALL, .pairs = pairs,
+};
+
+static const struct part_summed summed = {
+    .meets = EFFECTS_ACT_ALL, .rows = 0x3ff, .gather = gather, .densities = densities,
+};
 
 extern const struct part LANE_NAME(absent_effect);
 const struct part LANE_NAME(absent_effect) = {
     .name = "absent", .about = "an effect for tests", .equation = "none", .source = "none",
-    .needs = FIELD_DENSITY | FIELD_PRESSURE, .rows = 0x3ff,
-    .columns = COLUMN_FORCE | COLUMN_DRHO, .acts = EFFECTS_ACT_ALL, .pairs = pairs,
-    .meets = EFFECTS_ACT_ALL, .gather_rows = 0x3ff, .gather = gather, .settle = settle,
+    .needs = FIELD_DENSITY | FIELD_PRESSURE, .as.law = &law, .as.summed = &summed,
 };
 
 /* The table is the library's own text; its end becomes one line more and the end. */

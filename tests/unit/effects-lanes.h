@@ -30,12 +30,13 @@ static void set_record(double *r, const struct pair_particle *p)
 void LANE_NAME(effects_ask)(const struct pair_law *law, const struct pair_particle *a, int n,
                             const struct pair_particle *b, int padding, struct pair_answer *to)
 {
+    const struct part_law *rule = law->part->as.law;
     static _Alignas(64) double record[(PAIR_MOST + 2) * RECORD];
     const struct pair_particle far = { .x = { 1e3 }, .rho = effects_scales.rho0, .m = 1 };
     const struct kernel_use use = kernel_use_make(
-        law->part->rows & NEED_LAPW ? &kernel_viscosity_log : &kernel_wendland_c2,
+        rule->rows & NEED_LAPW ? &kernel_viscosity_log : &kernel_wendland_c2,
         effects_scales.support, DIM);
-    part_pairs *pairs = law->part->choose ? law->part->choose(law->self) : law->part->pairs;
+    part_pairs *pairs = rule->choose ? rule->choose(law->self) : rule->pairs;
     static struct block block;
     int j[PAIRS_ROWS * LANES];
     struct sum sum = { 0 };
@@ -50,8 +51,8 @@ void LANE_NAME(effects_ask)(const struct pair_law *law, const struct pair_partic
     memset(&block, 0xff, sizeof block); /* all bits set are a NaN */
     block.n = n + padding;
     gather_side(record, 0, 1, n + 1, &side);
-    gather_choose(law->part->rows)(record, j, block.n, &side, &block);
-    gather_kernel(law->part->rows, &use, &block);
+    gather_choose(rule->rows)(record, j, block.n, &side, &block);
+    gather_kernel(rule->rows, &use, &block);
     pairs(law->self, &side, &block, &sum);
     for (int d = 0; d < DIM; d++)
         to->f[d] = sum.f[d][0];
