@@ -221,7 +221,8 @@ END {
 # --- calls --------------------------------------------------------------------------------
 # From nm: "caller callee name" of those inside a room; files of one name are one in all widths.
 # shellcheck disable=SC2086
-${NM:-nm} -A -P -g $objects | LC_ALL=C awk '
+${NM:-nm} -A -P -g $objects | LC_ALL=C awk -v files="$files" '
+BEGIN { n = split(files, source, "[ \n]"); for (i = 1; i <= n; i++) here[source[i]] = 1 }
 function file_of(object,    part, n) {
     sub(/:$/, "", object); sub(/\.o$/, "", object)
     n = split(object, part, "/"); sub(/^lib[a-z0-9]*_a-/, "", part[n])
@@ -229,6 +230,7 @@ function file_of(object,    part, n) {
 }
 function room(file) { sub(/\/[^\/]*$/, "", file); return file }
 { file = file_of($1) }
+!((file ".c") in here) { next }         # left over from a file that is gone
 $3 == "U" { asked[file, $2] = 1; next }
 $3 ~ /^[TWBC]$/ { home[$2] = file }
 END {
