@@ -75,7 +75,7 @@ function member(    n) {                # a declaration of a struct ends
         members[depth] += n; return
     }
     members[depth] += 1 + commas[depth]
-    list[depth] = list[depth] SUBSEP text[depth]
+    list[depth] = list[depth] SUBSEP 1 + commas[depth] " " text[depth]
 }
 function leave(    n) {
     if (depth == 0) { complain(FILENAME ":" FNR, "a brace too many"); return }
@@ -124,7 +124,9 @@ function note_keys(line,    rest, word, pair) {
         if (FILENAME ~ /\.h$/) macro["", word] = rest
         return
     }
-    rest = line
+    if (line ~ /struct param [a-z_0-9]+\[\]/) in_table = 1
+    if (line ~ /^}/) in_table = 0
+    rest = in_table ? line : ""
     while (match(rest, /[A-Za-z_]+\((struct )?[a-z_0-9]+(, *[a-z_0-9.]+)?/)) {
         pair = substr(rest, RSTART, RLENGTH); rest = substr(rest, RSTART + RLENGTH)
         word = pair; sub(/\(.*/, "", word); sub(/^[^(]*\((struct )?/, "", pair)
@@ -149,7 +151,7 @@ function end_file() {
     total += lines
 }
 FNR == 1 {
-    end_file(); last = FILENAME; depth = parens = comment = define = branch = 0
+    end_file(); last = FILENAME; depth = parens = comment = define = branch = in_table = 0
     text[0] = ""; commas[0] = 0; kind[0] = "file"; n_files++
 }
 { lines = FNR; note_keys($0) }
@@ -168,7 +170,7 @@ FNR == 1 {
 { read(strip($0)) }
 
 function is_pointer(declaration,    word) {
-    if (declaration ~ /\([ \t]*\*/) return 1
+    if (declaration ~ /\([ \t]*\*[^)]*\)[ \t]*\(/) return 1
     for (word in types)
         if (declaration ~ ("(^|[^A-Za-z_0-9])" word "[ \t]*\\*")) return 1
     return 0
@@ -181,7 +183,7 @@ function judge_structs(    i, j, n, list, name, own, functions) {
             complain(struct_at[i], name " has " own " members that are no keys, at most 25")
         if (own > widest) { widest = own; widest_name = name ", " struct_at[i] }
         n = split(struct_list[i], list, SUBSEP); functions = 0
-        for (j = 1; j <= n; j++) functions += is_pointer(list[j])
+        for (j = 1; j <= n; j++) if (is_pointer(list[j])) functions += list[j]
         if (struct_at[i] !~ /\.h:/ || functions < 3) continue
         contracts++; told = told "\n  " name " " struct_members[i]
         if (struct_members[i] > 15)
