@@ -10,8 +10,8 @@
 #   no header includes itself by way of others;
 #   no files of a room call each other in a circle.
 #
-# A file calls another of its room when its object asks for a function, or a variable that is
-# not const, that the other defines (nm).  Who includes a header for its types or its inline
+# A file calls another of its room when its object asks for a function, or a variable without
+# initialiser, that the other defines (nm).  Who includes a header for its types or its inline
 # functions calls nothing.  Nor does a table call the const structs that it lists: that is a
 # contract with its implementations, which may call what stands beside the table.
 #
@@ -223,8 +223,8 @@ END {
 # --- calls --------------------------------------------------------------------------------
 # From nm: "caller callee name" of those inside a room; files of one name are one in all widths.
 # shellcheck disable=SC2086
-${NM:-nm} -A -P -g $objects | LC_ALL=C awk -v files="$files" '
-BEGIN { n = split(files, source, "[ \n]"); for (i = 1; i <= n; i++) here[source[i]] = 1 }
+${NM:-nm} -A -P -g $objects | LC_ALL=C awk -v files="$(echo "$files" | tr '\n' ' ')" '
+BEGIN { n = split(files, source, " "); for (i = 1; i <= n; i++) here[source[i]] = 1 }
 function file_of(object,    part, n) {
     sub(/:$/, "", object); sub(/\.o$/, "", object)
     n = split(object, part, "/"); sub(/^lib[a-z0-9]*_a-/, "", part[n])
