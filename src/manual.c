@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "bodies/bodies.h"
 #include "cli/commands.h"
+#include "cli/elsewhere.h"
 #include "cli/roff.h"
 #include "plan/catalogue.h"
 #include "plan/settings.h"
@@ -22,7 +23,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE = 1200, ROWS = 1000 };
+enum { LINE = ELSEWHERE_LINE };
 
 /* Keys by group, as a user writes them. */
 static const struct group {
@@ -47,41 +48,10 @@ static const struct group {
 
 enum { GROUPS = sizeof groups / sizeof groups[0] };
 
-/* What 3D says of its keys. */
-static struct elsewhere {
-    char name[LINE]; /* TITLE KEY */
-    char *facts, *about;
-    bool seen;
-} elsewhere[ROWS];
-
-static struct elsewhere *find(const char *name)
-{
-    for (int i = 0; i < ROWS && *elsewhere[i].name; i++)
-        if (strcmp(elsewhere[i].name, name) == 0)
-            return &elsewhere[i];
-    return NULL;
-}
-
-/* The default of `dimension' is that of whoever is asked, so it says nothing. */
-static void show_difference(const struct param *r, const char *facts, struct elsewhere *other)
-{
-    const bool facts_differ = strcmp(other->facts, facts) != 0;
-    const bool about_differs = strcmp(other->about, r->about) != 0;
-
-    other->seen = true;
-    if (!(facts_differ || about_differs) || strcmp(r->key, "dimension") == 0)
-        return;
-    fputs("In 3D: ", stdout);
-    roff_text(stdout, facts_differ ? other->facts : "", -1);
-    fputs(facts_differ && about_differs ? "; " : "", stdout);
-    roff_paragraph(stdout, about_differs ? other->about : "");
-}
-
 static void show_key(const char *title, const char *prefix, const struct param *r)
 {
     char facts[LINE] = "", name[LINE];
     FILE *to = fmemopen(facts, sizeof facts, "w");
-    struct elsewhere *other;
 
     roff_facts(to, r);
     fclose(to);
@@ -92,10 +62,7 @@ static void show_key(const char *title, const char *prefix, const struct param *
     roff_tag(stdout, prefix, r->key, facts);
     roff_paragraph(stdout, r->about);
     snprintf(name, sizeof name, "%s %s", title, r->key);
-    if (!(other = find(name)))
-        puts("2D only.");
-    else
-        show_difference(r, facts, other);
+    elsewhere_show(name, r, facts);
 }
 
 static void show_keys(const char *title, const char *prefix, const struct param *rows)
@@ -269,25 +236,6 @@ static int fill(const char *path)
     return STATUS_DONE;
 }
 
-/* Lines NAME TAB FACTS TAB ABOUT. */
-static int read_elsewhere(const char *path)
-{
-    FILE *from = fopen(path, "r");
-    int n = 0;
-
-    if (!from)
-        return status_fail(STATUS_IO, "%s cannot be read", path);
-    while (n < ROWS - 1 && fgets(elsewhere[n].name, LINE, from)) {
-        struct elsewhere *e = &elsewhere[n++];
-        e->name[strcspn(e->name, "\n")] = '\0';
-        if (!(e->facts = strchr(e->name, '\t')) || !(e->about = strchr(e->facts + 1, '\t')))
-            return status_fail(STATUS_IO, "%s: %s is no row", path, e->name);
-        *e->facts++ = *e->about++ = '\0';
-    }
-    fclose(from);
-    return STATUS_DONE;
-}
-
 /* A group of the catalogue that is not in this file's table; effects and bodies
  * have tables of their own. */
 static int check_groups(void)
@@ -302,16 +250,12 @@ static int check_groups(void)
         if (!found)
             return status_fail(STATUS_FAILED, "group %s is missing in src/manual.c", name);
     }
-    for (int i = 0; i < ROWS && *elsewhere[i].name; i++)
-        if (!elsewhere[i].seen)
-            return status_fail(STATUS_FAILED, "the page has no place for \"%s\", which is there "
-                               "in 3D only", elsewhere[i].name);
-    return STATUS_DONE;
+    return elsewhere_check();
 }
 
 static int write_page(const char *template, const char *rows)
 {
-    TRY(read_elsewhere(rows));
+    TRY(elsewhere_read(rows));
     TRY(fill(template));
     return check_groups();
 }

@@ -21,13 +21,6 @@ bool layers_wanted(const struct shape *s)
         && !(s->fill && strcmp(s->fill, "lattice") == 0);
 }
 
-long layers_steps(double length, double dx)
-{
-    const long n = lrint(length / dx);
-
-    return length > 1.05 * n * dx ? n + 1 : n > 0 ? n : 1;
-}
-
 static long count(const struct shape *s, double dx)
 {
     return s->thickness > 0 ? lrint(fmin(fmax(s->thickness / dx, 1), 1e9)) : 1000000000;

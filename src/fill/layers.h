@@ -4,6 +4,7 @@
 
 #include "shapes/shape.h"
 #include "fill/points.h"
+#include <math.h>
 
 /* Does the wall follow its outline: polygon, disc or sphere, unless its key `fill`
  * says "lattice"? */
@@ -21,6 +22,11 @@ double layers_estimate(const struct shape *s, double dx);
 int layers_bare(const struct shape *s, double dx, const struct points *p, double *x, bool *bare);
 
 /* Into how many steps of about dx, at most 1.05 dx, a length is divided: 1 or more. */
-long layers_steps(double length, double dx);
+static inline long layers_steps(double length, double dx)
+{
+    const long n = lrint(length / dx);
+
+    return length > 1.05 * n * dx ? n + 1 : n > 0 ? n : 1;
+}
 
 #endif

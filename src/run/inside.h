@@ -41,6 +41,8 @@ void run_release(struct run *r);
 /* run.json; status as in base/status.h. */
 int run_report(const struct run *r, int status, const char *message, const double *y);
 
+int run_constants(const struct run *r); /* for plots, see output/figures.h    */
+
 /* Warnings: of a scene that can be run, of a run that came to its end.  STATUS_FAILED: its
  * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);

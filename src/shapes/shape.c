@@ -1,4 +1,4 @@
-/* shape.c -- regions of space: their parameters, what is inside, how far they reach.
+/* shape.c -- regions of space: what is inside, how far they reach.
  *
  * Membership is half-open (low <= x < high), so that a point on the border of
  * two shapes belongs to exactly one of them. */
@@ -12,55 +12,8 @@
 
 enum { LAST = DIM - 1 }; /* the axis that points up */
 
-#define REACH 1e6 /* largest coordinate a scene may use [m] */
-
-#if DIM == 2
-#define BALL "disc"
-const char *const shape_sides[] = { "left", "right", "bottom", "top", NULL };
-const char *const shape_types[] = { "box", "polygon", "disc", "frame", NULL };
-static const char types_text[] = "box, polygon, disc or frame";
-#else
-#define BALL "sphere"
-const char *const shape_sides[] = { "left", "right", "bottom", "top", "front", "back", NULL };
-const char *const shape_types[] = { "box", "sphere", "frame", NULL };
-static const char types_text[] = "box, sphere or frame";
-#endif
-
-#define PLACE(member) offsetof(struct shape, member)
-
-static const char *const fills[] = { "auto", "layers", "lattice", NULL };
-
-const struct param shape_params[] = {
-    { .key = "type", .unit = "", .offset = PLACE(type), .type = PARAM_WORD, .words = shape_types,
-      .about = "shape of the region; a frame is the shell around the domain" },
-    { .key = "from", .unit = "m", .offset = PLACE(from), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -REACH, .max = REACH,
-      .about = "lowest corner of a box, which needs it" },
-    { .key = "to", .unit = "m", .offset = PLACE(to), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -REACH, .max = REACH,
-      .about = "highest corner of a box, which needs it" },
-    { .key = "angle", .unit = "deg", .offset = PLACE(angle), .min = -360, .max = 360,
-#if DIM == 2
-      .about = "turns a box about its centre, anticlockwise" },
-#else
-      .about = "turns a box about the vertical through its centre, from x towards y" },
-#endif
-#if DIM == 2
-    { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
-      .fallback = NAN, .min = -REACH, .max = REACH,
-      .about = "corners of a polygon, in turn either way round; the last joins the first" },
-#endif
-    { .key = "centre", .unit = "m", .offset = PLACE(centre), .type = PARAM_VECTOR,
-      .fallback = NAN, .min = -REACH, .max = REACH,
-      .about = "centre of a " BALL ", which needs it" },
-    { .key = "radius", .unit = "m", .offset = PLACE(radius), .type = PARAM_NUMBER,
-      .fallback = NAN, .min = 0, .max = REACH,
-      .about = "radius of a " BALL ", which needs it" },
-    { .key = "fill", .unit = "", .offset = PLACE(fill), .type = PARAM_WORD, .words = fills,
-      .about = "layers follow the outline, a lattice ends in stairs; auto: layers for walls "
-               "other than boxes and frames" },
-    { 0 },
-};
+static const char *const types_text = DIM == 2 ? "box, polygon, disc or frame"
+                                               : "box, sphere or frame";
 
 unsigned shape_side(int axis, bool high)
 {
@@ -85,7 +38,7 @@ static bool gave_vector(const double *x)
 static bool is_vector(const double *x)
 {
     for (int d = 0; d < DIM; d++)
-        if (!(fabs(x[d]) <= REACH))
+        if (!(fabs(x[d]) <= SHAPE_REACH))
             return false;
     return true;
 }
@@ -134,7 +87,7 @@ static int check_ball(const struct shape *s, const char *path, const char *where
     if (!is_vector(s->centre) || isnan(s->radius))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s needs centre and radius", where, path,
                            s->type);
-    if (!(s->radius > 0 && s->radius <= REACH))
+    if (!(s->radius > 0 && s->radius <= SHAPE_REACH))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: radius is %g m, but a %s needs one above 0",
                            where, path, s->radius, s->type);
     return STATUS_DONE;
@@ -149,7 +102,7 @@ static int check_frame(const struct shape *s, const char *path, const char *wher
             return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame goes round the domain, but the"
                                " domain reaches from %g m to %g m along %c", where, path,
                                s->low[d], s->high[d], "xyz"[d]);
-    if (!(s->thickness > 0 && s->thickness <= REACH))
+    if (!(s->thickness > 0 && s->thickness <= SHAPE_REACH))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame %g m thick holds nothing; it needs"
                            " one layer or more", where, path, s->thickness);
     if ((s->open & all) == all)

@@ -6,6 +6,8 @@
 #include "base/param.h"
 #include <stdbool.h>
 
+#define SHAPE_REACH 1e6 /* largest coordinate a scene may use [m] */
+
 enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME };
 
 /* As a scene gives it (keys of shape_params); a frame is the shell of

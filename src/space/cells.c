@@ -179,8 +179,6 @@ int cells_sort(struct list *list, const struct cloud *cloud)
 {
     list->start[0] = 0;
     list->own->farthest = 0;
-    if (list->own->images.home)
-        images_bring_home(list, cloud);
     for (int kind = 0; kind < KINDS; kind++) {
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
@@ -192,12 +190,5 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         note_places(list, cloud, kind);
         list->start[kind + 1] = list->start[kind] + inside;
     }
-    for (int kind = 0; kind <= KINDS; kind++)
-        list->image[kind] = list->start[KINDS];
-    if (list->own->images.home)
-        TRY(images_sort(list, cloud));
-    list->listed = list->image[KINDS];
-    for (int w = 0; w < LIST_WORDS; w++)
-        memset(list->own->place[w] + list->listed, 0, LIST_PAD * sizeof(int));
     return STATUS_DONE;
 }

@@ -25,8 +25,8 @@ struct cells_window {
     int low[DIM], high[DIM]; /* first and last cell, both in it              */
 };
 
-/* Sets listed, start, order, slot, the grids and the places in slot order from
- * positions. 0 or STATUS_FAILED (no memory). */
+/* Sets start, order, slot, the grids and the places in slot order from positions, those
+ * in the domain where it repeats. 0 or STATUS_FAILED (no memory). */
 int cells_sort(struct list *list, const struct cloud *cloud);
 
 /* For sorting others in the same way: a grid from c->low to high for n of them, with

@@ -14,6 +14,8 @@
 
 struct list;
 
+enum { DRIFT_FARTHEST = 2 }; /* displacement that blocks allow for [skins]   */
+
 /* Blocks are so wide that those who may meet stand in one block or in two that
  * touch.  Starts as { 0 }. */
 struct drift {
@@ -39,5 +41,11 @@ int drift_note(struct list *list, const struct cloud *cloud);
 bool drift_harmless(const struct list *list, const struct cloud *cloud);
 
 void drift_free(struct drift *drift);
+
+/* The number of the image in this slot: images are counted after the particles. */
+int drift_number(const struct list *list, int slot);
+
+/* Where the particle or image of this slot stands whose particle is at x. */
+void drift_place(const struct list *list, int slot, const double *x, double *to);
 
 #endif

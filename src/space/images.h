@@ -50,7 +50,7 @@ static inline bool images_near(const struct images *images, const double *low,
 /* Before sorting: who stands where in the domain. */
 void images_bring_home(struct list *list, const struct cloud *cloud);
 
-/* After sorting: images, their slots, grids, offsets. 0 or STATUS_FAILED (no memory). */
+/* After cells_sort(): images, their slots, grids, offsets. 0 or STATUS_FAILED (no memory). */
 int images_sort(struct list *list, const struct cloud *cloud);
 
 #endif

@@ -1,12 +1,10 @@
-/* list.c -- the pair list but for its rows: memory, freshness, rebuilding. */
+/* list.c -- the pair list but for its rows: freshness, rebuilding. */
 #include "space/list-private.h"
 
 #include "base/status.h"
 #include "base/threads.h"
 
 #include <math.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Particles whose check and whose rebuilding repay waking the threads. */
@@ -17,102 +15,6 @@ struct check {
     bool back;  /* one who was left out is inside again                      */
     int bad; /* lowest particle whose position is not finite, or n            */
 };
-
-bool list_grow(void **array, size_t *room, size_t want, size_t size)
-{
-    if (want <= *room)
-        return true;
-    size_t now = *room + *room / 2;
-    if (now < want)
-        now = want;
-    void *bigger = now <= SIZE_MAX / size ? realloc(*array, now * size) : NULL;
-    if (!bigger)
-        return false;
-    *array = bigger;
-    *room = now;
-    return true;
-}
-
-int list_no_memory(const struct list *list)
-{
-    return status_fail(STATUS_FAILED, "no memory for the pair list of %d particles: they are "
-                       "too many for this machine, or have drawn together in one place", list->n);
-}
-
-static void *array(size_t count, size_t size)
-{
-    return status_alloc(count > 0 ? count : 1, size);
-}
-
-int list_create(struct list **list, const struct list_def *def, int lanes)
-{
-    struct list *made = array(1, sizeof *made);
-    struct list_private *own = array(1, sizeof *own);
-    const size_t n = (size_t)def->from[KINDS];
-    const size_t groups = n / (size_t)lanes + KINDS;
-
-    *list = made;
-    if (!made || !own) {
-        free(own);
-        free(made);
-        *list = NULL;
-        return STATUS_FAILED;
-    }
-    *made = (struct list){ .def = *def, .lanes = lanes, .n = (int)n, .bad = -1, .own = own };
-    made->order = array(n, sizeof *made->order);
-    made->slot = array(n, sizeof *made->slot);
-    own->built = array(n * DIM, sizeof *own->built);
-    own->order_room = n;
-    own->per_metre = LIST_UNITS / (def->support + def->skin);
-    bool good = made->order && made->slot && own->built && images_create(made) == STATUS_DONE;
-    for (int w = 0; w < LIST_WORDS; w++) {
-        good = good && (own->place[w] = array(n + LIST_PAD, sizeof(int)));
-        own->place_room[w] = n + LIST_PAD;
-    }
-    own->stand = own->images.home ? own->images.home[0] : own->built;
-    made->group_slot = own->group_slot = array(groups, sizeof *own->group_slot);
-    made->group_kind = own->group_kind = array(groups, sizeof *own->group_kind);
-    made->segment_from = own->segment_from = array(groups + 1, sizeof *own->segment_from);
-    made->rows_before = own->rows_before = array(groups + 1, sizeof *own->rows_before);
-    if (good && own->group_slot && own->group_kind && own->segment_from && own->rows_before)
-        return STATUS_DONE;
-    list_free(list);
-    return STATUS_FAILED;
-}
-
-void list_free(struct list **list)
-{
-    if (!*list)
-        return;
-    struct list_private *own = (*list)->own;
-
-    for (int t = 0; t < own->stores; t++) {
-        free(own->store[t].j);
-        free(own->store[t].found);
-        free(own->store[t].near);
-    }
-    for (int kind = 0; kind < KINDS; kind++) {
-        free(own->cells[kind].start);
-        free(own->image_cells[kind].start);
-    }
-    images_free(&own->images);
-    drift_free(&own->drift);
-    for (int w = 0; w < LIST_WORDS; w++)
-        free(own->place[w]);
-    free(own->store);
-    free(own->built);
-    free(own->group_slot);
-    free(own->group_kind);
-    free(own->segment_from);
-    free(own->rows_before);
-    free(own->segment);
-    free(own);
-    free((*list)->order);
-    free((*list)->offset);
-    free((*list)->slot);
-    free(*list);
-    *list = NULL;
-}
 
 /* One who moved far, was left out, or is nowhere: which of them? */
 static void look_closer(const struct list *list, int i, const double *x, struct check *c)
@@ -263,9 +165,27 @@ static int join(struct list *list)
     return STATUS_DONE;
 }
 
+/* Everybody in slots, images behind all others. */
+static int sort(struct list *list, const struct cloud *cloud)
+{
+    const bool repeats = list->own->images.home;
+
+    if (repeats)
+        images_bring_home(list, cloud);
+    TRY(cells_sort(list, cloud));
+    for (int kind = 0; kind <= KINDS; kind++)
+        list->image[kind] = list->start[KINDS];
+    if (repeats)
+        TRY(images_sort(list, cloud));
+    list->listed = list->image[KINDS];
+    for (int w = 0; w < LIST_WORDS; w++)
+        memset(list->own->place[w] + list->listed, 0, LIST_PAD * sizeof(int));
+    return STATUS_DONE;
+}
+
 static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
-    TRY(cells_sort(list, cloud));
+    TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
     make_groups(list);
     TRY(make_stores(list, threads_most()));
@@ -297,19 +217,4 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 double list_entries(const struct list *list)
 {
     return (double)list->rows_before[list->groups] * list->lanes;
-}
-
-/* Positions, order and slots; a group is of four, mostly, and has a segment or two,
- * each noted twice. Where something is periodic also what images.h says, and offsets. */
-double list_bytes(double n, double slots, double entries)
-{
-    const double group = 2 * sizeof(int) + sizeof(int) + sizeof(long)
-                       + 1.5 * (sizeof(struct list_segment) + sizeof(struct list_found));
-    const double place = DIM * sizeof(double), turns = DIM * sizeof(int);
-    const double images = slots > n ? n * (place + turns) + slots * place
-                                          + (slots - n) * sizeof(struct image)
-                                    : 0;
-
-    return entries * sizeof(int) + n * (place + sizeof(int) + group / 4) + images
-         + slots * (1 + LIST_WORDS) * sizeof(int);
 }

@@ -20,10 +20,10 @@ static int weights(N_Vector y, N_Vector weight, void *self)
     struct arkode *a = self;
 
     (void)y;
-    if (a->weighted == weight)
+    if (a->error.weighted == weight)
         return 0;
-    vector_copy(a->n, a->weight, vector_overwrite(weight));
-    a->weighted = weight;
+    vector_copy(a->n, a->error.weight, vector_overwrite(weight));
+    a->error.weighted = weight;
     return 0;
 }
 
@@ -106,24 +106,24 @@ static int take_stiff(struct arkode *a)
 {
     if (!a->imex)
         return STATUS_DONE;
-    a->ranges = moment_stiff_ranges(a->moment, ARKODE_RANGES, a->range);
-    for (int k = 0; k < a->ranges; k++)
-        a->stiff += a->range[k][1] - a->range[k][0];
-    a->z = numbers(a->n);
-    if (!a->z)
+    a->stiff.ranges = moment_stiff_ranges(a->moment, ARKODE_RANGES, a->stiff.range);
+    for (int k = 0; k < a->stiff.ranges; k++)
+        a->stiff.entries += a->stiff.range[k][1] - a->stiff.range[k][0];
+    a->stiff.z = numbers(a->n);
+    if (!a->stiff.z)
         return STATUS_FAILED;
     for (int k = 0; k < ARKODE_PAST; k++)
-        if (!(a->past[k] = numbers(a->stiff)))
+        if (!(a->stiff.past[k] = numbers(a->stiff.entries)))
             return STATUS_FAILED;
     return STATUS_DONE;
 }
 
 static int take_memory(struct arkode *a)
 {
-    a->weight = numbers(a->n);
-    if (!a->weight)
+    a->error.weight = numbers(a->n);
+    if (!a->error.weight)
         return STATUS_FAILED;
-    moment_weights(a->moment, a->def.tol * a->row->control->accept, a->weight);
+    moment_weights(a->moment, a->def.tol * a->row->control->accept, a->error.weight);
     moment_solve_tolerance(a->moment, a->def.tol * a->row->control->accept);
     TRY(take_stiff(a));
     return arkode_take_vectors(a, norm_of(a));
@@ -173,9 +173,9 @@ void arkode_free(void **out)
         SUNNonlinSolFree(a->solver);
     arkode_free_vectors(a);
     for (int k = 0; k < ARKODE_PAST; k++)
-        free(a->past[k]);
-    free(a->z);
-    free(a->weight);
+        free(a->stiff.past[k]);
+    free(a->stiff.z);
+    free(a->error.weight);
     sundials_close(&a->context);
     free(a);
     *out = NULL;

@@ -17,36 +17,36 @@
 void arkode_remember(struct arkode *a)
 {
     const double *y = vector_inside(a->node[0].y);
-    double *to = a->past[ARKODE_PAST - 1];
+    double *to = a->stiff.past[ARKODE_PAST - 1];
 
-    if (a->stiff == 0)
+    if (a->stiff.entries == 0)
         return;
     for (int k = ARKODE_PAST - 1; k > 0; k--) {
-        a->past[k] = a->past[k - 1];
-        a->past_t[k] = a->past_t[k - 1];
+        a->stiff.past[k] = a->stiff.past[k - 1];
+        a->stiff.past_t[k] = a->stiff.past_t[k - 1];
     }
-    a->past[0] = to;
-    a->past_t[0] = a->node[0].t;
-    a->pasts += a->pasts < ARKODE_PAST;
-    for (int k = 0; k < a->ranges; k++) {
-        const long size = a->range[k][1] - a->range[k][0];
-        memcpy(to, y + a->range[k][0], (size_t)size * sizeof *to);
+    a->stiff.past[0] = to;
+    a->stiff.past_t[0] = a->node[0].t;
+    a->stiff.pasts += a->stiff.pasts < ARKODE_PAST;
+    for (int k = 0; k < a->stiff.ranges; k++) {
+        const long size = a->stiff.range[k][1] - a->stiff.range[k][0];
+        memcpy(to, y + a->stiff.range[k][0], (size_t)size * sizeof *to);
         to += size;
     }
 }
 
 static void stiff_at(const struct arkode *a, double t, double *y)
 {
-    const int nodes = dense_nodes(a->pasts, a->past_t);
+    const int nodes = dense_nodes(a->stiff.pasts, a->stiff.past_t);
     double weight[ARKODE_PAST];
     long j = 0;
 
-    dense_lagrange(nodes, a->past_t, t, weight);
-    for (int k = 0; k < a->ranges; k++)
-        for (long i = a->range[k][0]; i < a->range[k][1]; i++, j++) {
+    dense_lagrange(nodes, a->stiff.past_t, t, weight);
+    for (int k = 0; k < a->stiff.ranges; k++)
+        for (long i = a->stiff.range[k][0]; i < a->stiff.range[k][1]; i++, j++) {
             y[i] = 0;
             for (int m = 0; m < nodes; m++)
-                y[i] += weight[m] * a->past[m][j];
+                y[i] += weight[m] * a->stiff.past[m][j];
         }
 }
 
@@ -94,7 +94,7 @@ int arkode_at(void *self, double t, double *y)
                                           "lie in the last step (to %.9g s)", t, now->t);
     if (arkode_rates(a) != STATUS_DONE || !hermite_at(a, t, y))
         line_at(a, (t - old->t) / (now->t - old->t), y);
-    if (a->stiff > 0)
+    if (a->stiff.entries > 0)
         stiff_at(a, t, y);
     return STATUS_DONE;
 }

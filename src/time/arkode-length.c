@@ -23,11 +23,11 @@ double arkode_bound(struct arkode *a, double t, const double *y)
     double wave, decay;
 
     moment_limit(a->moment, t, y, !a->imex && plan_stiff(a->plan), limit);
-    wave = longest(a->wave, &limit[0]);
-    decay = longest(a->decay, &limit[1]);
-    a->bound_limit = limit[decay < wave];
-    a->bound = fmin(wave, decay);
-    return a->bound;
+    wave = longest(a->stable.wave, &limit[0]);
+    decay = longest(a->stable.decay, &limit[1]);
+    a->stable.limit = limit[decay < wave];
+    a->stable.h = fmin(wave, decay);
+    return a->stable.h;
 }
 
 /* ARKStep asks after every attempt: the error norm was taken just before. */
@@ -40,12 +40,12 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
 
     (void)t, (void)h2, (void)h3, (void)e2, (void)e3, (void)q, (void)p;
     a->choice[1] = *c;
-    a->accepted = e1 <= 1;
-    a->rejected += !a->accepted;
+    a->error.accepted = e1 <= 1;
+    a->rejected += !a->error.accepted;
     *next = control_next(&a->control, h1, e1 * a->row->control->accept);
     *c = (struct choice){ .h = *next, .limiter = METHOD_ERROR,
                                  .entry = vector_largest(y) };
-    if (!a->accepted)
+    if (!a->error.accepted)
         memcpy(c->refusal, a->refusal, sizeof c->refusal);
     a->refusal[0] = '\0';
     return 0;
@@ -57,13 +57,13 @@ int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
     struct arkode *a = self;
     struct choice *c = &a->choice[0];
 
-    if (a->accepted)
+    if (a->error.accepted)
         arkode_bound(a, t, vector_read(y));
-    *h = a->bound < HUGE_VAL ? a->bound : 0;
-    if (a->bound < c->h) {
-        c->h = a->bound;
+    *h = a->stable.h < HUGE_VAL ? a->stable.h : 0;
+    if (a->stable.h < c->h) {
+        c->h = a->stable.h;
         c->limiter = METHOD_STABILITY;
-        c->limit = a->bound_limit;
+        c->limit = a->stable.limit;
     }
     return 0;
 }
@@ -82,7 +82,7 @@ static int cautious(struct arkode *a, double t_stop, double *h)
                            a->row->method.name, now->t, a->refusal);
     f = vector_read(now->f);
     for (long i = 0; i < a->n; i++)
-        most = fmax(most, fabs(f[i] * a->weight[i]));
+        most = fmax(most, fabs(f[i] * a->error.weight[i]));
     *h = most > 0 ? fmin(1 / most, t_stop - now->t) : (t_stop - now->t) / 100;
     return STATUS_DONE;
 }
@@ -111,7 +111,7 @@ int arkode_constant_failed(struct arkode *a)
     const double bound = arkode_bound(a, now->t, vector_read(now->y));
 
     return constant_fail(a->row->method.name, a->def.seconds, now->t, a->refusal, bound,
-                         &a->bound_limit);
+                         &a->stable.limit);
 }
 
 /* The first step, 0.3 of the bound: a controller of low gain comes from there to
@@ -127,7 +127,7 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
         return STATUS_DONE;
     }
     a->choice[0] = (struct choice){ .limiter = METHOD_ERROR, .entry = -1,
-                                           .limit = a->bound_limit };
+                                           .limit = a->stable.limit };
     if (a->def.h_first > 0)
         *h = a->def.h_first;
     else if (bound < HUGE_VAL)

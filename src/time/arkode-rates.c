@@ -39,13 +39,13 @@ static int ask_both(struct arkode *a, double t, const double *y, double *f)
     struct ask both = ASK_ALL;
     int code;
 
-    both.apart = vector_overwrite(a->start);
+    both.apart = vector_overwrite(a->stiff.start);
     code = moment_eval(a->moment, both, t, y, f);
     if (code != STATUS_DONE)
         keep_refusal(a);
     else
-        vector_only_inside(a->start);
-    a->has_start = code == STATUS_DONE;
+        vector_only_inside(a->stiff.start);
+    a->stiff.has_start = code == STATUS_DONE;
     return code;
 }
 
@@ -57,7 +57,7 @@ int arkode_rates(struct arkode *a)
     if (now->has_f)
         return STATUS_DONE;
     y = vector_read(now->y);
-    TRY((a->start ? ask_both : ask)(a, now->t, y, vector_overwrite(now->f)));
+    TRY((a->stiff.start ? ask_both : ask)(a, now->t, y, vector_overwrite(now->f)));
     now->has_f = true;
     return STATUS_DONE;
 }
@@ -72,11 +72,11 @@ static bool at_start(const struct arkode *a, double t, N_Vector y)
 /* The solve of the last stage is over: no sum need be kept for it. */
 static void forget_solve(struct arkode *a)
 {
-    if (!a->correction)
+    if (!a->stiff.correction)
         return;
-    N_VConst(0, a->correction);
-    N_VConst(0, a->right);
-    a->correction = NULL;
+    N_VConst(0, a->stiff.correction);
+    N_VConst(0, a->stiff.right);
+    a->stiff.correction = NULL;
 }
 
 static int stage_rates(struct arkode *a, double t, N_Vector y, N_Vector f)
@@ -89,11 +89,11 @@ static int stage_rates(struct arkode *a, double t, N_Vector y, N_Vector f)
         return STATUS_DONE;
     }
     TRY(ask(a, t, vector_read(y), vector_overwrite(f)));
-    if (++a->stage == a->table.stages - 1 && a->last_y) {
-        N_VScale(1, y, a->last_y);
-        N_VScale(1, f, a->last_f);
-        a->last_t = t;
-        a->has_last = true;
+    if (++a->stage == a->table.stages - 1 && a->last.y) {
+        N_VScale(1, y, a->last.y);
+        N_VScale(1, f, a->last.f);
+        a->last.t = t;
+        a->last.known = true;
     }
     return STATUS_DONE;
 }
@@ -109,10 +109,11 @@ int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
  * begin anew. */
 static bool take_start(struct arkode *a, double t, N_Vector y, N_Vector ydot)
 {
-    if (!a->start || !at_start(a, t, y) || arkode_rates(a) != STATUS_DONE || !a->has_start)
+    if (!a->stiff.start || !at_start(a, t, y) || arkode_rates(a) != STATUS_DONE
+        || !a->stiff.has_start)
         return false;
-    N_VScale(1, a->start, ydot);
-    a->has_start = false;
+    N_VScale(1, a->stiff.start, ydot);
+    a->stiff.has_start = false;
     return true;
 }
 
@@ -137,12 +138,12 @@ void arkode_reuse_last_stage(struct arkode *a)
 {
     struct arkode_node *now = &a->node[0];
 
-    if (a->has_last && fabs(a->last_t - now->t) <= 1e-12 * fabs(now->t)
-        && vector_same(a->last_y, now->y)) {
-        N_VScale(1, a->last_f, now->f);
+    if (a->last.known && fabs(a->last.t - now->t) <= 1e-12 * fabs(now->t)
+        && vector_same(a->last.y, now->y)) {
+        N_VScale(1, a->last.f, now->f);
         now->has_f = true;
     }
-    a->has_last = false;
+    a->last.known = false;
 }
 
 /* --- the implicit side --------------------------------------------------- */
@@ -163,21 +164,21 @@ static int solve(SUNNonlinearSolver solver, N_Vector zpred, N_Vector zcor, N_Vec
     (void)w, (void)tolerance, (void)setup;
     if (ARKodeGetNonlinearSystemData(ark, &t, &same_zpred, &z, &fi, &gamma, &sdata, &user) != 0)
         return -1;
-    N_VLinearSum(1, zpred, 1, sdata, a->right);
-    right = plan_viscous(a->plan) ? vector_read(a->right) : vector_inside(a->right);
+    N_VLinearSum(1, zpred, 1, sdata, a->stiff.right);
+    right = plan_viscous(a->plan) ? vector_read(a->stiff.right) : vector_inside(a->stiff.right);
     guess = vector_inside(zpred);
-    for (int k = 0; k < a->ranges; k++)
-        for (long i = a->range[k][0]; i < a->range[k][1]; i++)
-            a->z[i] = guess[i];
-    code = moment_solve(a->moment, t, gamma, right, a->z);
+    for (int k = 0; k < a->stiff.ranges; k++)
+        for (long i = a->stiff.range[k][0]; i < a->stiff.range[k][1]; i++)
+            a->stiff.z[i] = guess[i];
+    code = moment_solve(a->moment, t, gamma, right, a->stiff.z);
     if (code != STATUS_DONE)
         keep_refusal(a);
-    a->correction = zcor;
+    a->stiff.correction = zcor;
     correction = vector_like(sdata, zcor);
     guess = vector_inside(zpred);
-    for (int k = 0; k < a->ranges; k++)
-        for (long i = a->range[k][0]; i < a->range[k][1]; i++)
-            correction[i] = code == STATUS_DONE ? a->z[i] - guess[i] : NAN;
+    for (int k = 0; k < a->stiff.ranges; k++)
+        for (long i = a->stiff.range[k][0]; i < a->stiff.range[k][1]; i++)
+            correction[i] = code == STATUS_DONE ? a->stiff.z[i] - guess[i] : NAN;
     return 0;
 }
 

@@ -86,8 +86,9 @@ static void keep(struct arkode *a, const ARKodeButcherTable from)
 {
     arkode_tables_read(from, &a->table);
     /* beams taken explicitly have no damping to speak of */
-    a->wave = stability_wave(&a->table, plan_stiff(a->plan) && !a->imex ? 0 : STABILITY_DAMPING);
-    a->decay = stability_decay(&a->table);
+    a->stable.wave = stability_wave(&a->table,
+                                    plan_stiff(a->plan) && !a->imex ? 0 : STABILITY_DAMPING);
+    a->stable.decay = stability_decay(&a->table);
 }
 
 static void name(struct arkode *a)

@@ -32,21 +32,21 @@ int arkode_take_vectors(struct arkode *a, enum vector_norm norm)
     a->node[0].y = vector_create(a->n, norm, a->context);
     if (!a->node[0].y)
         return STATUS_FAILED;
-    TRY(vector_ranges(a->node[0].y, a->ranges, (const long (*)[2])a->range));
+    TRY(vector_ranges(a->node[0].y, a->stiff.ranges, (const long (*)[2])a->stiff.range));
     for (int k = 0; k < a->nodes; k++) {
         if (k > 0)
             TRY(take(a, &a->node[k].y));
         TRY(take(a, &a->node[k].f));
     }
     if (a->imex && plan_viscous(a->plan))
-        TRY(take(a, &a->start));
-    return a->imex ? take(a, &a->right) : STATUS_DONE;
+        TRY(take(a, &a->stiff.start));
+    return a->imex ? take(a, &a->stiff.right) : STATUS_DONE;
 }
 
 int arkode_take_last(struct arkode *a)
 {
-    TRY(take(a, &a->last_y));
-    return take(a, &a->last_f);
+    TRY(take(a, &a->last.y));
+    return take(a, &a->last.f);
 }
 
 static void give_back(N_Vector v)
@@ -61,8 +61,8 @@ void arkode_free_vectors(struct arkode *a)
         give_back(a->node[k].y);
         give_back(a->node[k].f);
     }
-    give_back(a->start);
-    give_back(a->right);
-    give_back(a->last_y);
-    give_back(a->last_f);
+    give_back(a->stiff.start);
+    give_back(a->stiff.right);
+    give_back(a->last.y);
+    give_back(a->last.f);
 }

@@ -84,7 +84,7 @@ static void rotate(struct arkode *a, double t)
     a->node[0] = fresh;
     a->node[0].t = t;
     a->node[0].has_f = false;
-    a->has_start = false;
+    a->stiff.has_start = false;
     a->known += a->known < a->nodes;
     arkode_reuse_last_stage(a);
     arkode_remember(a);
@@ -109,7 +109,7 @@ static void report(struct arkode *a, bool stopped, struct method_step *out)
 static void prepare_first_stage(struct arkode *a)
 {
     a->stage = 0;
-    if (a->last_y && arkode_rates(a) != STATUS_DONE)
+    if (a->last.y && arkode_rates(a) != STATUS_DONE)
         a->node[0].has_f = false; /* the step will hear it too */
 }
 
@@ -151,12 +151,12 @@ int arkode_restart(void *self, double t, const double *y)
     vector_copy(a->n, y, vector_overwrite(a->node[0].y));
     a->node[0].t = t;
     a->node[0].has_f = false;
-    a->has_start = false;
+    a->stiff.has_start = false;
     a->known = 1;
-    a->pasts = 0;
+    a->stiff.pasts = 0;
     a->natural = 0;
     a->launched = false;
-    a->has_last = false;
+    a->last.known = false;
     a->refusal[0] = '\0';
     control_start(&a->control, a->row->control, a->table.order, a->table.embedded);
     arkode_remember(a);

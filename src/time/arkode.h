@@ -50,21 +50,25 @@ struct arkode {
     bool imex;                   /* the stiff side is taken implicitly         */
     char tables[96];             /* their names, for run.json                  */
     struct tableau table;        /* the explicit one                           */
-    double wave, decay;          /* its stability factors                      */
+    struct {
+        double wave, decay;      /* stability factors of that table            */
+        double h;                /* largest stable step [s]                    */
+        struct limit limit;      /* what bounds it                             */
+    } stable;
 
     SUNContext context;
     void *ark;
     SUNNonlinearSolver solver;
     bool launched;               /* ARKStep stands at node[0]                  */
 
-    double *weight;              /* [n] of error tests                         */
-    N_Vector weighted;           /* vector that holds them already             */
+    struct {
+        double *weight;          /* [n]                                        */
+        N_Vector weighted;       /* vector that holds them already             */
+        bool accepted;           /* by the last test                           */
+    } error;                     /* tests                                      */
     struct control control;
     struct choice choice[2]; /* for the step to come, for the last one  */
-    double bound;                /* largest stable step [s]                    */
-    struct limit bound_limit;
     double natural;              /* last step that no t_stop cut short [s]     */
-    bool accepted;               /* by the last error test                     */
     long rejected;
     char refusal[320];            /* of f since the last error test             */
 
@@ -77,23 +81,26 @@ struct arkode {
     int nodes, known;            /* as many as there is room for; as are filled */
 
     int stage;                   /* right-hand sides of this attempt so far    */
-    double last_t;               /* of the last stage, with first-same-as-last */
-    N_Vector last_y, last_f;
-    bool has_last;
+    struct {
+        double t;
+        N_Vector y, f;           /* NULL without first-same-as-last            */
+        bool known;
+    } last;                      /* stage                                      */
 
-    N_Vector start;              /* implicit side of f at node[0], which comes with
+    struct {
+        int ranges;              /* of its entries                             */
+        long range[ARKODE_RANGES][2];
+        long entries;            /* how many they hold                         */
+        N_Vector start;          /* implicit side of f at node[0], which comes with
                                     the explicit one if a viscosity is in it; NULL */
-    bool has_start;
-
-    int ranges;                  /* of stiff entries                           */
-    long range[ARKODE_RANGES][2];
-    long stiff;                  /* how many entries they hold                 */
-    N_Vector right;              /* of the solve                               */
-    double *z;                   /* [n] of which the solve touches the ranges  */
-    N_Vector correction;         /* of the last stage, lent by ARKStep         */
-    double *past[ARKODE_PAST];   /* [stiff] at ends of steps, newest first     */
-    double past_t[ARKODE_PAST];
-    int pasts;
+        bool has_start;
+        N_Vector right;          /* of the solve                               */
+        double *z;               /* [n] of which the solve touches the ranges  */
+        N_Vector correction;     /* of the last stage, lent by ARKStep         */
+        double *past[ARKODE_PAST]; /* [entries] at ends of steps, newest first */
+        double past_t[ARKODE_PAST];
+        int pasts;
+    } stiff;                     /* side of the plan                           */
 };
 
 /* arkode-create.c */

@@ -11,13 +11,6 @@
 
 enum { KRYLOV = 5 }; /* directions of a linear solve; it is not begun again with more */
 
-int cvode_refuse(const struct cvode *c, const char *what)
-{
-    return status_fail(STATUS_FAILED, "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
-                       c->row->method.name, SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR,
-                       SUNDIALS_VERSION_PATCH, what, sundials_complaint());
-}
-
 /* --- what CVODE asks for -------------------------------------------------- */
 
 /* 1: try a shorter step. */

@@ -8,6 +8,13 @@
 #include <math.h>
 #include <stdio.h>
 
+int cvode_refuse(const struct cvode *c, const char *what)
+{
+    return status_fail(STATUS_FAILED, "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
+                       c->row->method.name, SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR,
+                       SUNDIALS_VERSION_PATCH, what, sundials_complaint());
+}
+
 static const char *name(const struct cvode *c)
 {
     return c->row->method.name;

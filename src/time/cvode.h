@@ -46,9 +46,9 @@ int cvode_create(const struct method *m, const struct method_def *def, struct mo
                  double t, const double *y, void **out);
 void cvode_free(void **self);
 int cvode_vectors(const struct method *m, const struct plan *plan);
-int cvode_refuse(const struct cvode *c, const char *what); /* what SUNDIALS does not like */
 
 /* cvode.c */
+int cvode_refuse(const struct cvode *c, const char *what); /* what SUNDIALS does not like */
 int cvode_step(void *self, double t_stop, struct method_step *out);
 int cvode_at(void *self, double t, double *y);
 int cvode_restart(void *self, double t, const double *y);

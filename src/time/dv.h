@@ -47,7 +47,7 @@ struct dv {
     double *half;               /* [n] x', v_n, rho'                           */
     double *load, *load_old;    /* [n] of bodies' entries: rates by the water
                                    alone, in this step and in the last         */
-    double *right;              /* [n] of plan_solve()                         */
+    double *right;              /* [n] of moment_solve()                       */
     struct dv_past a, d;        /* A at half steps, D at whole ones            */
 };
 

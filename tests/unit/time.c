@@ -31,7 +31,7 @@ void *toy_method(struct moment *p, const char *name, double tol, double h)
     } else if (h > 0 && found->adaptive) {
         struct arkode *a = self;
         a->def.h_first = 1e9;
-        p->wave = 0.95 * a->wave / h;
+        p->wave = 0.95 * a->stable.wave / h;
     } else if (h > 0) {
         p->wave = 0.25 * 1.32 / h; /* SCALES_WAVE, and the default number */
     }

@@ -1,0 +1,208 @@
+/* input-objects.c -- reads the named objects of a scene: fluids, walls, bodies, probes. */
+#include "plan/input-objects.h"
+
+#include "base/status.h"
+#include "matter/eos.h"
+#include "plan/idle.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* One set of rows that reads its share of a group's keys. */
+struct share {
+    const struct param *rows;
+    void *into;
+};
+
+int input_add_keys(const struct param *rows, const char **keys, int n)
+{
+    for (const struct param *r = rows; r && r->key && n < INPUT_KEYS - 1; r++)
+        keys[n++] = r->key;
+    keys[n] = NULL;
+    return n;
+}
+
+/* Several sets of rows read one group: each knows the keys of the others. */
+static int fill_shares(struct scene *scene, const struct scene_node *group, const char *path,
+                       const struct share *share, int shares)
+{
+    for (int i = 0; i < shares; i++) {
+        const char *also[INPUT_KEYS] = { NULL };
+        int n = 0;
+        for (int j = 0; j < shares; j++)
+            if (j != i)
+                n = input_add_keys(share[j].rows, also, n);
+        TRY(scene_fill(scene, group, path, share[i].rows, also, DIM, share[i].into));
+    }
+    return STATUS_DONE;
+}
+
+/* The group of named objects `group`: checks that each is a group itself. */
+static int check_objects(const struct scene_node *group, const char *name)
+{
+    if (group && !scene_is_group(group))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s must be a group of named objects: "
+                           "%s = { NAME = { ... } }", scene_where(group), name, name);
+    TRY(scene_check_named(group));
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        if (!scene_is_group(node))
+            return status_fail(STATUS_BAD_SCENE, "%s: %s.%s must be a named object: "
+                               "%s = { NAME = { ... } }", scene_where(node), name,
+                               scene_name(node), name);
+        if (strlen(scene_name(node)) > 40)
+            return status_fail(STATUS_BAD_SCENE, "%s: the name %s is longer than 40 letters",
+                               scene_where(node), scene_name(node));
+    }
+    return STATUS_DONE;
+}
+
+static void *objects(const struct scene_node *group, size_t size)
+{
+    return status_alloc(scene_count(group) + 1, size);
+}
+
+/* What a flow at the start must know of the rest of the scene. */
+static int read_flow(const struct input *in, struct input_fluid *f, const char *path)
+{
+    const struct eos *eos = in->pressure_self;
+
+    shape_bounds(&f->set.shape, f->flow.low, f->flow.high);
+    f->flow.gravity = -in->set.gravity[DIM - 1];
+    f->flow.rho0 = eos->rho0;
+    return flow_check(&f->flow, path, f->where);
+}
+
+int input_fluids(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "fluid");
+
+    TRY(check_objects(group, "fluid"));
+    if (!(in->fluid = objects(group, sizeof *in->fluid)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_fluid *f = &in->fluid[in->fluids++];
+        char path[80];
+
+        snprintf(f->name, sizeof f->name, "%s", scene_name(node));
+        snprintf(f->where, sizeof f->where, "%s", scene_where(node));
+        snprintf(path, sizeof path, "fluid.%s", f->name);
+        TRY(fill_shares(scene, node, path,
+                        (struct share[]){ { shape_params, &f->set.shape },
+                                          { settings_fluid_params, &f->set },
+                                          { flow_params, &f->flow } }, 3));
+        if (strcmp(f->set.shape.type, "frame") == 0)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame is a shape for walls, not "
+                               "for a fluid", f->where, path);
+        TRY(shape_check(&f->set.shape, path, f->where));
+        TRY(idle_fluid(node, path, f));
+        TRY(read_flow(in, f, path));
+    }
+    return STATUS_DONE;
+}
+
+/* A frame goes around the domain, as thick as the kernel reaches. */
+static void frame_of(const struct input *in, struct shape *s)
+{
+    memcpy(s->low, in->domain.from, sizeof s->low);
+    memcpy(s->high, in->domain.to, sizeof s->high);
+    s->thickness = ceil(in->kernel.support) * in->set.spacing;
+    s->open = in->domain.open | (in->domain.lid ? 0 : shape_side(DIM - 1, true));
+    for (int d = 0; d < DIM; d++)
+        if (in->domain.periodic & 1u << d)
+            s->open |= shape_side(d, false) | shape_side(d, true);
+}
+
+int input_walls(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "wall");
+
+    TRY(check_objects(group, "wall"));
+    if (!(in->wall = objects(group, sizeof *in->wall)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_wall *w = &in->wall[in->wall_count++];
+        char path[80];
+
+        snprintf(w->name, sizeof w->name, "%s", scene_name(node));
+        snprintf(w->where, sizeof w->where, "%s", scene_where(node));
+        snprintf(path, sizeof path, "wall.%s", w->name);
+        TRY(fill_shares(scene, node, path,
+                        (struct share[]){ { shape_params, &w->set.shape },
+                                          { settings_wall_params, &w->set },
+                                          { walls_motion_params, &w->motion } }, 3));
+        frame_of(in, &w->set.shape);
+        TRY(shape_check(&w->set.shape, path, w->where));
+        TRY(idle_wall(node, path, &w->motion));
+        TRY(walls_motion_prepare(&w->motion, path, w->where));
+    }
+    return STATUS_DONE;
+}
+
+int input_probes(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "probe");
+
+    TRY(check_objects(group, "probe"));
+    if (!(in->probe = objects(group, sizeof *in->probe)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_probe *p = &in->probe[in->probes++];
+        char path[80];
+
+        snprintf(p->name, sizeof p->name, "%s", scene_name(node));
+        snprintf(path, sizeof path, "probe.%s", p->name);
+        TRY(scene_fill(scene, node, path, settings_probe_params, NULL, DIM, &p->set));
+        if (in->domain.periodic & 1u << (DIM - 1) && strcmp(p->set.what, "height") == 0)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s: there is no height where the vertical "
+                               "repeats (domain.periodic); take what = \"pressure\" or "
+                               "\"velocity\"", scene_where(node), path);
+    }
+    return STATUS_DONE;
+}
+
+static int read_bodies_of(struct scene *scene, const struct body_kind *kind, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), kind->identity.group);
+
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_body *b = &in->body[in->bodies++];
+
+        snprintf(b->name, sizeof b->name, "%s", scene_name(node));
+        snprintf(b->path, sizeof b->path, "%s.%s", kind->identity.group, b->name);
+        snprintf(b->where, sizeof b->where, "%s", scene_where(node));
+        b->kind = kind;
+        if (!(b->params = status_alloc(1, kind->identity.size)))
+            return STATUS_FAILED;
+        TRY(scene_fill(scene, node, b->path, kind->identity.params, NULL, DIM, b->params));
+        TRY(idle_body(node, b->path, b));
+        b->kind = kind->identity.choose ? kind->identity.choose(b->params) : kind;
+    }
+    return STATUS_DONE;
+}
+
+int input_bodies(struct scene *scene, struct input *in)
+{
+    int n = 0;
+
+    for (int k = 0; bodies_table[k]; k++) {
+        const char *name = bodies_table[k]->identity.group;
+        const struct scene_node *group = scene_child(scene_root(scene), name);
+        TRY(check_objects(group, name));
+        n += scene_count(group);
+    }
+    if (n > INPUT_BODIES)
+        return status_fail(STATUS_BAD_SCENE, "%s: %d beams are more than the %d that a scene may "
+                           "have", scene_path(scene), n, INPUT_BODIES);
+    if (!(in->body = status_alloc(n + 1, sizeof *in->body)))
+        return STATUS_FAILED;
+    for (int k = 0; bodies_table[k]; k++)
+        TRY(read_bodies_of(scene, bodies_table[k], in));
+    return STATUS_DONE;
+}

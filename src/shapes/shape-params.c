@@ -1,0 +1,50 @@
+/* shape-params.c -- what a scene says of a shape. */
+#include "shapes/shape.h"
+
+#include <math.h>
+
+#if DIM == 2
+#define BALL "disc"
+const char *const shape_sides[] = { "left", "right", "bottom", "top", NULL };
+const char *const shape_types[] = { "box", "polygon", "disc", "frame", NULL };
+#else
+#define BALL "sphere"
+const char *const shape_sides[] = { "left", "right", "bottom", "top", "front", "back", NULL };
+const char *const shape_types[] = { "box", "sphere", "frame", NULL };
+#endif
+
+#define PLACE(member) offsetof(struct shape, member)
+
+static const char *const fills[] = { "auto", "layers", "lattice", NULL };
+
+const struct param shape_params[] = {
+    { .key = "type", .unit = "", .offset = PLACE(type), .type = PARAM_WORD, .words = shape_types,
+      .about = "shape of the region; a frame is the shell around the domain" },
+    { .key = "from", .unit = "m", .offset = PLACE(from), .type = PARAM_VECTOR,
+      .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+      .about = "lowest corner of a box, which needs it" },
+    { .key = "to", .unit = "m", .offset = PLACE(to), .type = PARAM_VECTOR,
+      .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+      .about = "highest corner of a box, which needs it" },
+    { .key = "angle", .unit = "deg", .offset = PLACE(angle), .min = -360, .max = 360,
+#if DIM == 2
+      .about = "turns a box about its centre, anticlockwise" },
+#else
+      .about = "turns a box about the vertical through its centre, from x towards y" },
+#endif
+#if DIM == 2
+    { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
+      .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+      .about = "corners of a polygon, in turn either way round; the last joins the first" },
+#endif
+    { .key = "centre", .unit = "m", .offset = PLACE(centre), .type = PARAM_VECTOR,
+      .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+      .about = "centre of a " BALL ", which needs it" },
+    { .key = "radius", .unit = "m", .offset = PLACE(radius), .type = PARAM_NUMBER,
+      .fallback = NAN, .min = 0, .max = SHAPE_REACH,
+      .about = "radius of a " BALL ", which needs it" },
+    { .key = "fill", .unit = "", .offset = PLACE(fill), .type = PARAM_WORD, .words = fills,
+      .about = "layers follow the outline, a lattice ends in stairs; auto: layers for walls "
+               "other than boxes and frames" },
+    { 0 },
+};
