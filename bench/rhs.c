@@ -76,7 +76,7 @@ static void pack_only(void *water)
 
 static struct cloud cloud_of(struct water *w)
 {
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
     struct view v;
 
     plan_view_make(w->plan, 0, w->y[w->now], &v);

@@ -23,7 +23,7 @@ static int refuse_position(struct plan *p, const struct list *l, double t)
 
 static int update_list(struct plan *p, struct plan_workspace *w, const struct view *v)
 {
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
 
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);

@@ -13,7 +13,7 @@
  * makes that: a run takes at its start what it may need later. */
 static int choose(struct plan *p, const struct view *v, struct plan_workspace **w)
 {
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
 
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
