@@ -78,7 +78,7 @@ static void pack_only(void *water)
 
 static struct cloud cloud_of(struct water *w)
 {
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
     struct view v;
 
     moment_view(w->moment, 0, w->y[w->now], &v);

@@ -29,9 +29,27 @@ double vector_dot(long n, const double *x, const double *y, double *partial)
     return sum;
 }
 
+static double dot_in_order(const struct vector_family *f, const double *x, const double *y)
+{
+    double sum = 0;
+
+#pragma omp parallel for schedule(static) if (f->n > VECTOR_LONG)
+    for (long b = 0; b < vector_blocks(f->n); b++) {
+        double xb[VECTOR_BLOCK], yb[VECTOR_BLOCK];
+
+        f->partial[b] = block_dot(vector_in_order(f, x, b, xb), vector_in_order(f, y, b, yb),
+                                  vector_block_size(f->n, b));
+    }
+    for (long b = 0; b < vector_blocks(f->n); b++)
+        sum += f->partial[b];
+    return sum;
+}
+
 sunrealtype vector_dot_product(N_Vector x, N_Vector y)
 {
     const struct vector_family *f = vector_content(x)->family;
 
+    if (f->order)
+        return dot_in_order(f, vector_read(x), vector_read(y));
     return vector_dot(f->n, vector_read(x), vector_read(y), f->partial);
 }

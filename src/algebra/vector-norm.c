@@ -119,9 +119,14 @@ static void conclude(const struct vector_content *v, const struct vector_store *
     const long count = vector_blocks(f->n), lead = leading_block(partial, count);
     const long at = lead * VECTOR_BLOCK;
     struct vector_store *s = v->store;
+    double x[VECTOR_BLOCK], w[VECTOR_BLOCK];
 
     s->norm = finish(f->norm, partial, count, f->n, lead);
-    s->largest = at + leading_entry(s->data + at, weight->data + at, vector_block_size(f->n, lead));
+    s->largest = at + leading_entry(vector_in_order(f, s->data, lead, x),
+                                    vector_in_order(f, weight->data, lead, w),
+                                    vector_block_size(f->n, lead));
+    if (f->order)
+        s->largest = f->order[s->largest];
     s->by = weight->written;
 }
 
@@ -134,9 +139,10 @@ static double share(const struct vector_content *v, const struct vector_store *w
 {
     const struct vector_family *f = v->family;
     block_norm *const *norms = f->wide ? NORMS_WIDE : norms_narrow;
-    const long from = b * VECTOR_BLOCK;
+    double x[VECTOR_BLOCK], w[VECTOR_BLOCK];
 
-    return norms[f->norm](v->store->data + from, weight->data + from, vector_block_size(f->n, b));
+    return norms[f->norm](vector_in_order(f, v->store->data, b, x),
+                          vector_in_order(f, weight->data, b, w), vector_block_size(f->n, b));
 }
 
 /* v and, where it is not NULL, another one that reads the same stores: what is put
@@ -200,7 +206,7 @@ sunrealtype vector_norm_weighted(N_Vector of, N_Vector weight)
     if (v->family->n == 0)
         return 0;
     vector_settle(w);
-    if (v->outside == VECTOR_ZERO)
+    if (v->outside == VECTOR_ZERO || v->family->order) /* a sum's blocks are as it stands */
         vector_settle(v);
     if (!known(v, w->store))
         measure(v, companion(v), w->store);
@@ -218,6 +224,13 @@ long vector_bad(N_Vector v)
 {
     const double *x = vector_read(v);
     const struct vector_store *s = vector_content(v)->store;
+    const struct vector_family *f = vector_content(v)->family;
+    const long bad = s->by && s->norm <= DBL_MAX ? -1 : vector_first_bad(f->n, x);
+    long i = 0;
 
-    return s->by && s->norm <= DBL_MAX ? -1 : vector_first_bad(vector_content(v)->family->n, x);
+    if (bad < 0 || !f->order)
+        return bad;
+    while (fabs(x[f->order[i]]) <= DBL_MAX)
+        i++;
+    return f->order[i];
 }

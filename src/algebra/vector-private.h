@@ -29,6 +29,7 @@ struct vector_store {
     long largest;
     long by;               /* ... written then; 0: not known                   */
     struct vector_store *next; /* of the spare ones                            */
+    struct vector_store *other; /* of all of the family                        */
 };
 
 /* What all clones of a vector share.  It has as many stores as members. */
@@ -38,7 +39,9 @@ struct vector_family {
     bool wide;             /* registers                                        */
     double *partial;       /* [2][blocks] of reductions                        */
     int members;
-    struct vector_store *spare;
+    struct vector_store *all, *spare;
+    long *order;           /* [n] entries in the order in which sums take them;
+                              NULL: as they stand                              */
     struct vector_content *put_off[VECTOR_PUT_OFF];
     int sums;              /* put off                                          */
     int ranges;
@@ -84,6 +87,19 @@ static inline int vector_block_size(long n, long b)
     const long left = n - b * VECTOR_BLOCK;
 
     return left < VECTOR_BLOCK ? (int)left : VECTOR_BLOCK;
+}
+
+/* Block b of x as sums take it: in place, or fetched to `room`. */
+static inline const double *vector_in_order(const struct vector_family *f, const double *x,
+                                            long b, double *room)
+{
+    const long from = b * VECTOR_BLOCK;
+
+    if (!f->order)
+        return x + from;
+    for (int i = 0; i < vector_block_size(f->n, b); i++)
+        room[i] = x[f->order[from + i]];
+    return room;
 }
 
 /* Loops that wait for arithmetic are compiled for wide registers too; which does not

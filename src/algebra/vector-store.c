@@ -236,26 +236,38 @@ bool vector_join(struct vector_content *c, struct vector_family *f)
     c->serial.length = f->n;
     c->family = f;
     f->members++;
+    store->other = f->all;
+    f->all = store;
     use(c, store);
     touched(store);
     return true;
 }
 
+/* A spare store of f is no more. */
+static void end_spare(struct vector_family *f)
+{
+    struct vector_store *store = f->spare, **at = &f->all;
+
+    f->spare = store->next;
+    while (*at != store)
+        at = &(*at)->other;
+    *at = store->other;
+    free(store->data);
+    free(store);
+}
+
 void vector_leave(struct vector_content *c)
 {
     struct vector_family *f = c->family;
-    struct vector_store *store;
 
     if (c->outside == VECTOR_LATER)
         forget(c);
     release(c);
-    store = f->spare;
-    f->spare = store->next;
-    free(store->data);
-    free(store);
+    end_spare(f);
     if (--f->members > 0)
         return;
     free(f->range);
+    free(f->order);
     free(f->partial);
     free(f);
 }

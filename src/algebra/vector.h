@@ -55,6 +55,22 @@ double *vector_like(N_Vector x, N_Vector z);
  * a norm was last taken in v's family; -1 before that. */
 long vector_largest(N_Vector v);
 
+/* Rows of y change places, in all vectors of v's family alike, between steps: row i of
+ * a block (`components` entries each, the first at `offset`) becomes what row from[i]
+ * was.  What an integrator keeps of its past thus moves along, and it notes nothing;
+ * numbers stay at their addresses.  Norms and dot products keep the order of sums that
+ * the rows had at first, and so their bits; of equal entries the largest, and the first
+ * bad one, are still the first in that order.
+ *
+ * STATUS_FAILED, and nothing has changed: no memory, `from` holds a row twice, or a
+ * block lies in a range of vector_ranges() only in part. */
+struct vector_rows {
+    long offset;
+    int n, components;
+    const int *from;       /* [n] */
+};
+int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block);
+
 /* to[i] = sum of c[k] x[k][i], k from 0 to terms - 1, zeros of c left out.  A
  * first term with c = 1 is added last, as a step adds small increments to y.
  * `to` may be one of x. */

@@ -24,7 +24,7 @@ static int refuse_position(struct moment *m, double t)
 
 static int update_list(struct moment *m, const struct view *v)
 {
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
 
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);

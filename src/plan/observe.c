@@ -20,7 +20,7 @@ static struct moment *observer(struct moment *run)
 static void choose_list(struct moment *o, const struct view *v)
 {
     const struct list_engine *lists = o->plan->engine->sum->list;
-    struct cloud cloud;
+    struct cloud cloud = { 0 };
 
     if (!o->own)
         return;

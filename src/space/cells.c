@@ -1,4 +1,4 @@
-/* cells.c -- sorts everybody by kind, cell and creation index (counting sort).
+/* cells.c -- sorts all particles by kind, cell and id (counting sort).
  *
  * The cells of a huge box with a tiny support are made coarser until there are
  * not many more of them than particles. */
@@ -146,16 +146,29 @@ void cells_note(struct list *list, int slot, const double *x)
         own->place[w][slot] = word(x + 2 * w, DIM - 2 * w, own->per_metre);
 }
 
-/* Slots in turn, cell by cell. */
-static void place(struct list *list, int kind, struct cells *c)
+/* The next slot of its cell for the particle in row i, unless it is left out. */
+static inline void place_row(struct list *list, struct cells *c, int i)
 {
-    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++)
-        if (list->slot[i] >= 0) {
-            const int s = c->start[list->slot[i] + 1]++;
+    if (list->slot[i] < 0)
+        return;
+    const int s = c->start[list->slot[i] + 1]++;
 
-            list->slot[i] = s;
-            list->order[s] = i;
-        }
+    list->slot[i] = s;
+    list->order[s] = i;
+}
+
+/* Slots in turn, cell by cell, in a cell by ascending id. */
+static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
+{
+    const int from = list->def.from[kind], n = list->def.from[kind + 1] - from;
+    const int *row = cloud->row[kind];
+
+    if (row)
+        for (int k = 0; k < n; k++)
+            place_row(list, c, from + row[k]);
+    else
+        for (int k = 0; k < n; k++)
+            place_row(list, c, from + k);
 }
 
 /* Where everybody is, now that all slots are known. */
@@ -186,7 +199,7 @@ int cells_sort(struct list *list, const struct cloud *cloud)
 
         TRY(cells_grid(list, c, high, inside));
         count(list, cloud, kind, c);
-        place(list, kind, c);
+        place(list, cloud, kind, c);
         note_places(list, cloud, kind);
         list->start[kind + 1] = list->start[kind] + inside;
     }

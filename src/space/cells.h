@@ -1,5 +1,5 @@
-/* cells.h -- a grid for each kind, and everybody sorted by kind, cell and
- * creation index.  A grid covers its own kind's listed particles, no more; its
+/* cells.h -- a grid for each kind, and all particles sorted by kind, cell and
+ * id.  A grid covers its own kind's listed particles, no more; its
  * cells are narrow in x, and rows of cells run to and fro (like a plough), so
  * that slots in turn are near each other and a row's stretch of x is one run
  * of slots. */

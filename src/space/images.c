@@ -131,12 +131,13 @@ static int add(struct list *list, int i, const double *x, int near)
 
 static int find(struct list *list, const struct cloud *cloud, int kind)
 {
-    const int from = list->def.from[kind], end = list->def.from[kind + 1];
+    const int from = list->def.from[kind], n = list->def.from[kind + 1] - from;
+    const int *row = cloud->row[kind];
     struct images *to = &list->own->images;
 
     to->from[kind] = to->n;
-    for (int i = from; i < end; i++) {
-        const int near = sides_near(to, to->home[i]);
+    for (int k = 0; k < n; k++) {
+        const int i = from + (row ? row[k] : k), near = sides_near(to, to->home[i]);
 
         if (near && list->slot[i] >= 0)
             TRY(add(list, i, cloud->x[kind] + (size_t)(i - from) * DIM, near));

@@ -14,7 +14,7 @@ struct list;
 struct list_def;
 
 struct image {
-    int of, rank;          /* creation index of the original; cell           */
+    int of, rank;          /* row of the original; cell                      */
     int turns[DIM];        /* lengths from its position to the image         */
     double at[DIM];        /* where the image stands                   [m]   */
 };
@@ -25,7 +25,7 @@ struct images {
     double (*home)[DIM];   /* [particles] places in the domain         [m]   */
     int (*turns)[DIM];     /* [particles] lengths that were added for it     */
     int n;
-    struct image *all;     /* [n] those of kind k in order of creation: from[k] .. */
+    struct image *all;     /* [n] those of kind k by ascending id: from[k] ..  */
     int from[KINDS + 1];
     size_t room;
 };

@@ -1,5 +1,5 @@
-/* kinds.h -- what a particle is.  Kinds are contiguous ranges, in creation
- * order as well as in the order of the pair list. */
+/* kinds.h -- what a particle is.  Kinds are contiguous ranges, of rows as well as
+ * of the order of the pair list. */
 #ifndef SPACE_KINDS_H
 #define SPACE_KINDS_H
 
@@ -19,10 +19,14 @@ enum kind {
                      | KIND_BIT(KIND_SKIN) | KIND_BIT(KIND_SKIN_SLIP))
 #define KIND_STICKY (KIND_BIT(KIND_WALL) | KIND_BIT(KIND_SKIN))
 
-/* Positions of everybody, creation order. */
+/* Positions of all particles.  A row is where the numbers of a particle stand, in any
+ * order; its id is its own for ever. */
 struct cloud {
-    int from[KINDS + 1];    /* kind k: particles from[k] .. from[k+1]-1      */
+    int from[KINDS + 1];    /* kind k: rows from[k] .. from[k+1]-1           */
     const double *x[KINDS]; /* [count of kind][DIM] position [m]             */
+    const int *row[KINDS];  /* [count of kind] row, counted from from[k], of the
+                               particle with the i-th smallest id of the kind;
+                               NULL: rows ascend by id                       */
 };
 
 #endif

@@ -61,6 +61,9 @@ bool list_stale(const struct list *list, const struct cloud *cloud);
  * groups from..to-1. */
 typedef void list_rows(struct list *list, struct list_store *store, int from, int to);
 int list_update(struct list *list, const struct cloud *cloud, list_rows *rows);
+int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows);
+int list_rearrange(struct list *list, const int *const from[KINDS],
+                   const int *const row[KINDS], list_rows *rows);
 
 /* Room for `want` entries in all in an array that grows by half at least;
  * false without memory, the array is as it was. */

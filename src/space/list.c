@@ -13,10 +13,10 @@ enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 500 };
 struct check {
     bool moved; /* somebody, further than half the skin                      */
     bool back;  /* one who was left out is inside again                      */
-    int bad; /* lowest particle whose position is not finite, or n            */
+    int bad; /* lowest row with a position that is not finite, or n           */
 };
 
-/* One who moved far, was left out, or is nowhere: which of them? */
+/* A particle that moved far, was left out, or is nowhere: which of them? */
 static void look_closer(const struct list *list, int i, const double *x, struct check *c)
 {
     for (int d = 0; d < DIM; d++)
@@ -165,7 +165,7 @@ static int join(struct list *list)
     return STATUS_DONE;
 }
 
-/* Everybody in slots, images behind all others. */
+/* All particles in slots, images behind all others. */
 static int sort(struct list *list, const struct cloud *cloud)
 {
     const bool repeats = list->own->images.home;
@@ -183,7 +183,7 @@ static int sort(struct list *list, const struct cloud *cloud)
     return STATUS_DONE;
 }
 
-static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
+int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
@@ -201,17 +201,42 @@ static int rebuild(struct list *list, const struct cloud *cloud, list_rows *rows
     return STATUS_DONE;
 }
 
+static bool finite_position(const double *x)
+{
+    bool good = true;
+
+    for (int d = 0; d < DIM; d++)
+        good &= isfinite(x[d]) != 0;
+    return good;
+}
+
+/* Of the particles whose position is not finite, that with the smallest id, where
+ * `bad` is the lowest row of them: its row is noted, its number by ids returned. */
+static int note_bad(struct list *list, const struct cloud *cloud, int bad)
+{
+    int kind = 0, k;
+
+    while (bad >= list->def.from[kind + 1])
+        kind++;
+    const int from = list->def.from[kind], *row = cloud->row[kind];
+    for (k = row ? 0 : bad - from; row && finite_position(cloud->x[kind] + (size_t)row[k] * DIM);)
+        k++;
+    list->bad = from + (row ? row[k] : k);
+    return from + k;
+}
+
 int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     if (list->builds == 0)
         forget(list);
     const struct check c = check(list, cloud);
 
-    list->bad = c.bad < list->n ? c.bad : -1;
-    if (list->bad >= 0)
+    list->bad = -1;
+    if (c.bad < list->n)
         return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
-                           "was too large, or a force is not finite", list->bad);
-    return outdated(list, cloud, &c) ? rebuild(list, cloud, rows) : STATUS_DONE;
+                           "was too large, or a force is not finite",
+                           note_bad(list, cloud, c.bad));
+    return outdated(list, cloud, &c) ? list_rebuild(list, cloud, rows) : STATUS_DONE;
 }
 
 double list_entries(const struct list *list)

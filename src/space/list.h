@@ -8,8 +8,9 @@
  * The list sorts everybody by kind and cell ("slots"), holds for each group of
  * LANES owners the rows of their neighbours, and is rebuilt only when somebody
  * moved so far that a pair may be missing (space/drift.h).  The
- * order is made from positions and creation order alone (kind, then cell, then
- * creation index), so a rebuild at given positions gives given bits.  A lane's
+ * order is made from positions and ids alone (kind, then cell, then id), so a
+ * rebuild at given positions gives given bits, whatever rows the particles stand
+ * in.  What names a particle here names its row.  A lane's
  * neighbours stand in ascending order of slots, nobody is his own neighbour,
  * and all pairs closer than support + skin at the last rebuild are there.
  *
@@ -30,7 +31,7 @@
 #include <stddef.h>
 
 struct list_def {
-    int from[KINDS + 1];         /* creation order                           */
+    int from[KINDS + 1];         /* rows of kind k: from[k] .. from[k+1]-1   */
     unsigned acts[KINDS];        /* partner kinds by owner kind, KIND_BITs   */
     double support;              /* largest kernel support H           [m]   */
     double skin;                 /* extra radius of the list           [m]   */
@@ -56,11 +57,11 @@ struct list {
     int start[KINDS + 1];  /* kind k: slots start[k] .. start[k+1]-1         */
     int image[KINDS + 1];  /* images of kind k: slots image[k] .. image[k+1]-1,
                               start[KINDS] = image[0], image[KINDS] = listed */
-    int *order;            /* [listed] creation index of a slot, of an image
+    int *order;            /* [listed] row of the particle in a slot, of an image
                               that of its original                           */
     double (*offset)[DIM]; /* [listed] whole lengths, to be added to the position:
                               where the slot stands; NULL: nothing is periodic [m] */
-    int *slot;             /* [n] slot of a creation index, -1: left out     */
+    int *slot;             /* [n] slot of the particle in a row, -1: left out */
     int groups;            /* groups of owners, all kinds                    */
     int group_from[KINDS + 1]; /* owners of kind k: groups [k] .. [k+1]-1;
                               none when def.acts[k] is 0                     */
@@ -72,7 +73,8 @@ struct list {
     const long *rows_before; /* [groups+1] rows of all groups before: the work */
     const struct list_segment *segment;
     long builds;           /* rebuilds so far                                */
-    int bad;               /* particle whose position is not finite, or -1   */
+    int bad;               /* row of the particle whose position is not finite,
+                              of several that with the smallest id, or -1    */
     struct list_private *own;
 };
 
@@ -89,6 +91,13 @@ struct list_engine {
 
     /* True when update() would rebuild or fail (the list is not touched). */
     bool (*stale)(const struct list *list, const struct cloud *cloud);
+
+    /* Particles have changed rows: row i of kind k holds what was in row from[k][i]
+     * (NULL: this kind stands as before); row[] as in struct cloud from now on.  By
+     * ids the list stays what it is, and when it is made anew next.  It is remade at
+     * the positions of the last rebuild.  0 or STATUS_FAILED (no memory). */
+    int (*rearrange)(struct list *list, const int *const from[KINDS],
+                     const int *const row[KINDS]);
 };
 extern const struct list_engine list_engine_lanes2, list_engine_lanes4, list_engine_lanes8;
 

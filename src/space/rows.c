@@ -168,6 +168,13 @@ static int update(struct list *list, const struct cloud *cloud)
     return list_update(list, cloud, find_all);
 }
 
+static int rearrange(struct list *list, const int *const from[KINDS],
+                     const int *const rows[KINDS])
+{
+    return list_rearrange(list, from, rows, find_all);
+}
+
 const struct list_engine LANE_NAME(list_engine) = {
     .lanes = LANES, .create = create, .free = list_free, .update = update, .stale = list_stale,
+    .rearrange = rearrange,
 };

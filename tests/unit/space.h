@@ -72,6 +72,10 @@ void list_reports_bad_positions(void **state);
 void list_bounds_its_grid(void **state);
 void list_misses_nobody_moving(void **state);
 
+void rows_change_no_list(void **state);
+void rows_move_under_a_list(void **state);
+void rows_tell_the_smallest_bad_id(void **state);
+
 void images_find_all(void **state);
 void images_meet_across_a_side(void **state);
 void images_miss_nobody_moving(void **state);

@@ -1,0 +1,50 @@
+/* exact-sum.h -- sums of doubles that do not depend on the order of their terms.
+ *
+ *     struct exact_sum sum = { 0 };
+ *     exact_sum_add(&sum, n, x);             as often as needed, by any n
+ *     exact_sum_merge(&sum, &other);         of another thread or machine
+ *     exact_sum_value(&sum)
+ *
+ * A sum is kept exactly, as a whole number of 2^-1074, the least double there is. So
+ * its value is the same for any order and partition of the terms, on any number of
+ * threads and for registers of any width; adding and merging are associative. The value
+ * is the exact sum rounded once (to nearest, ties to even): off by half a unit of its
+ * last place at most, however many terms cancel. No bound on the terms need be known.
+ *
+ * An infinite term makes the value infinite, a NaN or both infinities make it NaN,
+ * wherever they come; a sum beyond the largest double is infinite, but one that only
+ * passes through there is not.  A sum of 0 is +0.  Room is for 2^62 terms.
+ *
+ * A term costs about as much as two passes over numbers in the nearest cache, if the
+ * terms of a call are some dozens and all are larger than 10^-10 of the largest, or 0; a
+ * third pass goes down to 10^-23.  Smaller ones, and terms beyond 10^301, are added one
+ * by one, which takes ten times as long. */
+#ifndef ALGEBRA_EXACT_SUM_H
+#define ALGEBRA_EXACT_SUM_H
+
+#include <stdint.h>
+
+enum {
+    EXACT_SUM_DIGITS = 69, /* of 32 bits; the last one has the sign            */
+    EXACT_SUM_NAN = EXACT_SUM_DIGITS, /* words after them are not 0 when a term is
+                              NaN,                                             */
+    EXACT_SUM_PLUS,        /* ... infinite,                                    */
+    EXACT_SUM_MINUS,       /* ... infinite and below 0                         */
+    EXACT_SUM_WORDS
+};
+
+/* { 0 }: a sum without terms. */
+struct exact_sum {
+    int64_t word[EXACT_SUM_WORDS]; /* sum of word[k] 2^(32 k - 1074), and marks */
+    long full;             /* |digits| are at most so many times 2^32          */
+};
+
+void exact_sum_add(struct exact_sum *s, long n, const double *x);
+void exact_sum_merge(struct exact_sum *to, const struct exact_sum *from);
+double exact_sum_value(const struct exact_sum *s);
+
+/* Makes all digits but the last one 0 to 2^32 - 1: the words of as many as 2^30 such
+ * sums may then be added one by one (by MPI, say) and are those of their sum. */
+void exact_sum_carry(struct exact_sum *s);
+
+#endif
