@@ -18,7 +18,7 @@ static int prepare(void *self, const struct scales *scales)
     struct laplacian_viscosity *s = self;
 
     if (DIM != 2)
-        return status_fail(STATUS_BAD_SCENE, "effects.viscosity-printed: the seed prints this "
+        return status_fail(STATUS_BAD_SCENE, "effects.viscosity-printed: Toth (2012) prints this "
                            "formula for two dimensions; in three take laplacian-viscosity");
     s->factor = s->mu * scales->support;
     s->rate = scales->laplacian;
@@ -27,7 +27,7 @@ static int prepare(void *self, const struct scales *scales)
 
 const struct part LANE_NAME(effects_viscosity_printed) = {
     .name = "viscosity-printed",
-    .about = "the seed's viscosity with its misprint: some hundred times too weak",
+    .about = "viscosity of Toth (2012) with its misprint: some hundred times too weak",
     .equation = "(28) with (31) as printed: (V3) with lapW times H",
     .source = "Toth 2012, (28), (31) as printed",
     .instead = "laplacian-viscosity",

@@ -48,7 +48,7 @@ static int complete(void *self)
 
 const struct part pressure_linear = {
     .name = "linear",
-    .about = "pressure in proportion to density, the seed's standard SPH",
+    .about = "pressure in proportion to density, standard SPH of Toth (2012)",
     .equation = "(E1) p = k (rho - rho0), k = c0^2",
     .source = "Toth 2012, (19)",
     .size = sizeof(struct linear),

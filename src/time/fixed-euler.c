@@ -83,7 +83,7 @@ double fixed_euler_length(struct fixed *x)
 }
 
 const struct fixed_kind fixed_euler = {
-    .method = FIXED_METHOD("euler-cfl", 1, "the seed's semi-implicit Euler, order 1",
+    .method = FIXED_METHOD("euler-cfl", 1, "semi-implicit Euler of Toth (2012), order 1",
                            "Toth 2012, equations (34), (35), (38)"),
     .number = 0.25,
     .side = PLAN_ALL,

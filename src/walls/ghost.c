@@ -12,7 +12,7 @@ static const char *const with[] = { "summation", NULL };
 
 const struct part LANE_NAME(walls_ghost) = {
     .name = "ghost",
-    .about = "solids with a density summed like the fluid's, the seed's walls",
+    .about = "solids with a density summed like the fluid's, walls of Toth (2012)",
     .equation = "(D3) and (P1) with the velocity of the solid",
     .source = "Toth 2012, section 3.5.3",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,
