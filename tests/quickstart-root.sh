@@ -42,7 +42,7 @@ make_root() {
         tar -C "$root" -xf "$bare/$1.tar" || return
     else
         debootstrap --variant=minbase "$1" "$root" "$(mirror)" || return
-        [ -z "$bare" ] || tar -C "$root" -cf "$bare/$1.tar" .
+        [ -z "$bare" ] || { mkdir -p "$bare" && tar -C "$root" -cf "$bare/$1.tar" .; } || return
     fi
     cp /etc/resolv.conf /etc/hosts "$root/etc/"
     grep -ls '^ *Acquire' /etc/apt/apt.conf.d/* /etc/apt/apt.conf |
