@@ -1,12 +1,11 @@
-/* viscosity-printed.c -- the seed's viscosity with the misprint of its Laplacian:
+/* viscosity-printed.c -- viscosity of Toth (2012) with the misprint of its Laplacian:
  * to be seen, not to be used.
  *
  *   lapW = -40/(pi H^4) (H - r)                                             (31)
  *
  * has the power of H wrong by one (its minus and that of (28) cancel), so that in SI
  * units the viscosity is too small by H: 119 times for the support of 8.4 mm that goes
- * with 1,800 particles.  2D only: the seed
- * prints no other. */
+ * with 1,800 particles.  2D only: Toth prints no other. */
 #include "effects/laplacian-viscosity.h"
 
 #include "base/status.h"

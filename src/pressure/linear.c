@@ -2,7 +2,7 @@
  *
  *   p = k (rho - rho0),  k = c0^2                                     (E1), (19)
  *
- * the seed's "standard SPH".  Its table 1 gives k = 10000 m^2/s^2, a sound speed of
+ * "standard SPH" of Toth (2012).  Its table 1 gives k = 10000 m^2/s^2, a sound speed of
  * 100 m/s: 25 times that of its "stiff" WCSPH.  Toth 2012, section 3.4.1. */
 #include "pressure/liquid.h"
 

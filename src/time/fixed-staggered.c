@@ -1,4 +1,4 @@
-/* fixed-staggered.c -- the seed's partitioned coupling: the water and the bodies
+/* fixed-staggered.c -- partitioned coupling of Toth (2012): the water and the bodies
  * step in turn, each as if the other stood still.
  *
  * The water takes one step h of fixed-euler.c, (34), (35), (38), against the skins

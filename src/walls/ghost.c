@@ -1,4 +1,4 @@
-/* ghost.c -- the seed's walls: particles that stand still and are fluid otherwise.
+/* ghost.c -- walls of Toth (2012): particles that stand still and are fluid otherwise.
  *
  * Their density is the sum (D3) over everybody around them, walls included, and they
  * press the fluid by the same law (P1), but not each other.  A wall that the fluid has
