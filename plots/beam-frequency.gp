@@ -1,4 +1,4 @@
-# beam-frequency.gp -- first frequency and damping of the seed's beam against its elements
+# beam-frequency.gp -- first frequency and damping of the beam of Toth (2012) against its elements
 # needs: beam-frequency.csv of plots/beam-table; drawn by plots/figures-beam.sh, not with a run
 load 'style.gp'
 set datafile columnheaders
@@ -6,7 +6,7 @@ table = 'beam-frequency.csv'
 
 set terminal pngcairo size 1700, 800 font 'Sans,18'
 set output '../beam-frequency.png'
-set multiplot layout 1, 2 title "the seed's beam against its number of elements: (44) and (45)"
+set multiplot layout 1, 2 title "beam of Toth (2012) against its number of elements: (44) and (45)"
 set logscale x
 set xrange [1.8:110]
 set xtics (2, 3, 5, 10, 20, 30, 50, 100)

@@ -49,5 +49,5 @@ of(i) = strcol(1) eq word(kernels, i) ? $2 : NaN
 plot for [i = 1:4] 'clustering.csv' using (of(i)):(100 * $3) with linespoints lw 3 pt 7 ps 1.4 \
         lc rgb pick(i) title word(kernels, i), \
     for [i = 5:9] '' using (of(i)):(100 * $3) with linespoints lw 3 pt 6 ps 1.4 lc rgb pick(5) \
-        title i == 5 ? 'wendland-c2, c4, c6' : i == 6 ? "spiky; the seed's two" : ''
+        title i == 5 ? 'wendland-c2, c4, c6' : i == 6 ? "spiky; Toth's two" : ''
 unset multiplot

@@ -1,5 +1,5 @@
 # seed-stiffness.gp -- standard SPH against WCSPH: the front, and the energy that the pressure
-# makes with the seed's two kernels
+# makes with the two kernels of Toth (2012)
 # needs: the runs of plots/figures-seed.sh, which draws this
 load 'style.gp'
 width = 0.1      # of the column [m], twice as high
@@ -16,7 +16,7 @@ array dash[4] = ['1', '1', '(8,6)', '1']
 set terminal pngcairo size 1700, 800 font 'Sans,18'
 set output '../seed-stiffness.png'
 set multiplot layout 1, 2 \
-    title "the seed's dam break, 5,000 particles: standard SPH (linear) and WCSPH (Tait)"
+    title "dam break of Toth (2012), 5,000 particles: standard SPH (linear) and WCSPH (Tait)"
 set lmargin 10
 set rmargin 3
 

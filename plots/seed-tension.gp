@@ -11,7 +11,7 @@ set datafile columnheaders
 
 set terminal pngcairo size 1640, 660 font 'Sans,16'
 set output '../seed-tension.png'
-set multiplot layout 1, 4 title "the seed's dam break at 0.1 s, 1,800 particles"
+set multiplot layout 1, 4 title "dam break of Toth (2012) at 0.1 s, 1,800 particles"
 set border 0
 unset tics
 unset grid

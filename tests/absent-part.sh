@@ -12,13 +12,14 @@ directory=$(mktemp -d) || exit 99
 trap 'rm -rf "$directory"' EXIT
 export OMP_NUM_THREADS=1
 
-# instructions PROGRAM N: of a whole process that asks for N right-hand sides, but for those
-# by which libgomp and malloc keep their house: a team of threads is taken from the heap for
-# every loop, which costs by how the heap happens to lie.
+# instructions PROGRAM N: of N right-hand sides, but for those by which libgomp and malloc keep
+# their house: a team of threads is taken from the heap for every loop, which costs by how the
+# heap happens to lie.  Nor does it count how the process starts and ends: libraries such as
+# UCX, which SUNDIALS may bring along, calibrate clocks there, never twice alike.
 instructions()
 {
     valgrind --tool=callgrind --callgrind-out-file="$directory/count" \
-        "$build/tests/physics/$1" "$2" >"$directory/$1.$2" 2>"$directory/said" ||
+        --toggle-collect=tank_rates "$build/tests/physics/$1" "$2" >"$directory/$1.$2" 2>"$directory/said" ||
         { cat "$directory/said" >&2; return 1; }
     awk '
         # names stand where an id is met first: ob=(3) /lib/libgomp.so.1

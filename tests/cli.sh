@@ -6,7 +6,7 @@ script=cli ask=
 . "${top_srcdir:-.}/tests/ask.sh"
 
 # --- help and versions --------------------------------------------------------------------
-commands='run check plot list explain resume compare'
+commands='run check plot list explain compare'
 for word in --help -h help; do
     expect 0 $word
     # shellcheck disable=SC2086 # one pattern a command
@@ -68,6 +68,8 @@ expect 2
 says Usage
 expect 2 rnu "$scenes/small-2d.scene"
 says rnu run --help
+expect 2 resume small-2d
+says resume "no such command"
 expect 2 list efects
 says efects effects
 expect 2 explain continuty

@@ -1,8 +1,9 @@
 #!/bin/sh
 # include-rule.sh -- a file includes headers of its own room and of lower floors only.
 #
-# The floors are those of doc/house.md.  Rooms of one floor do not include each other, but
-# where they stand in an order here: those may include what stands before them.
+# The floors are those of the table in doc/house.md: a room may include the rooms of the rows
+# above its own, not those beside it.  Items of a row are parted by middle dots, and each begins
+# with the name of its room.
 #
 # Run by `make check', or by hand from the root of the sources.
 cd "${top_srcdir:-.}" || exit 99
@@ -12,28 +13,28 @@ files=$(find src -name '*.[ch]' | sort)
 
 # shellcheck disable=SC2086 # names of sources have no blanks
 awk '
-BEGIN {
-    place("base", 0)
-    place("algebra kernels shapes matter scene", 1); place("space", 1.1)
-    place("state", 2); place("fill", 2.1)
-    place("effects pressure walls bodies", 3)
-    place("plan", 4)
-    place("time measure", 5)
-    place("output", 6)
-    place("run", 7); place("study", 7.1); place("cli", 7.2); place("main", 7.3)
-}
-function place(rooms, level,    name, i, n) {
-    n = split(rooms, name, " ")
-    for (i = 1; i <= n; i++) floor[name[i]] = level
-}
 function complain(text) {
     printf "%s:%d: %s\n", FILENAME, FNR, text
     bad++
 }
+FNR == 1 { table = FILENAME ~ /\.md$/ }
+table && /^\| [0-9]+ \|/ {
+    rows++
+    n = split($0, item, " · ")
+    for (i = 1; i <= n; i++) {
+        split(item[i], quoted, "`")
+        room = quoted[2] == "main.c" ? "main" : quoted[2]
+        if (room in row) complain("room " room " stands twice in the table")
+        row[room] = rows; floor[room] = $2
+    }
+}
+table { next }
 FNR == 1 {
     split(FILENAME, part, "/")
     room = part[3] == "" ? "main" : part[2]
-    if (!(room in floor)) complain("src/" room " is no room of the house")
+    if (!(room in used)) rooms_used++
+    used[room] = 1
+    if (!(room in row)) complain("src/" room " is no room of doc/house.md")
 }
 /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, quoted, "\"")
@@ -41,13 +42,15 @@ FNR == 1 {
     seen++
     if (n != 2)
         complain("\"" quoted[2] "\" is not written \"room/file.h\"")
-    else if (!(to[1] in floor))
+    else if (!(to[1] in row))
         complain("\"" quoted[2] "\": there is no room " to[1])
-    else if (to[1] != room && floor[to[1]] >= floor[room])
-        complain(room " (floor " int(floor[room]) ") must not include " quoted[2] \
-                 " (floor " int(floor[to[1]]) "): only its own room and lower floors")
+    else if (to[1] != room && row[to[1]] >= row[room])
+        complain(room " (floor " floor[room] ") must not include " quoted[2] \
+                 " (floor " floor[to[1]] "): only its own room and those of rows above it")
 }
 END {
-    printf "include-rule: %d includes, %d violations\n", seen, bad
+    for (room in row)
+        if (!(room in used)) { printf "doc/house.md: there is no room %s\n", room; bad++ }
+    printf "include-rule: %d rooms, %d includes, %d violations\n", rooms_used, seen, bad
     exit bad > 0
-}' $files
+}' doc/house.md $files

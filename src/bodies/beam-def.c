@@ -45,9 +45,9 @@ const struct param beam_def_params[] = {
     { .key = "elements", .unit = "", AT(elements), .fallback = 20, .min = 1, .max = 1000,
       .type = PARAM_INTEGER, .about = "number of equal finite elements" },
     { .key = "inertia", .unit = "", AT(inertia), .type = PARAM_WORD, .words = inertias,
-      .about = "mass matrix; lumped is (44) of the seed as printed, m and m l^2/12 at every node: "
-               "the beam is heavier by the m of one element, and with 10 of them swings 9 % too "
-               "slowly; lumped-ends has halves at the ends" },
+      .about = "mass matrix; lumped is (44) of Toth (2012) as printed, m and m l^2/12 at every "
+               "node: the beam is heavier by the m of one element, and with 10 of them swings "
+               "9 % too slowly; lumped-ends has halves at the ends" },
     { .key = "root", .unit = "", AT(root), .type = PARAM_WORD, .words = roots,
       .about = "how the first end is held" },
     { .key = "tip", .unit = "", AT(tip), .type = PARAM_WORD, .words = tips,
@@ -60,9 +60,9 @@ const struct param beam_def_params[] = {
     { .key = "damping_ratio", .unit = "", AT(damping_ratio), .max = 10,
       .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha" },
     { .key = "drag", .unit = "N s/m^2", AT(drag), .max = 1e9,
-      .about = "(45) of the seed: one number on the deflection and on the rotation (N s) of "
-               "every node, so that damping grows with elements; the seed's 0.01 lets its beam "
-               "swing with 10 elements, not with 100: prefer damping_ratio" },
+      .about = "(45) of Toth (2012): one number on the deflection and on the rotation (N s) of "
+               "every node, so that damping grows with elements; his 0.01 lets his beam swing "
+               "with 10 elements, not with 100: prefer damping_ratio" },
     { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,

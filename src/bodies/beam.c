@@ -8,7 +8,7 @@
  * nothing: they go to the support.  Small deflections only: the tip of a beam
  * that bends by a tenth of its length really draws back by 0.6 % of it, here by 0.
  *
- * Toth 2012 (seed 000), section 4, with consistent M and Rayleigh D unless the scene
+ * Toth (2012), section 4, with consistent M and Rayleigh D unless the scene
  * asks for (44), (45), and one monolithic ODE instead of (46), (47).
  * Checked in tests/unit/beam*.c. */
 #include "base/status.h"

@@ -33,7 +33,7 @@ void element_mass(double mu, double l, double m[4][4])
             m[i][j] = mu * l / 420 * pattern[i][j];
 }
 
-/* Summed over elements: (44) of the seed, m and m l^2/12 at a node, but half of both at
+/* Summed over elements: (44) of Toth (2012), m and m l^2/12 at a node, but half of both at
  * the two ends of the beam. */
 void element_lumped(double mu, double l, double m[4][4])
 {

@@ -5,7 +5,7 @@
 #ifndef BODIES_ELEMENT_H
 #define BODIES_ELEMENT_H
 
-/* (43) of the seed: forces and moments of the bent element are k (w1 .. theta2). */
+/* (43) of Toth (2012): forces and moments of the bent element are k (w1 .. theta2). */
 void element_stiffness(double EI, double l, double k[4][4]);
 
 /* Consistent mass: kinetic energy of the element is 1/2 v . m v. */

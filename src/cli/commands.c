@@ -54,13 +54,11 @@ const struct commands_row commands_table[] = {
     { "plot", CLI_PLOT, "DIR", "Draws the figures of a run or comparison again, by gnuplot.",
       no_options, false },
     { "list", CLI_LIST, "TABLE",
-      "Lists what there is: effects, kernels, eos, pressure, walls, bodies or methods.",
+      "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
       no_options, false },
     { "explain", CLI_EXPLAIN, "NAME",
       "Explains an effect, kernel, equation of state, wall model, body or group of keys: "
       "equation, source, parameters with units and defaults.", no_options, false },
-    { "resume", CLI_RESUME, "DIR", "Goes on from the last checkpoint (not there yet).",
-      no_options, false },
     { "compare", CLI_COMPARE, "SCENE [KEY=VALUE ...]",
       "Runs a scene with many methods and tolerances: one table and figures of what accuracy "
       "costs.\v"

@@ -1,6 +1,6 @@
 /* gravity.c -- weight of the fluid; in the plan when the scene's gravity is
  * not zero.  It books no power: what it does is potential energy, counted from
- * the lowest point of the domain.  The seed's (32). */
+ * the lowest point of the domain.  (32) of Toth (2012). */
 #include "effects/effects.h"
 
 struct gravity {

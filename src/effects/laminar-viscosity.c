@@ -5,7 +5,7 @@
  * with x = x_a - x_b, v = v_a - v_b, hs half the support.  x . gradW is never
  * positive, so F_ab . v is not either: this effect only takes energy out.
  * Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214-226, constant mu.  It
- * stands for the seed's (28)-(31), whose printed kernel is wrong in sign and
+ * stands for (28)-(31) of Toth (2012), whose printed kernel is wrong in sign and
  * dimension.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
 #include "effects/laminar-viscosity.h"

@@ -1,4 +1,4 @@
-/* laplacian-viscosity.c -- the seed's viscosity (28) with the right Laplacian of
+/* laplacian-viscosity.c -- viscosity (28) of Toth (2012) with the right Laplacian of
  * the right kernel: (K9) and its lapW = 40/(pi H^5) (H - r) in 2D.  (V3) */
 #include "effects/laplacian-viscosity.h"
 #include "effects/viscosity-side.h"
@@ -54,7 +54,7 @@ static const struct part_operator operator = {
 
 const struct part LANE_NAME(effects_laplacian_viscosity) = {
     .name = "laplacian-viscosity",
-    .about = "laminar viscosity by the Laplacian of a kernel, as the seed has it",
+    .about = "laminar viscosity by the Laplacian of a kernel, as in Toth (2012)",
     .equation = "(V3) F_ab = -m_a m_b mu/(rho_a rho_b) lapW_ab (v_a - v_b)",
     .source = "Toth 2012, (28), with (31) corrected",
     LAPLACIAN_VISCOSITY_PART,

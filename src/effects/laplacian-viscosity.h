@@ -22,7 +22,7 @@ struct laplacian_viscosity {
 #define LAPLACIAN_VISCOSITY_MU                                                           \
     { .key = "mu", .unit = "Pa s", .offset = offsetof(struct laplacian_viscosity, mu),   \
       .fallback = 1e-3, .min = 0, .max = 1e4,                                            \
-      .about = "dynamic viscosity; 0.001 is water, the seed takes 0.5" }
+      .about = "dynamic viscosity; 0.001 is water, Toth (2012) takes 0.5" }
 
 /* The c of rows k, F_ab = -c v. */
 LANES_INLINE lanes laplacian_viscosity_coupling(const struct laplacian_viscosity *s,

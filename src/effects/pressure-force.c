@@ -3,7 +3,7 @@
  *   F_ab = -m_a m_b (p_a/rho_a^2 + p_b/rho_b^2) gradW_ab                   (P1)
  *
  * Monaghan, J. Comput. Phys. 110 (1994) 399-406; the form that follows from a
- * Lagrangian with (D1).  It replaces the seed's (24), which has p/rho: wrong by
+ * Lagrangian with (D1).  It replaces (24) of Toth (2012), which has p/rho: wrong by
  * a factor of about rho.  Checked in tests/physics/laws.c. */
 #include "effects/effects.h"
 #include "effects/pressure-force.h"

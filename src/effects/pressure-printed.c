@@ -1,4 +1,4 @@
-/* pressure-printed.c -- the pressure force as the seed prints it: to be seen, not
+/* pressure-printed.c -- the pressure force as Toth (2012) prints it: to be seen, not
  * to be used.
  *
  *   F_ab = -m_a m_b (p_a/rho_a + p_b/rho_b) gradW_ab                        (24)
@@ -32,7 +32,8 @@ static const struct part_law law = {
 
 const struct part LANE_NAME(effects_pressure_printed) = {
     .name = "pressure-printed",
-    .about = "pressure force with the seed's misprint: a thousand times too strong in water",
+    .about = "pressure force with the misprint of Toth (2012): a thousand times too strong in "
+             "water",
     .equation = "(24) F_ab = -m_a m_b (p_a/rho_a + p_b/rho_b) gradW_ab",
     .source = "Toth 2012, (24) as printed",
     .instead = "pressure",

@@ -39,7 +39,7 @@ static double second_remainder(double z)
 
 /* (E2) p = B ((rho/rho0)^gamma - 1).  Monaghan, J. Comput. Phys. 110 (1994)
  * 399-406, takes gamma = 7 for water; gamma = 1 is (E1), p = c0^2 (rho - rho0),
- * the seed's (19) with k = c0^2. */
+ * (19) of Toth (2012) with k = c0^2. */
 double eos_pressure(const struct eos *e, double rho)
 {
     const double d = strain(e, rho);

@@ -2,7 +2,7 @@
  *
  *   p = k (rho - rho0),  k = c0^2                                     (E1), (19)
  *
- * the seed's "standard SPH".  Its table 1 gives k = 10000 m^2/s^2, a sound speed of
+ * "standard SPH" of Toth (2012).  Its table 1 gives k = 10000 m^2/s^2, a sound speed of
  * 100 m/s: 25 times that of its "stiff" WCSPH.  Toth 2012, section 3.4.1. */
 #include "pressure/liquid.h"
 
@@ -48,7 +48,7 @@ static int complete(void *self)
 
 const struct part pressure_linear = {
     .name = "linear",
-    .about = "pressure in proportion to density, the seed's standard SPH",
+    .about = "pressure in proportion to density, standard SPH of Toth (2012)",
     .equation = "(E1) p = k (rho - rho0), k = c0^2",
     .source = "Toth 2012, (19)",
     .size = sizeof(struct linear),

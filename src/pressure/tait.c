@@ -1,4 +1,4 @@
-/* tait.c -- pressure from density by Tait's equation (E2), the seed's (20).
+/* tait.c -- pressure from density by Tait's equation (E2), (20) of Toth (2012).
  * With tension by default, or the density of spray would drift. */
 #include "pressure/liquid.h"
 

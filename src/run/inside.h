@@ -30,6 +30,7 @@ struct run {
     struct run_tally tally;
     double until, event;     /* end of the run, of the segment [s]            */
     double clock_start;      /* [s]                                           */
+    double cpu_start;        /* [s], spent by then: libraries take some       */
     double clock_stop;       /* when a signal was noticed, 0: none [s]        */
     char table[96];
 };

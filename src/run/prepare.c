@@ -103,7 +103,7 @@ static void compute_defaults(struct run *r)
 
 int run_prepare(struct run *r, const struct run_order *order)
 {
-    *r = (struct run){ .clock_start = run_clock() };
+    *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu() };
 #ifdef _OPENMP
     if (order->threads > 0)
         omp_set_num_threads(order->threads);

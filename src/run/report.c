@@ -70,7 +70,7 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "operator_products", c->products);
     json_integer(j, "rebuilds", c->rebuilds);
     json_integer(j, "refused", c->refused);
-    json_number(j, "cpu_s", run_cpu());
+    json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
     json_number(j, "mean_step", r->tally.steps ? r->tally.t / r->tally.steps : 0);
     json_object(j, "limited_by");

@@ -11,6 +11,7 @@
 
 static volatile sig_atomic_t asked;
 static struct timespec first; /* touched by the handler only */
+static bool hangup_ignored;
 
 static bool is_again(const struct timespec *now)
 {
@@ -31,12 +32,23 @@ static void note(int number)
     }
 }
 
-/* A run under nohup(1) outlives its terminal. */
-static void hear_hangup(const struct sigaction *action)
+/* Was SIGHUP ignored when the program began?  Asked before the constructors of libraries: UCX,
+ * which comes with a SUNDIALS that is built for MPI, takes this signal in its own. */
+static void ask_hangup(void)
 {
     struct sigaction now;
 
-    if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+    hangup_ignored = sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+__attribute__((section(".preinit_array"), used)) static void (*const before_libraries)(void)
+    = ask_hangup;
+
+/* A run under nohup(1) outlives its terminal. */
+static void hear_hangup(const struct sigaction *action)
+{
+    if (hangup_ignored)
+        signal(SIGHUP, SIG_IGN);
+    else
         sigaction(SIGHUP, action, NULL);
 }
 

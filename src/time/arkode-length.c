@@ -30,7 +30,8 @@ double arkode_bound(struct arkode *a, double t, const double *y)
     return a->stable.h;
 }
 
-/* ARKStep asks after every attempt: the error norm was taken just before. */
+/* ARKStep asks after every attempt: the error norm was taken just before.  Where the start of
+ * the step has no rates, that is the reason of all attempts: SUNDIALS 7 asks for them once. */
 int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunrealtype h3,
                  sunrealtype e1, sunrealtype e2, sunrealtype e3, int q, int p, sunrealtype *next,
                  void *self)
@@ -47,7 +48,8 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
                                  .entry = vector_largest(y) };
     if (!a->error.accepted)
         memcpy(c->refusal, a->refusal, sizeof c->refusal);
-    a->refusal[0] = '\0';
+    if (a->error.accepted || a->node[0].has_f)
+        a->refusal[0] = '\0';
     return 0;
 }
 

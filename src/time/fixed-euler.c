@@ -1,4 +1,4 @@
-/* fixed-euler.c -- the seed's own integrator and its rule for the step.
+/* fixed-euler.c -- the integrator of Toth (2012) and its rule for the step.
  *
  *   u_new = u + h a(x, u, rho)                                                 (34)
  *   x_new = x + h u_new                                                        (35)
@@ -6,7 +6,7 @@
  *   h = min(0.4 H/v_max, 0.25 sqrt(H rho0/F_max), CFL hs/(c0 + v_max))         (38)
  *
  * F/rho0 is the acceleration.  The last term of (38) is ours: without the sound
- * speed the seed's rule lets steps be ten to a hundred times too long.  Two
+ * speed that rule lets steps be ten to a hundred times too long.  Two
  * right-hand sides a step, since the density sees the new velocity.  Toth 2012,
  * section 3.6. */
 #include "time/fixed.h"
@@ -83,7 +83,7 @@ double fixed_euler_length(struct fixed *x)
 }
 
 const struct fixed_kind fixed_euler = {
-    .method = FIXED_METHOD("euler-cfl", 1, "the seed's semi-implicit Euler, order 1",
+    .method = FIXED_METHOD("euler-cfl", 1, "semi-implicit Euler of Toth (2012), order 1",
                            "Toth 2012, equations (34), (35), (38)"),
     .number = 0.25,
     .sides = ASK_EXPLICIT | ASK_IMPLICIT,

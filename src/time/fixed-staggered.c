@@ -1,4 +1,4 @@
-/* fixed-staggered.c -- the seed's partitioned coupling: the water and the bodies
+/* fixed-staggered.c -- partitioned coupling of Toth (2012): the water and the bodies
  * step in turn, each as if the other stood still.
  *
  * The water takes one step h of fixed-euler.c, (34), (35), (38), against the skins
@@ -73,8 +73,8 @@ static const char *serves(const struct plan *plan)
 
 const struct fixed_kind fixed_staggered = {
     .method = FIXED_METHOD_SERVING(serves, "staggered", 1,
-                           "the seed's coupling: water by euler-cfl, bodies by backward Euler "
-                           "(strong damping), in turn; order 1",
+                           "coupling of Toth (2012): water by euler-cfl, bodies by backward "
+                           "Euler (strong damping), in turn; order 1",
                            "Toth 2012, equations (46)-(49), chapter 5"),
     .number = 0.25,
     .sides = ASK_EXPLICIT,

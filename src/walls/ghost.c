@@ -1,4 +1,4 @@
-/* ghost.c -- the seed's walls: particles that stand still and are fluid otherwise.
+/* ghost.c -- walls of Toth (2012): particles that stand still and are fluid otherwise.
  *
  * Their density is the sum (D3) over everybody around them, walls included, and they
  * press the fluid by the same law (P1), but not each other.  A wall that the fluid has
@@ -17,7 +17,7 @@ static const struct part_wall wall = {
 
 const struct part LANE_NAME(walls_ghost) = {
     .name = "ghost",
-    .about = "solids with a density summed like the fluid's, the seed's walls",
+    .about = "solids with a density summed like the fluid's, walls of Toth (2012)",
     .equation = "(D3) and (P1) with the velocity of the solid",
     .source = "Toth 2012, section 3.5.3",
     .needs = FIELD_DENSITY | FIELD_PRESSURE,

@@ -15,7 +15,7 @@
 # momentum and its moment: 0 to 3 % in pairs until omega t = 4, and the square becomes four arms around
 # a whole middle. The tension that it takes back is missing, so that p itself falls 15 % lower until both
 # together hold the square; the pressures at the start are compared without it. `particle-shifting`
-# instead of it helps, and no more: near the surface nobody drifts.
+# instead of it helps, and no more: near the surface none drift.
 . "$(dirname "$0")/lib.sh"
 scene=$scenes/rotating-square.scene
 cat >probes.part <<'P'
@@ -50,7 +50,7 @@ row 'the same without artificial-stress' 'none' "$pairs %" '2 %' "$pairs < 2" "$
 go shifted "$scene" output.snapshots=1 effects.artificial-stress.strength=0 'effects.particle-shifting={}'
 pairs=$(column shifted/pairing pairing | awk '{ x = $2 } END { printf "%.0f", 100 * x }')
 row 'with particle-shifting instead' 'none' "$pairs %" '2 %' "$pairs < 2" "$(cost shifted)" \
-    'who is near the surface does not drift, and tension stays tension'
+    'particles near the surface do not drift, and tension stays tension'
 
 sed '/^[#x]/d; s/,/ /g' "$reference/A06_rotating_square_patch_p0.csv" >exact
 last=$(tail -n 1 later/snapshots.csv | cut -d, -f2)

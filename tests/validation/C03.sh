@@ -39,7 +39,7 @@ judge adami 'dx = 4.06 mm, adami' 'these walls pull, too: see the next rows; 40.
 go push "$scene" walls=adami eos.tension=false
 judge push 'dx = 4.06 mm, adami without tension'
 leak=$(number run escaped)
-row 'nobody leaves' '0' "$leak" '0' "$leak == 0" ''
+row 'no particle leaves' '0' "$leak" '0' "$leak == 0" ''
 e=$(calc "100 * $(number run energy_defect_max) / $(number run energy_initial)")
 row 'energy defect over that at the start' '0' "$e %" '0.2 %' "$e < 0.2" ''
 
