@@ -17,7 +17,7 @@ for command in $commands; do
     says "$command" Usage
 done
 expect 0 --version
-says stiffwater SUNDIALS GSL libconfig HDF5 OpenMP
+says stiffwater SUNDIALS GSL HDF5 OpenMP
 expect 0 -V
 
 # --- tables ---------------------------------------------------------------------------------
