@@ -235,7 +235,6 @@ Stiffwater $PACKAGE_VERSION
   compiler    $CC $OPT_CFLAGS, pair engine $HOT_CFLAGS, yours: $CFLAGS
   SUNDIALS    $SUNDIALS_version$sw_mpi
   GSL         $GSL_version
-  libconfig   $LIBCONFIG_version
   HDF5        $HDF5_version
   lanes       $sw_lanes
   OpenMP      $sw_openmp

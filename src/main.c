@@ -13,8 +13,11 @@ int main(int argc, char **argv)
 
     setenv("OMP_WAIT_POLICY", "passive", 0); /* read when the next program loads */
     cli_parse(argc, argv, &c);
-    if (c.command == CLI_RUN || c.command == CLI_CHECK || c.command == CLI_COMPARE)
-        status = cli_dimension(&c, &dimension);
+    if (c.command == CLI_RUN || c.command == CLI_CHECK || c.command == CLI_COMPARE) {
+        status = cli_keep_pipe(c.subject);
+        if (status == STATUS_DONE)
+            status = cli_dimension(&c, &dimension);
+    }
     if (status == STATUS_DONE)
         status = cli_exec(dimension, argv);
     fprintf(stderr, "stiffwater: %s\n", status_message());

@@ -17,7 +17,7 @@ for command in $commands; do
     says "$command" Usage
 done
 expect 0 --version
-says stiffwater SUNDIALS GSL libconfig HDF5 OpenMP
+says stiffwater SUNDIALS GSL HDF5 OpenMP
 expect 0 -V
 
 # --- tables ---------------------------------------------------------------------------------
@@ -98,6 +98,51 @@ expect 0 run "$scenes/small-3d.scene" -q until=0.002 -o three
 grep -q '"dimension": 3' three/run.json || complain "a scene in 3D runs in two dimensions"
 expect 0 run "$scenes/small-2d.scene" -q until=0.002 -o deep/er/still
 [ -f deep/er/still/run.json ] || complain "directories on the way are not made"
+
+# --- a scene through a pipe, which can be read once only -----------------------------------
+# piped STATUS SCENE WORD ...: the scene comes through standard input.
+piped()
+{
+    wanted=$1
+    scene=$2
+    shift 2
+    tried=$((tried + 1))
+    cat "$scene" | timeout 300 "$stiffwater" "$@" >said 2>&1
+    found=$?
+    what="$scene through a pipe: $*"
+    [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
+}
+
+hash()
+{
+    sed -n 's/.*"state_hash": "\(.*\)".*/\1/p' "$1/run.json"
+}
+
+expect 0 run "$scenes/small-2d.scene" -q until=0.002 -o filed
+piped 0 "$scenes/small-2d.scene" run /dev/stdin -q until=0.002 -o piped
+[ -n "$(hash filed)" ] && [ "$(hash filed)" = "$(hash piped)" ] || complain "$what: another result"
+piped 0 "$scenes/small-3d.scene" check /dev/fd/0
+says 'Small tank in 3D'
+tried=$((tried + 1))
+cat "$scenes/small-2d.scene" | "$stiffwater" check /dev/fd/7 7<&0 >said 2>&1 </dev/null ||
+    complain 'a scene through descriptor 7 is refused'
+piped 2 /dev/null check /dev/stdin
+says '/dev/stdin: this scene is empty'
+sed 's/^until.*/until = ;/' "$scenes/small-2d.scene" >bad.scene
+piped 2 bad.scene check /dev/stdin
+says '/dev/stdin:6: until has no value'
+tried=$((tried + 1))
+yes '# a remark' | timeout 300 "$stiffwater" check /dev/stdin >said 2>&1
+[ $? = 2 ] || complain 'a pipe without an end is not refused'
+what='a pipe without an end'
+says '8 MB'
+mkfifo fifo
+cat "$scenes/small-2d.scene" >fifo &
+expect 2 check fifo
+says 'fifo: this scene is a pipe with a name' '/dev/stdin <fifo'
+"$stiffwater" check /dev/stdin <fifo >said 2>&1 || complain 'a pipe with a name as standard input'
+expect 2 check /dev/fd/99
+says '/dev/fd/99' 'cannot read this scene'
 
 # --- stopped on request ---------------------------------------------------------------------
 # whole DIR: every row of every table has all its fields, and ends its line.

@@ -43,6 +43,11 @@ int cli_exec(int dimension, char **argv);
  * it was installed.  Static. */
 const char *cli_data(void);
 
+/* Makes a scene whose path is a pipe (/dev/stdin, /dev/fd/N) one that can be read again and
+ * again, by the programs of cli_exec() too.  Refuses pipes with a name (mkfifo), leaves
+ * other paths alone. */
+int cli_keep_pipe(const char *path);
+
 /* The dimension that a scene asks for (2 when it does not say). */
 int cli_dimension(const struct cli *c, int *dimension);
 

@@ -3,7 +3,6 @@
 
 #include <H5public.h>
 #include <gsl/gsl_version.h>
-#include <libconfig.h>
 #include <stdio.h>
 #include <sundials/sundials_config.h>
 
@@ -13,9 +12,8 @@
 
 void cli_version(void)
 {
-    printf("stiffwater %s\nSUNDIALS %s\nGSL %s (built with %s)\nlibconfig %d.%d.%d\n",
-           PACKAGE_VERSION, SUNDIALS_VERSION, gsl_version, GSL_VERSION,
-           LIBCONFIG_VER_MAJOR, LIBCONFIG_VER_MINOR, LIBCONFIG_VER_REVISION);
+    printf("stiffwater %s\nSUNDIALS %s\nGSL %s (built with %s)\n", PACKAGE_VERSION,
+           SUNDIALS_VERSION, gsl_version, GSL_VERSION);
     printf("HDF5 %d.%d.%d\n", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE);
 #ifdef _OPENMP
     printf("OpenMP %d\n", _OPENMP);

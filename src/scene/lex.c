@@ -1,37 +1,24 @@
-/* lex.c -- goes through a scene token by token: hands libconfig a plain text
- * and says what is wrong while it is still known where and why.
+/* lex.c -- goes through a scene token by token and says what is wrong while it is still
+ * known where and why.
  *
- * text->last is the token before: k a name before =, = or : itself, v a value,
+ * parse->last is the token before: k a name before =, = or : itself, v a value,
  * t a text, ( an open list, { an open group, ',' ';', and 0 at the start. */
 #include "base/status.h"
-#include "scene/text.h"
+#include "scene/parse.h"
 
 #include <ctype.h>
 #include <string.h>
 
-int scene_lex_put(struct scene_text *text, const char *bytes, int n)
+bool scene_lex_in_list(const struct scene_parse *parse)
 {
-    for (int i = 0; i < n; i++) {
-        char *larger = scene_pool_grow(text->pool, text->bytes, text->n, &text->room, 1);
-
-        if (!larger)
-            return STATUS_FAILED;
-        text->bytes = larger;
-        text->bytes[text->n++] = bytes[i];
-    }
-    return STATUS_DONE;
-}
-
-bool scene_lex_in_list(const struct scene_text *text)
-{
-    const char open = text->level[text->depth].open;
+    const char open = parse->level[parse->depth].open;
 
     return open == '(' || open == '[';
 }
 
-bool scene_lex_awaits_value(const struct scene_text *text)
+bool scene_lex_awaits_value(const struct scene_parse *parse)
 {
-    return text->last == '=' || text->last == ':';
+    return parse->last == '=' || parse->last == ':';
 }
 
 /* Characters of s that a message may quote. */
@@ -47,95 +34,106 @@ int scene_lex_quotable(const char *s)
 int scene_lex_lacks_value(const struct scene_lex *l)
 {
     return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
-                       scene_place_text(l->at), l->text->key, l->text->key);
+                       scene_place_text(l->at), l->parse->key, l->parse->key);
 }
 
-/* Refuses a value that stands where none is expected. */
 int scene_lex_expect_value(const struct scene_lex *l, char token)
 {
-    struct scene_text *text = l->text;
+    struct scene_parse *parse = l->parse;
     const int n = scene_lex_quotable(l->s);
 
-    if (scene_lex_awaits_value(text) || (token == 't' && text->last == 't'))
+    if (scene_lex_awaits_value(parse) || (token == 't' && parse->last == 't'))
         return STATUS_DONE;
-    if (scene_lex_in_list(text) && strchr("(,", text->last))
+    if (scene_lex_in_list(parse) && strchr("(,", parse->last))
         return STATUS_DONE;
-    if (scene_lex_in_list(text))
+    if (scene_lex_in_list(parse))
         return status_fail(STATUS_BAD_SCENE, "%s: a comma is missing before %.*s",
                            scene_place_text(l->at), n, l->s);
     return status_fail(STATUS_BAD_SCENE, "%s: %.*s stands where a name is expected; settings "
                        "are written NAME = VALUE;", scene_place_text(l->at), n, l->s);
 }
 
-/* Hands n characters on as a token of the given sort. */
-int scene_lex_take(struct scene_lex *l, int n, char token)
+struct scene_node *scene_lex_value(const struct scene_lex *l, enum scene_kind kind)
 {
-    TRY(scene_lex_put(l->text, l->s, n));
-    l->text->last = token;
+    struct scene_parse *parse = l->parse;
+    const bool named = scene_lex_awaits_value(parse);
+    struct scene_node *node = scene_node_create(parse->keep, named ? parse->key : "", kind,
+                                                named ? parse->key_at : l->at);
+
+    if (!node || scene_node_add(parse->keep, parse->level[parse->depth].node, node) != STATUS_DONE)
+        return NULL;
+    return node;
+}
+
+void scene_lex_take(struct scene_lex *l, int n, char token)
+{
+    l->parse->last = token;
     l->s += n;
-    return STATUS_DONE;
 }
 
 static int lex_open(struct scene_lex *l)
 {
-    struct scene_text *text = l->text;
-    const char *name = scene_lex_awaits_value(text) ? text->key : "";
+    struct scene_parse *parse = l->parse;
     const char open = *l->s;
+    struct scene_node *node;
 
     TRY(scene_lex_expect_value(l, 'v'));
-    if (text->depth == SCENE_DEPTH_MAX)
+    if (parse->depth == SCENE_DEPTH_MAX)
         return status_fail(STATUS_BAD_SCENE, "%s: more than %d brackets inside each other",
                            scene_place_text(l->at), SCENE_DEPTH_MAX);
-    text->level[++text->depth] = (struct scene_level){ .open = open, .at = l->at, .name = name };
-    text->last = open == '{' ? '{' : '(';
-    l->s++;
-    return scene_lex_put(text, open == '{' ? "{" : "(", 1);
+    node = scene_lex_value(l, open == '{' ? SCENE_GROUP : SCENE_LIST);
+    if (!node)
+        return STATUS_FAILED;
+    parse->level[++parse->depth] = (struct scene_level){ open, l->at, node };
+    scene_lex_take(l, 1, open == '{' ? '{' : '(');
+    return STATUS_DONE;
 }
 
 static int lex_close(struct scene_lex *l)
 {
-    struct scene_text *text = l->text;
-    const struct scene_level *level = &text->level[text->depth];
+    struct scene_parse *parse = l->parse;
+    const struct scene_level *level = &parse->level[parse->depth];
     const char *where = scene_place_text(l->at);
     const char close = *l->s, fits = close == '}' ? '{' : close == ')' ? '(' : '[';
 
-    if (text->depth == 0)
+    if (parse->depth == 0)
         return status_fail(STATUS_BAD_SCENE, "%s: this %c closes nothing; it is one too many, or "
                            "a %c is missing before it", where, close, fits);
     if (level->open != fits)
         return status_fail(STATUS_BAD_SCENE, "%s: this %c does not close the %c of %s", where,
                            close, level->open, scene_place_text(level->at));
-    if (scene_lex_awaits_value(text))
+    if (scene_lex_awaits_value(parse))
         return scene_lex_lacks_value(l);
-    if (text->last == ',' && fits != '{')
+    if (parse->last == ',' && fits != '{')
         return status_fail(STATUS_BAD_SCENE, "%s: a value is missing between , and %c; leave the "
                            "comma out", where, close);
-    text->depth--;
-    text->last = 'v';
-    l->s++;
-    return scene_lex_put(text, close == '}' ? "}" : ")", 1);
+    parse->depth--;
+    scene_lex_take(l, 1, 'v');
+    return STATUS_DONE;
 }
 
 static int lex_separator(struct scene_lex *l)
 {
-    struct scene_text *text = l->text;
+    struct scene_parse *parse = l->parse;
     const char c = *l->s;
 
     if (c == '=' || c == ':') {
-        if (text->last != 'k')
+        if (parse->last != 'k')
             return status_fail(STATUS_BAD_SCENE, "%s: this %c has no name before it",
                                scene_place_text(l->at), c);
-        return scene_lex_take(l, 1, c);
+        scene_lex_take(l, 1, c);
+        return STATUS_DONE;
     }
-    if (scene_lex_awaits_value(text))
+    if (scene_lex_awaits_value(parse))
         return scene_lex_lacks_value(l);
-    if (scene_lex_in_list(text) && c == ';')
+    if (scene_lex_in_list(parse) && c == ';')
         return status_fail(STATUS_BAD_SCENE, "%s: values in a list are separated by commas, not "
                            "by ;", scene_place_text(l->at));
-    if (text->last != 'v' && text->last != 't')
+    if (parse->last != 'v' && parse->last != 't')
         return status_fail(STATUS_BAD_SCENE, "%s: nothing stands before this %c; leave it out",
                            scene_place_text(l->at), c);
-    return scene_lex_take(l, 1, c);
+    scene_lex_take(l, 1, c);
+    return STATUS_DONE;
 }
 
 static int stray(const struct scene_lex *l)
@@ -158,36 +156,41 @@ static int stray(const struct scene_lex *l)
                        "quotes", where, c);
 }
 
-static int lex_comment(struct scene_lex *l)
+static void lex_comment(struct scene_lex *l)
 {
-    struct scene_text *text = l->text;
+    struct scene_parse *parse = l->parse;
     const char *end;
 
-    if (!text->in_comment) {
-        text->in_comment = true;
-        text->comment = l->at;
+    if (!parse->in_comment) {
+        parse->in_comment = true;
+        parse->comment = l->at;
         l->s += 2;
     }
     end = strstr(l->s, "*/");
-    text->in_comment = !end;
+    parse->in_comment = !end;
     l->s = end ? end + 2 : l->s + strlen(l->s);
-    return scene_lex_put(text, " ", 1);
+}
+
+/* Steps over a blank or a comment; answers whether there was one. */
+static bool skip(struct scene_lex *l)
+{
+    const char c = *l->s;
+
+    if (l->parse->in_comment || (c == '/' && l->s[1] == '*'))
+        lex_comment(l);
+    else if (isspace((unsigned char)c))
+        l->s++;
+    else if (c == '#' || (c == '/' && l->s[1] == '/'))
+        l->s += strlen(l->s);
+    else
+        return false;
+    return true;
 }
 
 static int lex_token(struct scene_lex *l)
 {
     const char c = *l->s;
 
-    if (l->text->in_comment || (c == '/' && l->s[1] == '*'))
-        return lex_comment(l);
-    if (isspace((unsigned char)c)) {
-        l->s++;
-        return scene_lex_put(l->text, " ", 1);
-    }
-    if (c == '#' || (c == '/' && l->s[1] == '/')) {
-        l->s += strlen(l->s);
-        return STATUS_DONE;
-    }
     if (c == '"')
         return scene_token_text(l);
     if (strchr("({[", c))
@@ -201,31 +204,27 @@ static int lex_token(struct scene_lex *l)
     return isalpha((unsigned char)c) || c == '*' ? scene_token_name(l) : stray(l);
 }
 
-int scene_lex_line(struct scene_text *text, struct scene_place at, const char *line)
+int scene_lex_line(struct scene_parse *parse, struct scene_place at, const char *line)
 {
-    struct scene_lex l = { text, at, line };
-    struct scene_place *larger =
-        scene_pool_grow(text->pool, text->place, text->lines, &text->places_room, sizeof *larger);
+    struct scene_lex l = { parse, at, line };
 
-    if (!larger)
-        return STATUS_FAILED;
-    text->place = larger;
-    text->place[text->lines++] = at;
+    parse->at = at;
     while (*l.s)
-        TRY(lex_token(&l));
-    return scene_lex_put(text, "\n", 1);
+        if (!skip(&l))
+            TRY(lex_token(&l));
+    return STATUS_DONE;
 }
 
-int scene_lex_end(struct scene_text *text)
+int scene_lex_end(const struct scene_parse *parse)
 {
-    const struct scene_level *level = &text->level[text->depth];
+    const struct scene_level *level = &parse->level[parse->depth];
 
-    if (text->depth > 0)
+    if (parse->depth > 0)
         return status_fail(STATUS_BAD_SCENE, "%s: the %c that stands here%s%s is never closed",
                            scene_place_text(level->at), level->open,
-                           level->name[0] ? " after " : "", level->name);
-    if (scene_lex_awaits_value(text))
+                           level->node->name[0] ? " after " : "", level->node->name);
+    if (scene_lex_awaits_value(parse))
         return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
-                           scene_place_text(text->place[text->lines - 1]), text->key, text->key);
-    return scene_lex_put(text, "", 1); /* the zero at the end of a string */
+                           scene_place_text(parse->at), parse->key, parse->key);
+    return STATUS_DONE;
 }

@@ -10,9 +10,9 @@
 struct scene;      /* a scene file, its includes and overrides              */
 struct scene_node; /* one setting in it: group, list or value               */
 
-/* Reads path: libconfig syntax, where every number is a double, arrays and lists
- * are one thing (so [0, -9.81] is fine), a text ends on its line, and @include
- * looks beside the including file.  On failure *out is NULL.
+/* Reads path, written as doc/scene.md says under Syntax: the notation of libconfig, where
+ * every number is a double, arrays and lists are one thing (so [0, -9.81] is fine), a text
+ * ends on its line, and @include looks beside the including file.  On failure *out is NULL.
  * Free with scene_free(&scene); nodes and texts lent by the scene end with it. */
 int scene_read(const char *path, struct scene **out);
 void scene_free(struct scene **scene);

@@ -1,9 +1,8 @@
 /* token.c -- names, numbers and texts of a scene file, see lex.c. */
 #include "base/status.h"
-#include "scene/text.h"
+#include "scene/parse.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -29,6 +28,56 @@ static const char *after_blanks(const char *s)
     return s;
 }
 
+/* The character that begins at s, in *c; answers how long it is written.  A backslash that
+ * begins nothing of this list stands for itself. */
+static int read_letter(const char *s, char *c)
+{
+    static const char written[] = "nrtf\\\"", meant[] = "\n\r\t\f\\\"";
+    const char *escape = s[0] == '\\' ? strchr(written, s[1]) : NULL;
+
+    *c = escape ? meant[escape - written] : s[0];
+    if (s[0] != '\\' || tolower((unsigned char)s[1]) != 'x' || !isxdigit((unsigned char)s[2]) ||
+        !isxdigit((unsigned char)s[3]))
+        return escape ? 2 : 1;
+    *c = (char)strtol((const char[]){ s[2], s[3], '\0' }, NULL, 16);
+    return 4;
+}
+
+static int put_letter(struct scene_parse *parse, char c)
+{
+    char *larger = scene_pool_grow(parse->keep, parse->bytes, parse->n, &parse->room, 1);
+
+    if (!larger)
+        return STATUS_FAILED;
+    parse->bytes = larger;
+    parse->bytes[parse->n] = c;
+    return STATUS_DONE;
+}
+
+/* Adds what stands between the quotes, up to end, to the open text; \x00 adds nothing. */
+static int add_text(struct scene_parse *parse, const char *s, const char *end)
+{
+    for (char c; s < end;) {
+        s += read_letter(s, &c);
+        TRY(put_letter(parse, c));
+        parse->n += c != '\0';
+    }
+    TRY(put_letter(parse, '\0'));
+    parse->text->text = parse->bytes;
+    return STATUS_DONE;
+}
+
+static int open_text(const struct scene_lex *l)
+{
+    struct scene_parse *parse = l->parse;
+
+    parse->bytes = NULL;
+    parse->n = parse->room = 0;
+    parse->text = scene_lex_value(l, SCENE_TEXT);
+    return parse->text ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Texts beside each other are one. */
 int scene_token_text(struct scene_lex *l)
 {
     const char *end = l->s + 1;
@@ -41,7 +90,11 @@ int scene_token_text(struct scene_lex *l)
             return status_fail(STATUS_BAD_SCENE, "%s: a text has no closing quote on its line: "
                                "%.40s", scene_place_text(l->at), l->s);
     }
-    return scene_lex_take(l, (int)(end + 1 - l->s), 't');
+    if (l->parse->last != 't')
+        TRY(open_text(l));
+    TRY(add_text(l->parse, l->s + 1, end));
+    scene_lex_take(l, (int)(end + 1 - l->s), 't');
+    return STATUS_DONE;
 }
 
 bool scene_token_is_number(const char *s)
@@ -62,66 +115,58 @@ static int number_length(const char *s)
     return n;
 }
 
-/* Every number goes on as a float that reads back to the same bits: libconfig
- * cuts integers to 32 bits and wants the elements of an array to be alike. */
 int scene_token_number(struct scene_lex *l)
 {
     const int n = number_length(l->s);
+    struct scene_node *node;
     char token[256], *end;
     double number;
 
     TRY(scene_lex_expect_value(l, 'v'));
     snprintf(token, sizeof token, "%.*s", n, l->s);
     number = strtod(token, &end);
-    end += strspn(end, "L"); /* libconfig's mark of long integers */
+    end += strspn(end, "L"); /* how libconfig marks long integers */
     if (*end || n >= (int)sizeof token)
         return status_fail(STATUS_BAD_SCENE, "%s: %.40s is not a number (values are SI without "
                            "a unit, names start with a letter, there is no arithmetic)",
                            scene_place_text(l->at), token);
-    snprintf(token, sizeof token, isfinite(number) ? "%.17g" : number > 0 ? "1e999" : "-1e999",
-             number);
-    if (!strpbrk(token, ".e"))
-        strcat(token, ".0");
-    l->s += n;
-    l->text->last = 'v';
-    return scene_lex_put(l->text, token, (int)strlen(token));
+    node = scene_lex_value(l, SCENE_NUMBER);
+    if (!node)
+        return STATUS_FAILED;
+    node->number = number;
+    scene_lex_take(l, n, 'v');
+    return STATUS_DONE;
 }
 
 /* "fluid.water" for the setting `name` where the text stands now. */
-static void write_address(const struct scene_text *text, const char *name, char *to, size_t room)
+static void write_address(const struct scene_parse *parse, const char *name, char *to, size_t room)
 {
     size_t n = 0;
 
     to[0] = '\0';
-    for (int i = 1; i <= text->depth && n < room; i++)
-        if (text->level[i].name[0])
-            n += (size_t)snprintf(to + n, room - n, "%s.", text->level[i].name);
+    for (int i = 1; i <= parse->depth && n < room; i++)
+        if (parse->level[i].node->name[0])
+            n += (size_t)snprintf(to + n, room - n, "%s.", parse->level[i].node->name);
     if (n < room)
         snprintf(to + n, room - n, "%s", name);
 }
 
-/* Notes the name of a setting; two of the same name in one group are refused. */
-static int add_key(struct scene_lex *l, const char *name)
+/* Refuses a second setting of one name in a group, and groups that grow beyond bounds. */
+static int check_key(const struct scene_lex *l, const char *name)
 {
-    struct scene_level *level = &l->text->level[l->text->depth];
-    struct scene_key *key;
+    const struct scene_node *group = l->parse->level[l->parse->depth].node;
+    const struct scene_node *first = scene_node_find(group, name);
     char address[256];
 
-    for (key = level->keys; key; key = key->before)
-        if (strcmp(key->name, name) == 0) {
-            write_address(l->text, name, address, sizeof address);
-            return status_fail(STATUS_BAD_SCENE, "%s: %s is given twice, first at %s; keep one, "
-                               "or give one of them another name", scene_place_text(l->at),
-                               address, scene_place_text(key->at));
-        }
-    if (level->n++ >= SCENE_KEYS_MAX)
+    if (first) {
+        write_address(l->parse, name, address, sizeof address);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s is given twice, first at %s; keep one, or "
+                           "give one of them another name", scene_place_text(l->at), address,
+                           scene_place_text(first->at));
+    }
+    if (group->n >= SCENE_KEYS_MAX)
         return status_fail(STATUS_BAD_SCENE, "%s: more than %d settings in one group",
                            scene_place_text(l->at), SCENE_KEYS_MAX);
-    key = scene_pool_take(l->text->pool, sizeof *key);
-    if (!key)
-        return STATUS_FAILED;
-    *key = (struct scene_key){ name, l->at, level->keys };
-    level->keys = key;
     return STATUS_DONE;
 }
 
@@ -140,11 +185,24 @@ static int lex_key(struct scene_lex *l, int n)
     if (is_flag(l->s, n))
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s is a value and cannot be a name",
                            scene_place_text(l->at), n, l->s);
-    l->text->key = scene_pool_print(l->text->pool, "%.*s", n, l->s);
-    if (!l->text->key)
+    l->parse->key = scene_pool_print(l->parse->pool, "%.*s", n, l->s);
+    if (!l->parse->key)
         return STATUS_FAILED;
-    TRY(add_key(l, l->text->key));
-    return scene_lex_take(l, n, 'k');
+    l->parse->key_at = l->at;
+    TRY(check_key(l, l->parse->key));
+    scene_lex_take(l, n, 'k');
+    return STATUS_DONE;
+}
+
+static int lex_flag(struct scene_lex *l, int n)
+{
+    struct scene_node *node = scene_lex_value(l, SCENE_FLAG);
+
+    if (!node)
+        return STATUS_FAILED;
+    node->flag = is_word(l->s, n, "true");
+    scene_lex_take(l, n, 'v');
+    return STATUS_DONE;
 }
 
 /* A word where a value stands: only true and false go without quotes. */
@@ -153,14 +211,14 @@ static int lex_word(struct scene_lex *l, int n, const char *next)
     const char *where = scene_place_text(l->at);
     const int all = scene_lex_quotable(l->s);
 
-    if (*next == '=' && scene_lex_awaits_value(l->text))
+    if (*next == '=' && scene_lex_awaits_value(l->parse))
         return scene_lex_lacks_value(l);
     TRY(scene_lex_expect_value(l, 'v'));
     if (*next == '=')
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s = ... stands in a list, which holds values "
                            "only; settings with names stand in { }", where, n, l->s);
     if (all == n && is_flag(l->s, n))
-        return scene_lex_take(l, n, 'v');
+        return lex_flag(l, n);
     if (is_word(l->s, n, "yes") || is_word(l->s, n, "no") || is_word(l->s, n, "on") ||
         is_word(l->s, n, "off"))
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s means nothing here; write true or false",
@@ -174,7 +232,7 @@ int scene_token_name(struct scene_lex *l)
     const int n = name_length(l->s);
     const char *next = after_blanks(l->s + n);
 
-    if (scene_lex_awaits_value(l->text) || scene_lex_in_list(l->text))
+    if (scene_lex_awaits_value(l->parse) || scene_lex_in_list(l->parse))
         return lex_word(l, n, next);
     if (l->s[n] & 0x80) { /* lex.c knows what is wrong with the letter that follows */
         l->s += n;

@@ -14,7 +14,7 @@ struct scene_node *scene_node_create(struct scene_pool *pool, const char *name,
         return NULL;
     node->kind = kind;
     node->at = at;
-    node->name = scene_pool_print(pool, "%s", name ? name : "");
+    node->name = name[0] ? scene_pool_print(pool, "%s", name) : "";
     return node->name ? node : NULL;
 }
 

@@ -1,5 +1,5 @@
-/* text.c -- reads a scene file and, in their places, the files it includes. */
-#include "scene/text.h"
+/* source.c -- the lines of a scene file and, in their places, of the files it includes. */
+#include "scene/parse.h"
 #include "base/status.h"
 
 #include <ctype.h>
@@ -15,7 +15,7 @@ struct source { /* a file being read and those that include it */
     int depth;
 };
 
-static int add_source(struct scene_text *text, struct source *source);
+static int add_source(struct scene_parse *parse, struct source *source);
 
 static int unreadable(const struct source *source, const char *why)
 {
@@ -39,32 +39,32 @@ static int check_regular(const struct source *source)
 }
 
 /* All bytes of the file and a zero. */
-static int slurp(struct scene_text *text, const struct source *source, FILE *file, char **bytes)
+static int slurp(struct scene_parse *parse, const struct source *source, FILE *file, char **bytes)
 {
     int n = 0, room = 0;
     size_t got;
 
     do {
-        char *larger = scene_pool_grow(text->pool, *bytes, n, &room, 1);
+        char *larger = scene_pool_grow(parse->pool, *bytes, n, &room, 1);
 
         if (!larger)
             return STATUS_FAILED;
         *bytes = larger;
         got = fread(*bytes + n, 1, (size_t)(room - n), file);
         n += (int)got;
-        if (n > SCENE_BYTES_MAX - text->read)
+        if (n > SCENE_BYTES_MAX - parse->read)
             return unreadable(source, "a scene with all its includes may have 8 MB");
     } while (got > 0);
     if (ferror(file))
         return unreadable(source, strerror(errno));
     if (memchr(*bytes, '\0', (size_t)n))
         return unreadable(source, "it holds zero bytes, so it is not a text file");
-    text->read += n;
+    parse->read += n;
     (*bytes)[n] = '\0'; /* there is room: the last read asked for a byte more */
     return STATUS_DONE;
 }
 
-static int load(struct scene_text *text, struct source *source, char **bytes)
+static int load(struct scene_parse *parse, struct source *source, char **bytes)
 {
     FILE *file = fopen(source->path, "r");
     int status;
@@ -76,7 +76,7 @@ static int load(struct scene_text *text, struct source *source, char **bytes)
     else
         status = check_regular(source);
     if (status == STATUS_DONE)
-        status = slurp(text, source, file, bytes);
+        status = slurp(parse, source, file, bytes);
     fclose(file);
     return status;
 }
@@ -103,7 +103,7 @@ static bool is_include(const char *line)
     return strncmp(skip_blanks(line), "@include", strlen("@include")) == 0;
 }
 
-static int include(struct scene_text *text, const struct source *source, int number,
+static int include(struct scene_parse *parse, const struct source *source, int number,
                    const char *line)
 {
     const struct scene_place at = { source->path, number };
@@ -115,14 +115,14 @@ static int include(struct scene_text *text, const struct source *source, int num
     if (!end || end == name + 1 || (rest[0] && !strchr("#/;", rest[0])))
         return status_fail(STATUS_BAD_SCENE, "%s: an include is written alone on its line, "
                            "as @include \"file.cfg\"", scene_place_text(at));
-    name = scene_pool_print(text->pool, "%.*s", (int)(end - name - 1), name + 1);
+    name = scene_pool_print(parse->pool, "%.*s", (int)(end - name - 1), name + 1);
     if (!name)
         return STATUS_FAILED;
-    inner.path = beside(text->keep, source->path, name);
-    return inner.path ? add_source(text, &inner) : STATUS_FAILED;
+    inner.path = beside(parse->keep, source->path, name);
+    return inner.path ? add_source(parse, &inner) : STATUS_FAILED;
 }
 
-static int add_lines(struct scene_text *text, const struct source *source, char *bytes)
+static int add_lines(struct scene_parse *parse, const struct source *source, char *bytes)
 {
     int number = 0;
 
@@ -133,40 +133,40 @@ static int add_lines(struct scene_text *text, const struct source *source, char 
         if (end)
             *end++ = '\0';
         number++;
-        if (source && !text->in_comment && is_include(line))
-            TRY(include(text, source, number, line));
+        if (source && !parse->in_comment && is_include(line))
+            TRY(include(parse, source, number, line));
         else
-            TRY(scene_lex_line(text, (struct scene_place){ source ? source->path : NULL, number },
+            TRY(scene_lex_line(parse, (struct scene_place){ source ? source->path : NULL, number },
                                line));
     }
-    if (text->in_comment)
+    if (parse->in_comment)
         return status_fail(STATUS_BAD_SCENE, "%s: the comment that starts here never ends; "
-                           "close it with */", scene_place_text(text->comment));
+                           "close it with */", scene_place_text(parse->comment));
     return STATUS_DONE;
 }
 
-static int add_source(struct scene_text *text, struct source *source)
+static int add_source(struct scene_parse *parse, struct source *source)
 {
     char *bytes = NULL;
 
-    TRY(load(text, source, &bytes));
-    return add_lines(text, source, bytes);
+    TRY(load(parse, source, &bytes));
+    return add_lines(parse, source, bytes);
 }
 
-int scene_text_file(struct scene_text *text, const char *path)
+int scene_source_file(struct scene_parse *parse, const char *path)
 {
     struct source source = { .path = path };
 
-    TRY(add_source(text, &source));
-    return scene_lex_end(text);
+    TRY(add_source(parse, &source));
+    return scene_lex_end(parse);
 }
 
-int scene_text_string(struct scene_text *text, const char *source)
+int scene_source_string(struct scene_parse *parse, const char *source)
 {
-    char *bytes = scene_pool_print(text->pool, "%s", source);
+    char *bytes = scene_pool_print(parse->pool, "%s", source);
 
     if (!bytes)
         return STATUS_FAILED;
-    TRY(add_lines(text, NULL, bytes));
-    return scene_lex_end(text);
+    TRY(add_lines(parse, NULL, bytes));
+    return scene_lex_end(parse);
 }
