@@ -4,8 +4,7 @@
 #include "base/status.h"
 #include "plan/face.h"
 #include "scene/scene.h"
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
+#include "space/laws.h"
 
 #include <stdio.h>
 #include <stdlib.h>
