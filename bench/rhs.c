@@ -26,11 +26,10 @@
 
 #include "base/status.h"
 #include "space/cells.h"
+#include "space/laws.h"
 #include "space/record.h"
 #include "tools.h"
 #include "water.h"
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -4,7 +4,7 @@
  * `kernel-table NAME` writes CSV to stdout; plots/figures-kernels.sh draws it.  Values
  * without end are written nan. */
 #define LANES 2
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 #include <stdio.h>

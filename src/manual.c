@@ -9,14 +9,13 @@
 #include "cli/commands.h"
 #include "cli/elsewhere.h"
 #include "cli/roff.h"
+#include "kernels/kernel.h"
 #include "plan/catalogue.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "fill/flow.h"
 #include "time/method.h"
 #include "walls/walls.h"
-#define LANES 2 /* names and sources of kernels do not depend on it */
-#include "kernels/kernel.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,9 @@
 # cli.sh -- the command line keeps its word: help, tables, exit status, and what is left
 # behind when a run is stopped or cannot write.  Run by `make check`.
 scenes=${top_srcdir:-.}/tests/scenes
-script=cli ask=
-. "${top_srcdir:-.}/tests/ask.sh"
+ask=
+. "${top_srcdir:-.}/tests/lib.sh"
+asking
 
 # --- help and versions --------------------------------------------------------------------
 commands='run check plot list explain compare'
@@ -159,7 +160,7 @@ whole()
 for signal in INT TERM; do
     tried=$((tried + 1))
     # sh starts background jobs with SIGINT ignored; env sets it back where it can
-    env --default-signal=INT "$stiffwater" run "$scenes/small-2d.scene" -q until=1e3 \
+    env --default-signal=INT "$STIFFWATER" run "$scenes/small-2d.scene" -q until=1e3 \
         output.interval=1e-3 output.fields=10 -o stopped >said 2>&1 &
     pid=$!
     waited=0
@@ -199,5 +200,4 @@ if [ "$(id -u)" != 0 ]; then
     says locked
 fi
 
-echo "cli: $tried tried, $failed complaints"
-[ $failed = 0 ]
+finish

@@ -3,8 +3,9 @@
 # refused or stopped included; errors that shrink with the tolerance; what is there is not run
 # again; a signal leaves a table.  Run by `make check'.
 scenes=${top_srcdir:-.}/data/scenes
-script=compare ask=compare
-. "${top_srcdir:-.}/tests/ask.sh"
+ask=compare
+. "${top_srcdir:-.}/tests/lib.sh"
+asking
 
 # field DIR METHOD TOL COLUMN [MORE]: of the row, whose end holds MORE
 field()
@@ -118,7 +119,7 @@ if command -v gnuplot >/dev/null; then
         work-precision-impulse work-precision-energy step-lengths
     rm -f dam/figures/*.png
     echo old >dam/figures/work-precision-tip.png
-    "$stiffwater" plot dam >said 2>&1 || complain "the figures cannot be drawn again"
+    "$STIFFWATER" plot dam >said 2>&1 || complain "the figures cannot be drawn again"
     says dam/figures/work-precision-energy.png
     drawn dam work-precision work-precision-position work-precision-front \
         work-precision-impulse work-precision-energy step-lengths
@@ -208,7 +209,7 @@ grep -q '"reference_method": "imex4"' beam/compare.json || complain "another ref
 for signal in INT TERM; do
     tried=$((tried + 1))
     rm -f stopped/runs/leapfrog@0.000001/steps.csv
-    env --default-signal=INT "$stiffwater" compare "$scenes/dam-break.scene" spacing=0.025 \
+    env --default-signal=INT "$STIFFWATER" compare "$scenes/dam-break.scene" spacing=0.025 \
         --until 0.02 --methods cks43,leapfrog@0.000001 --tols 1e-1 -o stopped >said 2>&1 &
     pid=$!
     waited=0
@@ -229,5 +230,4 @@ for signal in INT TERM; do
 done
 grep -q "3 of them\|1 of them" said || complain "what was done is done again"
 
-echo "compare: $tried tried, $failed complaints"
-[ $failed = 0 ]
+finish

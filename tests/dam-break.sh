@@ -6,7 +6,6 @@
 # front is within 10 % of every measured point with 1.8 < Z < 3.8, and the slope
 # dZ/dT of a straight line through that range within 7 % of the measured one.
 . "$top_srcdir/tests/lib.sh"
-scratch
 data=$top_srcdir/data
 scene=$data/scenes/dam-break.scene
 # Density: within 12 % while the water falls; after impacts (the long run) its peaks are

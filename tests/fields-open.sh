@@ -5,28 +5,25 @@
 # with VTK and what it saw is compared here.  Skipped (77) when no Python has VTK:
 #
 #   apt-get install python3-vtk9
-set -u
-source=${top_srcdir:-.}
-build=${top_builddir:-.}
-directory=$(mktemp -d) || exit 99
-trap 'rm -rf "$directory"' EXIT
+. "${top_srcdir:-.}/tests/lib.sh"
+set +e # it looks at what fails
 
-"$build/tests/unit/output" sample "$directory" || { echo 'fields-open: no sample series'; exit 99; }
+"$top_builddir/tests/unit/output" sample "$out" || { echo 'fields-open: no sample series'; exit 99; }
 
 status=77
 for python in /usr/bin/python3 python3; do
     command -v "$python" >/dev/null || continue
-    "$python" "$source/tests/fields-open.py" "$directory" >"$directory/seen"
+    "$python" "$top_srcdir/tests/fields-open.py" "$out" >"$out/seen"
     status=$?
     [ $status = 77 ] || break
 done
-[ -f "$directory/seen" ] && cat "$directory/seen"
-[ $status = 77 ] && { echo 'fields-open: not checked, there is no VTK for Python here'; exit 77; }
+[ -f "$out/seen" ] && cat "$out/seen"
+[ $status = 77 ] && skip 'there is no VTK for Python here'
 [ $status = 0 ] || { echo 'fields-open: FAILED'; exit 1; }
 
 # Three moments of 30 particles: pressure of particle i at moment k is 10 i + k.
 for k in 0 1 2; do
     grep -q "^hdf t=0\\.*[0-9]* particles=30 cells=30 pressure=$k\\.\\.$((290 + k)) " \
-        "$directory/seen" || { echo "fields-open: moment $k is not what was written"; exit 1; }
+        "$out/seen" || { echo "fields-open: moment $k is not what was written"; exit 1; }
 done
 echo 'fields-open: VTK reads what was written'

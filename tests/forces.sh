@@ -5,18 +5,6 @@
 # Marks: 1e-9 of m g t for the balance of the water alone, from its particles' eight digits and the
 # impulses of forces.csv; 3 % for the lift, 20 spacings deep.  tests/validation/F01.sh has more.
 . "$top_srcdir/tests/lib.sh"
-scratch
-
-# column RUN/FILE COLUMN...: time and these columns
-column() {
-    table=$out/$1.csv
-    shift
-    awk -F, -v names="$*" '/^#/ { next }
-        !n { n = split(names, name, " ")
-             for (k = 1; k <= n; k++) for (i = 1; i <= NF; i++) if ($i == name[k]) c[k] = i
-             next }
-        { line = $1; for (k = 1; k <= n; k++) line = line " " $(c[k]); print line }' "$table"
-}
 
 # water RUN: t and momentum of the water in each snapshot
 water() {
@@ -59,4 +47,4 @@ well rests "$top_srcdir/tests/validation/sunk-beam.scene" until=3 output.interva
     spacing=0.01 beam.body.layers=5
 lift=$(column rests/forces body.fy | awk '$1 >= 2 { s += $2; n++ } END { print s / n }')
 claim 'a beam under water is lifted by 24.525 N/m' "$lift / 24.525 > 0.97 && $lift / 24.525 < 1.03"
-exit $bad
+finish

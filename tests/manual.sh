@@ -7,16 +7,8 @@
 # Run by `make check'.
 top=${top_srcdir:-.}
 build=${top_builddir:-.}
-stiffwater=${STIFFWATER:-$build/stiffwater}
-directory=$(mktemp -d) || exit 99
-trap 'rm -rf "$directory"' EXIT
-failed=0
-
-complain()
-{
-    failed=$((failed + 1))
-    echo "manual: $*"
-}
+. "$top/tests/lib.sh"
+set +eu # it complains about all that fails
 
 # --- labels ---------------------------------------------------------------------------------
 # (D1), (BE2), (LF) are ours, (14) and (9) those of the work that this one started from;
@@ -41,7 +33,7 @@ done
 # --- keys -----------------------------------------------------------------------------------
 page=$build/stiffwater.1
 [ -f "$page" ] || page=$top/stiffwater.1
-sed 's/\\-/-/g; s/\\(ha/^/g; s/\\fR/ /g' "$page" >"$directory/page" || exit 99
+sed 's/\\-/-/g; s/\\(ha/^/g; s/\\fR/ /g' "$page" >"$out/page" || exit 99
 
 # stands NAME KEY: in bold, with its last component, below NAME where it is written so.
 keys=0
@@ -54,7 +46,7 @@ stands()
     fluid | wall | probe | beam) tag=$1.NAME.$2 ;;
     *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
     esac
-    grep -q -E -e "^\\\\fB$tag " "$directory/page" || complain "the man page lacks $2 of $1"
+    grep -q -E -e "^\\\\fB$tag " "$out/page" || complain "the man page lacks $2 of $1"
 }
 
 for dimension in 2 3; do
@@ -64,30 +56,30 @@ for dimension in 2 3; do
         names="$names $("$program" list $table | awk '{ print $1 }')"
     done
     for name in $names; do
-        "$program" explain "$name" >"$directory/said" || complain "explain $name fails"
-        for key in $(awk '/^  [A-Za-z]/ && / (required|default)/ { print $1 }' "$directory/said"); do
+        "$program" explain "$name" >"$out/told" || complain "explain $name fails"
+        for key in $(awk '/^  [A-Za-z]/ && / (required|default)/ { print $1 }' "$out/told"); do
             stands "$name" "$key"
         done
     done
 done
 for table in kernels methods; do
-    for name in $("$stiffwater" list $table | awk '{ print $1 }'); do
-        grep -q -F -e "\\fB$name " "$directory/page" || complain "the man page lacks $name"
+    for name in $("$STIFFWATER" list $table | awk '{ print $1 }'); do
+        grep -q -F -e "\\fB$name " "$out/page" || complain "the man page lacks $name"
     done
 done
-for word in $("$stiffwater" run --help | grep -o -E -e '--[a-z]+' | sort -u); do
+for word in $("$STIFFWATER" run --help | grep -o -E -e '--[a-z]+' | sort -u); do
     case $word in
     --help | --usage | --version) ;;
-    *) grep -q -F -e "$word" "$directory/page" || complain "the man page lacks $word" ;;
+    *) grep -q -F -e "$word" "$out/page" || complain "the man page lacks $word" ;;
     esac
 done
 [ $keys -gt 100 ] || complain "only $keys keys are asked for"
 
 # --- files of a run, and how the page looks ------------------------------------------------------
-"$stiffwater" run "$top/tests/scenes/small-2d.scene" -q until=0.002 -o "$directory/run" \
-    >"$directory/said" 2>&1 || complain "the small scene fails: $(cat "$directory/said")"
-for file in "$directory"/run/*; do
-    grep -q -F -e "${file##*/}" "$directory/page" ||
+"$STIFFWATER" run "$top/tests/scenes/small-2d.scene" -q until=0.002 -o "$out/run" \
+    >"$out/told" 2>&1 || complain "the small scene fails: $(cat "$out/told")"
+for file in "$out"/run/*; do
+    grep -q -F -e "${file##*/}" "$out/page" ||
         complain "a run leaves ${file##*/}, which the man page does not name"
 done
 if command -v groff >/dev/null; then
@@ -103,19 +95,19 @@ effect=$(sed -n 's,^/\* \([a-z-]*\)\.c -- .*,\1,p' "$top/doc/adding-a-part.md" |
 for path in $(grep -h -o -E '[(` ](src|tests|doc|data|plots|bench|m4|build-aux)/[A-Za-z0-9_./*-]+' $pages |
     sed 's/^.//; s/[.,]$//' | grep -v -E 'NAME|ROOM|PREFIX|CASE' | sort -u); do
     case $path in *"/$effect"* | *.log) continue ;; esac
-    ls $top/$path >"$directory/there" 2>&1 || grep -q -w -e "$path" "$top"/tests/*/*.am ||
+    ls $top/$path >"$out/there" 2>&1 || grep -q -w -e "$path" "$top"/tests/tests.am ||
         complain "$path is named in $(grep -l -F -e "$path" $pages | tr '\n' ' ')but is not there"
 done
 
 # Names of files without their directory, and of tests and functions.
 find "$top" -name '*.[ch]' -o -name '*.sh' -o -name '*.am' -o -name '*.scene' -o -name '*.md' |
-    sed 's,.*/,,' | sort -u >"$directory/files"
+    sed 's,.*/,,' | sort -u >"$out/files"
 # shellcheck disable=SC2086
 for name in $(grep -h -o -E '`[a-z0-9-]+\.(c|h|sh|am|scene|md)`' $pages | tr -d '`' | sort -u); do
     case $name in "$effect".*) continue ;; esac
     # shellcheck disable=SC2086
     grep -q -F -e "Save it as \`$name\`" $pages && continue # a file of the reader
-    grep -q -x -F -e "$name" "$directory/files" || complain "$name is named but is not there"
+    grep -q -x -F -e "$name" "$out/files" || complain "$name is named but is not there"
 done
 # shellcheck disable=SC2086
 for name in $(grep -h -o -E '`[a-z0-9]+_[a-z0-9]+_[a-z0-9_]+`' $pages | tr -d '`' | sort -u); do
@@ -125,15 +117,15 @@ done
 # --- the example of an effect -----------------------------------------------------------------
 awk -v name="$effect" '/^```/ { inside = 0 } inside { print }
     /^```c/ && !done { getline; if (index($0, name ".c -- ")) { inside = done = 1; print } }' \
-    "$top/doc/adding-a-part.md" >"$directory/$effect.c"
-[ -s "$directory/$effect.c" ] || complain "doc/adding-a-part.md holds no file"
+    "$top/doc/adding-a-part.md" >"$out/$effect.c"
+[ -s "$out/$effect.c" ] || complain "doc/adding-a-part.md holds no file"
 if command -v "${CC:-gcc}" >/dev/null; then
     for dimension in 2 3; do
         "${CC:-gcc}" -std=gnu17 -fsyntax-only -Wall -Wextra -Werror -Wno-psabi -DLANES=2 \
-            -DDIM=$dimension -I"$top/src" "$directory/$effect.c" ||
+            -DDIM=$dimension -I"$top/src" "$out/$effect.c" ||
             complain "the effect of doc/adding-a-part.md does not compile in ${dimension}D"
     done
 fi
 
-echo "manual: $count labels, $keys keys, $failed complaints"
-[ $failed = 0 ]
+tried=$((count + keys))
+finish

@@ -2,16 +2,12 @@
 # memory.sh -- a run takes the memory that `check` foretells, within 10 %.
 #
 # Short runs do: a run has taken all by the second file of fields.
-set -eu
+. "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/data/scenes
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
 if grep -q __asan_init "$top_builddir/stiffwater-2d"; then
-    echo "memory is not what it is under a sanitizer"
-    exit 77
+    skip "memory is not what it is under a sanitizer"
 fi
 
-bad=0
 # holds UNTIL SCENE KEY=VALUE...
 holds() {
     until=$1
@@ -20,15 +16,14 @@ holds() {
         output.fields="$(awk -v t="$until" 'BEGIN { print t / 2 }')"
     "$STIFFWATER" check "$@" >"$out/said"
     "$STIFFWATER" run "$@" -q -o "$out/run"
-    awk -v what="$*" '
+    if words=$(awk -v what="$*" '
         /^memory: about / { told = $3 }
         /"peak_rss_kb":/ { gsub(",", ""); took = 1024e-6 * $2 }
         END {
             good = told > 0.9 * took && told < 1.1 * took
-            printf "%s  %.1f MB told, %.1f MB taken (%+.1f %%): %s\n", good ? "ok    " : "NOT SO",
-                told, took, 100 * (told / took - 1), what
+            printf "%.1f MB told, %.1f MB taken (%+.1f %%): %s\n", told, took, 100 * (told / took - 1), what
             exit !good
-        }' "$out/said" "$out/run/run.json" || bad=1
+        }' "$out/said" "$out/run/run.json"); then good "$words"; else wrong "$words"; fi
 }
 
 holds 4e-4 "$scenes/dam-break.scene"
@@ -42,4 +37,4 @@ holds 4e-3 "$scenes/dam-break-3d.scene" spacing=0.037
 holds 1e-4 "$scenes/beam-alone.scene"
 [ -z "${STIFFWATER_LONG-}" ] || holds 4e-3 "$scenes/dam-break-3d.scene"
 [ -z "${STIFFWATER_LONG-}" ] || holds 1e-4 "$scenes/dam-break.scene" spacing=3.125e-4
-exit $bad
+finish

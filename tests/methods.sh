@@ -5,7 +5,6 @@
 # (cks43: 0.012 %), nobody asks for one and a half times the right-hand sides that were
 # measured, and with a beam bdf needs few times those of imex3.
 . "$top_srcdir/tests/lib.sh"
-scratch
 scenes=$top_srcdir/data/scenes
 
 # run SCENE KEY=VALUE...

@@ -6,7 +6,6 @@
 # speed; the vortices' viscous work until 0.05 s within 3 % (it is 2.4 % low), momentum to
 # rounding, the same bits on 1, 2 and 4 threads, nobody lost, particles written where the domain is.
 . "$top_srcdir/tests/lib.sh"
-scratch
 scenes=$top_srcdir/data/scenes
 
 # run NAME KEY=VALUE...: a scene into $out/NAME

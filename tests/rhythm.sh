@@ -5,15 +5,8 @@
 #
 # tests/physics/bits.c has the same for the right-hand side, tests/shipped-scenes.sh for the
 # default methods of the shipped scenes.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/data/scenes
-
-# value RUN KEY: from run.json, as it stands there
-value() {
-    sed -n "s/^ *\"$2\": *\(.*[^,]\),*\$/\1/p" "$out/$1/run.json"
-}
 
 # run NAME SCENE KEY=VALUE...; false when the method cannot serve the scene
 run() {
@@ -23,8 +16,8 @@ run() {
     rm -rf "${out:?}/$name"
     "$STIFFWATER" run "$scenes/$scene.scene" -q -o "$out/$name" "$@" 2>"$out/said" && return 0
     if grep -q 'cannot serve this scene' "$out/said"; then return 1; fi
+    wrong "$name runs"
     cat "$out/said"
-    bad=1
     return 1
 }
 
@@ -33,7 +26,7 @@ refused() {
     case "$method $scene" in
     'adams toth-beam' | gsl-*' toth-beam' | 'mri dam-break'*)
         echo "        $method: not $scene" ;;
-    *) echo "NOT SO  $method serves $scene"; cat "$out/said"; bad=1 ;;
+    *) wrong "$method serves $scene"; cat "$out/said" ;;
     esac
 }
 
@@ -50,21 +43,21 @@ same() {
         ${near:+"probe.one={at=[$near];}" "probe.two={at=[$near];what=\"height\";}"}
     served=$((served + 1))
     for key in state_hash steps rejected rebuilds; do
-        [ "$(value quiet $key)" ] && [ "$(value quiet $key)" = "$(value talkative $key)" ] ||
-            { echo "NOT SO  $method, $scene: $key is $(value quiet $key) and, with more" \
-                "outputs, $(value talkative $key)"; bad=1; }
+        words="$method, $scene: $key is $(value quiet $key) and, with more outputs, $(value talkative $key)"
+        if [ "$(value quiet $key)" ] && [ "$(value quiet $key)" = "$(value talkative $key)" ]; then
+            good "$words"
+        else wrong "$words"; fi
     done
     # The dense output of the last step may want the rates at its end.
     asked=$(($(value talkative rhs_explicit) - $(value quiet rhs_explicit)))
     [ $asked = 0 ] || [ $asked = 1 ] ||
-        { echo "NOT SO  $method, $scene: outputs ask $asked right-hand sides"; bad=1; }
+        wrong "$method, $scene: outputs ask $asked right-hand sides"
 }
 
 # Each family of methods; what the program does not list is left out.
 methods='cks43 erk5 imex3 imex5 dv leapfrog euler-cfl staggered adams bdf gsl-rkf45 gsl-rk8pd
     gsl-msadams ab3 mri'
 "$STIFFWATER" list methods >"$out/listed"
-bad=0
 count=0
 served=0
 for method in $methods; do
@@ -88,4 +81,5 @@ near=0.05,0.02
 same dam-break 0.1 spacing=0.025 'effects.laminar-viscosity={mu=500;side="implicit";}'
 
 echo "rhythm: $count methods, $served pairs of runs"
-[ "$count" -ge 13 ] && [ "$served" -gt $((2 * count)) ] && [ $bad = 0 ]
+claim "methods and pairs are many" "$count >= 13 && $served > 2 * $count"
+finish

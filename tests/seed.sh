@@ -3,7 +3,6 @@
 # printed equations do and which of them does it, its two models against each other, what
 # tension does to a summed density, which kernels let particles pair.
 . "$top_srcdir/tests/lib.sh"
-scratch
 scenes=$top_srcdir/data/scenes
 coarse=spacing=5e-3
 often=output.fields=0.05 # and pairs are counted as often
@@ -14,10 +13,10 @@ arrival() {
     awk -F, '!/^[#t]/ && $2 > 0.385 { print $1; exit }' "$out/$1/front.csv"
 }
 
-# says RUN WORDS: its message has them
-says() {
-    if grep '"message"' "$out/$1/run.json" | grep -q -F -e "$2"; then echo "ok      $1 says: $2"
-    else echo "NOT SO  $1 says: $2"; cat "$out/$1.said"; bad=1; fi
+# tells RUN WORDS: the message in its run.json has them
+tells() {
+    if grep '"message"' "$out/$1/run.json" | grep -q -F -e "$2"; then good "$1 says: $2"
+    else wrong "$1 says: $2"; cat "$out/$1.said"; fi
 }
 
 # --- as printed, and one fault after the other put right ---------------------------------
@@ -30,14 +29,14 @@ claim 'everything as printed fails' "$code == 1"
 claim 'within the first microseconds' "$(number printed t_end) < 1e-6"
 for words in particle effects.pressure-printed 'm/s^2' 'm/s, the sound speed 4 m/s' \
     'particle_mass = 0.011, but a site of this spacing holds 0.004'; do
-    says printed "$words"
+    tells printed "$words"
 done
 go mass "$literal" particle_mass=4e-3
 claim 'the right mass does not save it' "$code == 1"
-says mass effects.pressure-printed
+tells mass effects.pressure-printed
 go force "$out/force.scene" $coarse particle_mass=0.06875
 claim 'nor does the right force with 2.75 times the mass' "$code == 1"
-says force 'particle_mass = 0.06875, but a site of this spacing holds 0.025'
+tells force 'particle_mass = 0.06875, but a site of this spacing holds 0.025'
 go viscosity "$out/force.scene" $coarse particle_mass=0.025 until=0.3
 claim 'with both it runs' "$code == 0"
 claim 'but hardly braked: water leaves through the walls' "$(number viscosity escaped) > 50"
@@ -98,4 +97,4 @@ for kernel in wendland-c2 spiky seeds; do
     claim "$kernel does not" "$(last $kernel pairing pairing) == 0"
     claim 'and keeps its distance' "$(last $kernel pairing nearest_least) > 0.7"
 done
-exit $bad
+finish

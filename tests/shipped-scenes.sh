@@ -5,23 +5,8 @@
 #
 # Run by `make check`; each scene takes a few seconds.
 scenes=${top_srcdir:-.}/data/scenes
-stiffwater=${STIFFWATER:-${top_builddir:-.}/stiffwater}
-directory=$(mktemp -d) || exit 99
-trap 'rm -rf "$directory"' EXIT
-failed=0
-count=0
-
-complain()
-{
-    failed=$((failed + 1))
-    echo "shipped-scenes: $*"
-}
-
-# value RUN KEY: from RUN/run.json, a line each
-value()
-{
-    sed -n "s/^ *\"$2\": *\"\\{0,1\\}\\([^\",]*\\).*/\\1/p" "$1/run.json"
-}
+. "${top_srcdir:-.}/tests/lib.sh"
+asking
 
 # at_most NAME NUMBER LIMIT
 at_most()
@@ -31,13 +16,13 @@ at_most()
         complain "$1 is $2, at most $3 is expected"
 }
 
-# run NAME SCENE OPTION ...: into $directory/NAME
+# run NAME SCENE OPTION ...
 run()
 {
     name=$1
     shift
-    "$stiffwater" run "$@" -q -o "$directory/$name" >"$directory/said" 2>&1 ||
-        { complain "$name: exit status $?"; sed 's/^/    /' "$directory/said"; }
+    "$STIFFWATER" run "$@" -q -o "$name" >"said" 2>&1 ||
+        complain "$name: exit status $?"
 }
 
 # table FILE PATTERN: names in the first line without #, as many fields in each row, no
@@ -96,7 +81,7 @@ books()
 # same RUN OTHER WHAT
 same()
 {
-    [ "$(value "$directory/$1" state_hash)" = "$(value "$directory/$2" state_hash)" ] ||
+    [ "$(value "$1" state_hash)" = "$(value "$2" state_hash)" ] ||
         complain "$1: $3 changes the final state"
 }
 
@@ -107,13 +92,13 @@ scene()
     until=$2
     interval=$3
     shift 3
-    count=$((count + 1))
-    "$stiffwater" check "$scenes/$base.scene" "$@" >"$directory/said" 2>&1 ||
-        { complain "check $base.scene: exit status $?"; cat "$directory/said"; }
+    tried=$((tried + 1))
+    "$STIFFWATER" check "$scenes/$base.scene" "$@" >"said" 2>&1 ||
+        complain "check $base.scene: exit status $?"
     run "$base" "$scenes/$base.scene" "$@" --until "$until" --threads 2
-    books "$directory/$base" "$until"
-    tables "$directory/$base"
-    run "$base.again" "$directory/$base/scene.used" --threads 1
+    books "$base" "$until"
+    tables "$base"
+    run "$base.again" "$base/scene.used" --threads 1
     same "$base" "$base.again" "its own scene.used on one thread"
     run "$base.dense" "$scenes/$base.scene" "$@" --until "$until" output.interval="$interval" \
         output.fields="$until" output.snapshots=3
@@ -123,15 +108,15 @@ scene()
 # fails NAME: a scene that is there to fail ends so, with a reason and all its files
 fails()
 {
-    count=$((count + 1))
-    "$stiffwater" check "$scenes/$1.scene" >"$directory/said" 2>&1 ||
-        { complain "check $1.scene: exit status $?"; cat "$directory/said"; }
-    "$stiffwater" run "$scenes/$1.scene" -q -o "$directory/$1" >"$directory/said" 2>&1
+    tried=$((tried + 1))
+    "$STIFFWATER" check "$scenes/$1.scene" >"said" 2>&1 ||
+        complain "check $1.scene: exit status $?"
+    "$STIFFWATER" run "$scenes/$1.scene" -q -o "$1" >"said" 2>&1
     code=$?
     [ "$code" = 1 ] || complain "$1: exit status $code, 1 is expected"
-    [ "$(value "$directory/$1" status)" = failed ] || complain "$1 has not failed"
-    [ "$(value "$directory/$1" message)" ] || complain "$1 fails without a message"
-    tables "$directory/$1"
+    [ "$(value "$1" status)" = failed ] || complain "$1 has not failed"
+    [ "$(value "$1" message)" ] || complain "$1 fails without a message"
+    tables "$1"
 }
 
 scene dam-break 0.03 1.7e-3
@@ -159,7 +144,6 @@ scene elastic-obstacle 0.03 7e-4
 scene clustering 0.01 7e-4 spacing=4e-3 particle_mass=0.0176 tol=1e-3
 fails toth-dam-break-literal
 for path in "$scenes"/*.scene; do
-    [ -d "$directory/$(basename "$path" .scene)" ] || complain "$path is not tried here"
+    [ -d "$(basename "$path" .scene)" ] || complain "$path is not tried here"
 done
-echo "shipped-scenes: $count scenes, $failed complaints"
-[ "$failed" = 0 ]
+finish

@@ -1,9 +1,7 @@
 #!/bin/sh
 # still-water.sh -- what should not move does not: 2 s, or with STIFFWATER_LONG the
 # scene's 10 s.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$top_srcdir/tests/lib.sh"
 [ -n "${STIFFWATER_LONG-}" ] && until=10 || until=2
 
 "$STIFFWATER" run "$top_srcdir/data/scenes/still-water.scene" "until=$until" output.interval=0.02 \

@@ -5,10 +5,8 @@
 # Needs a build tree with CC=clang --enable-sanitizer=thread; skipped in others.  gcc will
 # not do: its OpenMP library hides from the sanitizer and looks like races.  clang's tells
 # what it does through libarcher.so, which lies beside it.
-set -eu
+. "$top_srcdir/tests/lib.sh"
 program=$top_builddir/stiffwater-2d
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
 
 nm "$program" | grep -q __tsan_init || {
     echo 'this build tree has no ThreadSanitizer: see CONTRIBUTING.md'

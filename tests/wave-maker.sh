@@ -6,7 +6,6 @@
 # within 10 % of the theory (-7 % at 10 spacings of depth, -5 % at 15); energy to 3e-4 of
 # what there was, momentum to 1e-8 of weight x time.
 . "$top_srcdir/tests/lib.sh"
-scratch
 scenes=$top_srcdir/data/scenes
 
 # books MASS: of the run that has ended, MASS kg

@@ -6,7 +6,7 @@
  * in q = r/H; the papers write it with h = H/2.
  * Monaghan, Lattanzio, Astron. Astrophys. 149 (1985) 135-143.  Checked in
  * tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -75,10 +75,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_cubic_spline = {
     .name = "cubic-spline", .about = "the kernel of the published dam breaks",
     .source = "Monaghan, Lattanzio 1985",
     .sigma = { [2] = 40 / (7 * M_PI), [3] = 8 / M_PI },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

@@ -10,7 +10,7 @@
  * greatest value.  Slow: an exponential for each pair.
  * Gingold, Monaghan, Mon. Not. R. Astron. Soc. 181 (1977) 375-389; Toth 2012, (13).
  * Checked in tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -80,11 +80,15 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_gauss = {
     .name = "gauss", .about = "the bell curve, cut at three standard deviations; slow",
     .source = "Gingold, Monaghan 1977; Toth 2012, (13), cut",
     .sigma = { [2] = 4.5 / (M_PI * (1 - 5.5 * EDGE)),
                [3] = 1 / (ROOT * ROOT * ROOT * CORE - 16 * M_PI / 9 * EDGE) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

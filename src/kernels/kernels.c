@@ -1,7 +1,6 @@
-/* kernels.c -- the table of smoothing kernels, and a kernel at one distance. */
-#include "kernels/kernel.h"
+/* kernels.c -- the table of smoothing kernels, and their Laplacian at one distance. */
+#include "kernels/rows.h"
 
-#include <math.h>
 #include <stddef.h>
 
 const struct kernel *const kernel_table[] = {
@@ -10,29 +9,6 @@ const struct kernel *const kernel_table[] = {
     NULL
 };
 
-struct kernel_use kernel_use_make(const struct kernel *kernel, double support, int dimension)
-{
-    return (struct kernel_use){
-        .kernel = kernel,
-        .support = support,
-        .scale = kernel->sigma[dimension] / pow(support, dimension),
-    };
-}
-
-double kernel_w(const struct kernel_use *use, double r)
-{
-    const double q = r / use->support;
-
-    return q < 1 ? use->scale * use->kernel->w(q) : 0;
-}
-
-double kernel_gradient(const struct kernel_use *use, double r)
-{
-    const double q = r / use->support;
-
-    return q < 1 ? use->scale / use->support * use->kernel->dw(q) : 0;
-}
-
 /* A row of one distance: w'' + (D - 1) w'/q would lose all digits near the centre
  * of a singular kernel. */
 double kernel_laplacian(const struct kernel_use *use, double r)
@@ -40,6 +16,6 @@ double kernel_laplacian(const struct kernel_use *use, double r)
     const lanes at = lanes_all(r), one = lanes_all(1);
     lanes laplacian;
 
-    use->kernel->laplacian(use->support, use->scale, 1, &at, &one, &laplacian);
+    use->kernel->rows->laplacian(use->support, use->scale, 1, &at, &one, &laplacian);
     return laplacian[0];
 }

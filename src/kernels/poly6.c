@@ -10,7 +10,7 @@
  * clump.  Mueller, Charypar, Gross, Symp. Computer Animation (2003) 154-159; in 2D
  * Toth 2012, (15), (16), and (17), which is printed with the 3D bracket
  * (3 - 7 q^2) instead of (2 - 6 q^2).  Checked in tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -69,10 +69,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_poly6 = {
     .name = "poly6", .about = "polynomial in r^2 for summed densities; clumps under pressure",
     .source = "Mueller, Charypar, Gross 2003; Toth 2012, (15)-(17) corrected",
     .sigma = { [2] = 4 / M_PI, [3] = 315 / (64 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

@@ -8,7 +8,7 @@
  * Of the innermost piece s is taken out of w', so that nothing divides by r there.
  * Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214-226.  Checked in
  * tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -90,10 +90,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_quintic_spline = {
     .name = "quintic-spline", .about = "the spline nearest to a bell, for many neighbours",
     .source = "Morris, Fox, Zhu 1997",
     .sigma = { [2] = 63 / (478 * M_PI), [3] = 9 / (40 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

@@ -13,7 +13,7 @@
  * (26), and (27), which is printed as -6 (1 - q) (1 - 2 q) instead of
  * -3 (1 - q) (1 - 3 q) / q: the 3D bracket without its 1/r.  Checked in
  * tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -69,10 +69,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_spiky = {
     .name = "spiky", .about = "for pressure that does not fade when particles come close",
     .source = "Desbrun, Gascuel 1996; Toth 2012, (25)-(27) corrected",
     .sigma = { [2] = 10 / M_PI, [3] = 15 / M_PI },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

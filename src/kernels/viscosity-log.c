@@ -14,7 +14,7 @@
  * in (31), its sign turned and H^4 for H^5, the Laplacian of the 2D w above, which is
  * not that of (29).
  * Slow: a logarithm for each pair.  Checked in tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -102,11 +102,15 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
         l[k] = factor * m[k] * lanes_positive(1 - inverse * r[k]);
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_viscosity_log = {
     .name = "viscosity-log", .about = "for viscosity by its Laplacian, which is never negative",
     .source = "Mueller, Charypar, Gross 2003; Toth 2012, (29)-(31) corrected",
     .sigma = { [2] = 40 / M_PI, [3] = 45 / M_PI },
     .singular = true, .spreads = true,
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

@@ -79,11 +79,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian, .both = both
+};
+
 const struct kernel kernel_wendland_c2 = {
     .name = "wendland-c2", .about = "smooth, no pairing of particles, cheap",
     .source = "Wendland 1995; Dehnen, Aly 2012",
     .sigma = { [2] = 7 / M_PI, [3] = 21 / (2 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
-    .both = both,
+    .rows = &rows,
 };

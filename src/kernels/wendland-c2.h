@@ -4,7 +4,7 @@
 #ifndef KERNELS_WENDLAND_C2_H
 #define KERNELS_WENDLAND_C2_H
 
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 struct wendland_c2 {
     double inverse; /* 1/H                                [1/m]              */

@@ -10,7 +10,7 @@
  *
  * Wendland, Adv. Comput. Math. 4 (1995) 389-396; Dehnen, Aly, Mon. Not. R.
  * Astron. Soc. 425 (2012) 1068-1082.  Checked in tests/unit/space-kernels.c. */
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 
@@ -76,10 +76,14 @@ static void laplacian(double support, double scale, int n, const lanes *r, const
     }
 }
 
+static const struct kernel_rows rows = {
+    .gradient = gradient, .value = value, .laplacian = laplacian
+};
+
 const struct kernel kernel_wendland_c6 = {
     .name = "wendland-c6", .about = "the smoothest, for many neighbours",
     .source = "Wendland 1995; Dehnen, Aly 2012",
     .sigma = { [2] = 78 / (7 * M_PI), [3] = 1365 / (64 * M_PI) },
     .w = shape, .dw = slope, .ddw = curvature,
-    .gradient = gradient, .value = value, .laplacian = laplacian,
+    .rows = &rows,
 };

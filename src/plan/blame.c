@@ -6,8 +6,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
+#include "space/laws.h"
 
 #include <math.h>
 #include <stdio.h>

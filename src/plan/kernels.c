@@ -1,11 +1,9 @@
-/* kernels.c -- looks kernels up.  struct kernel has the same layout at every
- * lane width (function pointers only), so one compiled width reads both. */
+/* kernels.c -- looks kernels up, and says what they change in a scene's scales. */
 #include "plan/kernels.h"
 
 #include "base/status.h"
-#define LANES 2
 #include "kernels/kernel.h"
-#include "space/pairs.h"
+#include "space/laws.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,8 +3,7 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
+#include "space/laws.h"
 
 /* The density of solids that a wall model settles by itself has no rate. */
 static bool owns(const struct plan *p, const struct part_law *law, int owner)

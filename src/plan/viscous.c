@@ -3,8 +3,7 @@
 
 #include "base/status.h"
 #include "plan/face.h"
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
+#include "space/laws.h"
 
 #include <stdio.h>
 #include <stdlib.h>

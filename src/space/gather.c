@@ -190,7 +190,7 @@ static void soften(double support, struct block *b)
 
 void gather_kernel(unsigned needs, const struct kernel_use *use, struct block *b)
 {
-    const struct kernel *kernel = use->kernel;
+    const struct kernel_rows *kernel = use->kernel->rows;
 
     if ((needs & NEED_GRADW_R2) && kernel->both)
         kernel->both(use->support, use->scale, b->n, b->r, b->r2, b->mm, b->gw, b->gw_r2);

@@ -3,7 +3,7 @@
 #ifndef SPACE_GATHER_H
 #define SPACE_GATHER_H
 
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 #include "space/pairs.h"
 
 /* Fills n <= PAIRS_ROWS rows of b but for what kernels give; j is [n][LANES]

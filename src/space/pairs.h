@@ -6,28 +6,12 @@
 #ifndef SPACE_PAIRS_H
 #define SPACE_PAIRS_H
 
-#include "space/kinds.h"
 #include "base/lanes.h"
+#include "space/laws.h"
 
 /* Rows of a block at most; more are sliced.  A block of 8 lanes would not stay in the
  * nearest cache with more. */
 enum { PAIRS_ROWS = LANES == 8 ? 30 : 62 };
-
-/* Rows a law asks for; r and mm are there for everybody. */
-enum need {
-    NEED_X = 1 << 0,     /* x                                                */
-    NEED_V = 1 << 1,     /* v                                                */
-    NEED_RHO = 1 << 2,   /* rho                                              */
-    NEED_P2 = 1 << 3,    /* p2                                               */
-    NEED_MASS = 1 << 4,  /* m                                                */
-    NEED_IRHO = 1 << 5,  /* irho                                             */
-    NEED_R2 = 1 << 6,    /* r2                                               */
-    NEED_XV = 1 << 7,    /* xv                                               */
-    NEED_GRADW = 1 << 8, /* gw                                               */
-    NEED_W = 1 << 9,     /* w                                                */
-    NEED_GRADW_R2 = 1 << 10, /* gw_r2                                         */
-    NEED_LAPW = 1 << 11    /* lw                                              */
-};
 
 /* The owners' own values. */
 struct side {
@@ -80,15 +64,9 @@ struct sum {
 };
 
 /* What a field adds up for its owners before there are forces. */
-enum { PAIRS_FIELD = 2 + DIM };
 struct field_sum {
     lanes s[PAIRS_FIELD];
 };
-
-typedef void pairs_field(const void *self, const struct side *a, const struct block *b,
-                         struct field_sum *to);
-typedef void pairs_law(const void *self, const struct side *a, const struct block *b,
-                       struct sum *to);
 
 /* A law on one row. */
 typedef void pairs_row_law(const void *self, const struct side *a, const struct row *b,
@@ -106,33 +84,5 @@ LANES_INLINE void pairs_rows(pairs_row_law *law, const void *self, const struct 
     }
     *to = t;
 }
-
-struct kernel_use; /* kernels/kernel.h */
-
-/* One law at work between two kinds. */
-struct pairs_work {
-    pairs_law *law;
-    const void *self;
-    const struct kernel_use *kernel;
-    int slot;       /* row of the book it is accounted in                    */
-    unsigned needs; /* NEED_ bits that its kernel is asked for before it; 0: the
-                       rows stand as a law before left them                  */
-};
-
-enum { PAIRS_LAWS = 12 };
-
-/* Adds what all laws of a table give on the rows of b to the sums of their slots. */
-struct pairs_table;
-typedef void pairs_laws(const struct pairs_table *table, const struct side *a, struct block *b,
-                        struct sum *sum);
-
-/* Everything that acts on owners of one kind from partners of one kind, in the
- * order in which sums are added; laws that share a kernel stand together. */
-struct pairs_table {
-    int n;
-    unsigned needs; /* NEED_ bits of all of them                             */
-    pairs_laws *laws; /* how they are run: plan/sum.h arranges it            */
-    struct pairs_work work[PAIRS_LAWS];
-};
 
 #endif

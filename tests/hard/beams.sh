@@ -10,7 +10,7 @@
 # all.
 #
 # With STIFFWATER_LONG with the flagship's own spacing, else coarser.
-. "$top_srcdir/tests/hard/hands.sh"
+. "$top_srcdir/tests/lib.sh"
 scene=$top_srcdir/data/scenes/toth-beam.scene
 if [ -n "${STIFFWATER_LONG-}" ]; then spacing=3.3333333333333333e-3; else spacing=5e-3; fi
 
@@ -86,4 +86,4 @@ claim 'a thin fluid costs no more than none' "$(work mu-0.5) <= 1.1 * $(work mu-
 claim 'a thick one ten times as much as one a tenth as thick' \
     "$(work mu-500) > 5 * $(work mu-50) && $(work mu-500) < 11 * $(work mu-50)"
 claim 'an implicit one nothing more' "$(work mu-500-implicit) <= 1.1 * $(work mu-50-implicit)"
-exit $bad
+finish

@@ -2,7 +2,7 @@
 # failures.sh -- runs that cannot go on end as failed within a bounded number of steps, with
 # every family of methods: the message names time, particle, place, part and what to try,
 # and what was written is whole.
-. "$top_srcdir/tests/hard/hands.sh"
+. "$top_srcdir/tests/lib.sh"
 tank=$top_srcdir/tests/hard/tank.scene
 
 # fails NAME STEPS KEY=VALUE...: before it has taken so many steps, and leaves whole files
@@ -13,7 +13,7 @@ fails() {
     go "$name" "$tank" output.fields=0.02 output.snapshots=5 "$@"
     claim "$name fails within $steps steps" \
         "$code == 1 && $(number "$name" steps) + $(number "$name" rejected) <= $steps"
-    grep -q '"status": "failed"' "$out/$name/run.json" || { echo "NOT SO  $name: status"; bad=1; }
+    grep -q '"status": "failed"' "$out/$name/run.json" || wrong "$name: status"
     claim 'its last row is where it ended' "$(number "$name" t_end) == 0 || \
         sqrt(($(last "$name" book t) / $(number "$name" t_end) - 1) ^ 2) < 1e-9"
     whole "$name"
@@ -21,10 +21,10 @@ fails() {
 
 # tells NAME WORDS: who, where, when, which part did most to it (WORDS), what to try
 tells() {
-    says "$1" 't = ' ' s' 'particle' ' at (' 'Who did it: at t = ' 'the last accepted state, for ' \
+    prints "$1" 't = ' ' s' 'particle' ' at (' 'Who did it: at t = ' 'the last accepted state, for ' \
         "$2"
     grep -q -E 'Things to try|[Tt]ry |take a higher eos.c0' "$out/$1.said" ||
-        { echo "NOT SO  $1 says what to try"; cat "$out/$1.said"; bad=1; }
+        { wrong "$1 says what to try"; cat "$out/$1.said"; }
 }
 
 # place NAME: where the particle is that its first sentence names
@@ -39,7 +39,7 @@ ruled='leapfrog euler-cfl staggered'
 for method in $adaptive $ruled; do
     fails "soft-$method" 3000 method="$method" eos.c0=0.5
     tells "soft-$method" ' pushes it most, by '
-    says "soft-$method" 'the fluid has run away' 'eos.c0' "at t = $(number "soft-$method" t_end | head -c 6)" \
+    prints "soft-$method" 'the fluid has run away' 'eos.c0' "at t = $(number "soft-$method" t_end | head -c 6)" \
         "particle $(place "soft-$method") m moves at"
 done
 
@@ -47,7 +47,7 @@ done
 # A wall's density is the first to leave, with some methods in the accepted state itself.
 for method in $adaptive $ruled; do
     fails "narrow-$method" 5000 method="$method" eos.lowest=0.99 eos.highest=1.01
-    says "narrow-$method" 'density' 'lies outside 990 to 1010' "particle $(place "narrow-$method") m"
+    prints "narrow-$method" 'density' 'lies outside 990 to 1010' "particle $(place "narrow-$method") m"
     tells "narrow-$method" 'm: effects.continuity (density that evolves with the flow) changes its density most'
 done
 
@@ -74,5 +74,5 @@ done
 # No answer from the first to the last: tolerances that the rounding of numbers forbids.
 fails tight 3000 tol=1e-12 until=0.01 eos.c0=1e-3
 tells tight 'changes its density most'
-says tight 'That is the start itself'
-exit $bad
+prints tight 'That is the start itself'
+finish

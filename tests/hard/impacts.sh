@@ -1,7 +1,7 @@
 #!/bin/sh
 # impacts.sh -- drops, a jet, a film, a plunging wave, one particle at half the sound speed:
 # nobody passes through anything, nothing is not finite.  The marks stand in the scenes.
-. "$top_srcdir/tests/hard/hands.sh"
+. "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/tests/hard
 
 # through NAME CONDITION: how often a fluid particle was where awk's condition on x, y holds,
@@ -22,7 +22,7 @@ hit() {
     claim "at most ${sunk:=0} in solids, in any row, and nobody at the end" \
         "$(number "$name" in_solids_max) <= $sunk && $(number "$name" in_solids) == 0"
     ! grep -q -i -E '(nan|inf),' "$out/$name/book.csv" "$out/$name"/snapshots/*.csv ||
-        { echo "NOT SO  $name is finite"; bad=1; }
+        wrong "$name is finite"
 }
 
 # closes NAME: the book, to 1e-3 of the most energy it held
@@ -61,7 +61,7 @@ hit slow "$scenes/funnel.scene" walls=adami eos.c0=20
 sunk=0
 claim 'nor with slow sound, if walls = "adami"' "$(through slow "$deep") == 0"
 go slow "$scenes/funnel.scene" eos.c0=20
-says slow 'take a higher eos.c0' 'particles are in solids at t = ' '(v at ('
+prints slow 'take a higher eos.c0' 'particles are in solids at t = ' '(v at ('
 claim 'else four pass, and are counted' "$(number slow in_solids) >= 3 && $(number slow in_solids_max) >= \
     $(number slow in_solids) && $(number slow escaped) == 0"
 
@@ -87,4 +87,4 @@ for walls in own-density adami; do
     hit "beam-$walls" "$out/beam.scene" walls=$walls
     claim 'nor behind the beam' "$(through "beam-$walls" 'x > 0.065 || x < 0 || y < 0 || y > 0.1') == 0"
 done
-exit $bad
+finish

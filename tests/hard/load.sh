@@ -1,7 +1,7 @@
 #!/bin/sh
 # load.sh -- a run under load: more threads than cores, a disk that fills up, a directory
 # that cannot be written, a signal at any moment.  What was written before is whole.
-. "$top_srcdir/tests/hard/hands.sh"
+. "$top_srcdir/tests/lib.sh"
 tank=$top_srcdir/tests/hard/tank.scene
 
 # --- threads -----------------------------------------------------------------------------
@@ -24,9 +24,9 @@ full() {
     (ulimit -f "$2" && shift 2 && exec "$STIFFWATER" run "$tank" -q "$@") \
         >"$out/$1.said" 2>&1 || code=$?
     claim "$1: status 4" "$code == 4"
-    says "$1" 'cannot be written: File too large'
+    prints "$1" 'cannot be written: File too large'
     whole "$1"
-    grep -q '"status": "failed"' "$out/$1/run.json" || { echo "NOT SO  $1: run.json"; bad=1; }
+    grep -q '"status": "failed"' "$out/$1/run.json" || wrong "$1: run.json"
 }
 full fields 60 until=10 -o "$out/fields"
 full table 100 until=10 output.fields=100 output.snapshots=0 output.interval=1e-4 -o "$out/table"
@@ -42,7 +42,7 @@ unshare -rm sh -c 'mount -t tmpfs -o size=300k none "$1/disk" || exit 77
     exit $code' sh "$out" "$tank" >"$out/small.said" 2>&1 || code=$?
 if [ -d "$out/small" ]; then
     claim 'a full disk: status 4' "$code == 4"
-    says small 'cannot be written: No space left on device'
+    prints small 'cannot be written: No space left on device'
     whole small
 else
     echo 'skip    a full disk: no mounts here'
@@ -53,7 +53,7 @@ if [ -w /dev/full ]; then
         # shellcheck disable=SC2086 # words
         "$STIFFWATER" $command >/dev/full 2>"$out/print.said" || code=$?
         claim "$command, nowhere to print" "$code == 4"
-        says print 'standard output cannot be written'
+        prints print 'standard output cannot be written'
     done
 fi
 
@@ -68,7 +68,7 @@ for where in "$out/file/below" /proc/results "$out/sealed/below"; do
     code=0
     "$STIFFWATER" run "$tank" -q until=0.01 -o "$where" >"$out/sealed.said" 2>&1 || code=$?
     claim "$where: status 4" "$code == 4"
-    says sealed "$where"
+    prints sealed "$where"
 done
 
 # --- signals ---------------------------------------------------------------------------------
@@ -102,14 +102,14 @@ esac
 for signal in INT TERM $hup; do
     kill_at $signal $signal 0.4
     claim "SIG$signal: status 3" "$code == 3"
-    grep -q '"status": "stopped"' "$out/$signal/run.json" || { echo "NOT SO  $signal: run.json"; bad=1; }
+    grep -q '"status": "stopped"' "$out/$signal/run.json" || wrong "$signal: run.json"
     whole $signal
 done
 for pause in 0 0.03 0.05 0.08 0.13 0.21 0.34 0.55; do
     kill_at "KILL$pause" KILL $pause
     claim "SIGKILL after $pause s: gone" "$code == 137"
     whole "KILL$pause"
-    [ ! -e "$out/KILL$pause/run.json" ] || { echo 'NOT SO  no run.json speaks of its end'; bad=1; }
+    [ ! -e "$out/KILL$pause/run.json" ] || wrong "KILL$pause: run.json speaks of its end"
 done
 # The directory can be used again at once.
 cp -r "$out/KILL0.55" "$out/again"
@@ -126,4 +126,4 @@ sleep 0.1
 kill -s HUP $pid
 wait $pid || code=$?
 claim 'nohup: to its end' "$code == 0"
-exit $bad
+finish

@@ -3,7 +3,7 @@
 # written), a warning, or an answer that is written down here.
 #
 # Mistakes of keys and types, fluid in fluid, walls, beams and outside: tests/scene-errors.sh.
-. "$top_srcdir/tests/hard/hands.sh"
+. "$top_srcdir/tests/lib.sh"
 tank=$top_srcdir/tests/hard/tank.scene
 
 # add NAME GROUP TEXT: the tank with an object more
@@ -16,8 +16,8 @@ add() {
 refused() {
     go "$1" "$out/$1.scene"
     claim "$1 is refused" "$code == 2"
-    says "$@"
-    [ ! -e "$out/$1" ] || { echo "NOT SO  $1 leaves nothing"; bad=1; }
+    prints "$@"
+    [ ! -e "$out/$1" ] || wrong "$1 leaves nothing"
 }
 
 # --- refused ---------------------------------------------------------------------------
@@ -54,7 +54,7 @@ refused weightless 'eos.c0 is needed'
 for number in nan inf -inf 1e999; do
     go number "$tank" "gravity=[0,$number]"
     claim "gravity = [0, $number] is refused" "$code == 2"
-    says number 'command line' gravity
+    prints number 'command line' gravity
     go number "$tank" "eos.rho0=$number"
     claim "eos.rho0 = $number is refused" "$code == 2"
 done
@@ -63,16 +63,16 @@ done
 add rooted beam "plate = { at = [0.25, -0.03]; $beam };"
 go rooted "$out/rooted.scene" until=0.01
 claim 'a beam that stands in the floor runs' "$code == 0"
-says rooted 'beam.plate and wall.tank fill the same space near' rooted.scene:17
+prints rooted 'beam.plate and wall.tank fill the same space near' rooted.scene:17
 add away beam "plate = { at = [0.6, 0.1]; $beam };"
 go away "$out/away.scene" until=0.01
 claim 'a beam outside the tank runs' "$code == 0"
-says away 'beam.plate reaches out of the domain'
+prints away 'beam.plate reaches out of the domain'
 add probes probe 'gauge = { at = [5, 5]; }; level = { at = [5, 0]; what = "height"; };
     speed = { at = [0.5, 0.1]; what = "velocity"; };'
 go probes "$out/probes.scene" until=0.05
 claim 'probes outside the tank run' "$code == 0"
-says probes 'probe.gauge lies outside' 'probe.level lies outside' 'probe.speed lies outside'
+prints probes 'probe.gauge lies outside' 'probe.level lies outside' 'probe.speed lies outside'
 for name in gauge level speed; do
     claim 'and read 0' "$(most probes probes $name) == 0"
 done
@@ -84,12 +84,12 @@ idle() {
     shift 2
     go "$name" "$out/$name.scene" until=0.01 "$@"
     claim "$name runs" "$code == 0"
-    says "$name" "$words"
+    prints "$name" "$words"
 }
 add frameless fluid ''
 sed -i 's/^wall = .*/wall = { };/; s/to = \[0.4, 0.4\]/& ; lid = false; open = ["left"]/' "$out/frameless.scene"
 idle frameless 'frameless.scene:7: domain.open is about walls of type "frame"'
-says frameless 'domain.lid is about'
+prints frameless 'domain.lid is about'
 idle frameless 'walls = "adami" does nothing, as the scene has no solids' walls=adami
 add narrow beam "plate = { at = [0.25, 0.0]; $beam nu = 0.45; };"
 idle narrow 'narrow.scene:17: beam.plate.nu counts with plane = "strain" only'
@@ -140,5 +140,5 @@ add press wall 'piston = { type = "box"; from = [0.1, 0.0]; to = [0.15, 0.4]; ve
 go press "$out/press.scene" eos.c0=20
 claim 'a piston that presses the water into nothing ends badly' \
     "$code == 1 || $(number press escaped) > 0"
-says press density
-exit $bad
+prints press density
+finish

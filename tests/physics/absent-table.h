@@ -1,6 +1,6 @@
 /* absent-table.h -- the table of effects with a line more, for the lane width LANES;
  * the including file sets it.  The linker takes this table instead of the library's. */
-#if LANES == 4 /* slow without AVX, but right: no vector leaves this file */
+#if LANES > 2 /* slow without AVX, but right: no vector leaves this file */
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 #include "effects/effects.h"

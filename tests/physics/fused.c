@@ -3,11 +3,10 @@
 #include "tank.h"
 
 #include "plan/inside.h"
+#include "space/laws.h"
 
 #include <stdlib.h>
 #include <string.h>
-#define LANES 2 /* only sizes without lanes are used here */
-#include "space/pairs.h"
 
 static const char *const physics[] = {
     "effects = { continuity = { }; pressure = { }; };",

@@ -7,7 +7,7 @@
 #include "space.h"
 
 #define LANES 2
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>

@@ -3,7 +3,7 @@
 #include "space.h"
 
 #define LANES 2
-#include "kernels/kernel.h"
+#include "kernels/rows.h"
 
 #include <math.h>
 #include <string.h>
@@ -41,12 +41,12 @@ static void compute(struct rows *a, const struct kernel *k, double support, int 
     const double scale = k->sigma[DIM] / pow(support, DIM);
     const lanes *r = (const lanes *)a->r, *m = (const lanes *)a->m;
 
-    k->gradient(support, scale, NUMBERS / width, r, m, (lanes *)a->g);
-    k->value(support, scale, NUMBERS / width, r, m, (lanes *)a->w);
-    k->laplacian(support, scale, NUMBERS / width, r, m, (lanes *)a->l);
-    if (k->both)
-        k->both(support, scale, NUMBERS / width, r, (const lanes *)a->r2, m, (lanes *)a->same,
-                (lanes *)a->soft);
+    k->rows->gradient(support, scale, NUMBERS / width, r, m, (lanes *)a->g);
+    k->rows->value(support, scale, NUMBERS / width, r, m, (lanes *)a->w);
+    k->rows->laplacian(support, scale, NUMBERS / width, r, m, (lanes *)a->l);
+    if (k->rows->both)
+        k->rows->both(support, scale, NUMBERS / width, r, (const lanes *)a->r2, m,
+                      (lanes *)a->same, (lanes *)a->soft);
 }
 
 /* One loop gives the bits of two. */
@@ -101,7 +101,7 @@ void kernel_rows_agree(void **state)
         compare_centre(kernel_table[i], &a);
         for (int n = 1; n < NUMBERS; n++)
             compare(kernel_table[i], &a, n);
-        for (int n = 0; n < NUMBERS && kernel_table[i]->both; n++)
+        for (int n = 0; n < NUMBERS && kernel_table[i]->rows->both; n++)
             compare_both(kernel_table[i], &a, n);
     }
 }

@@ -1,9 +1,8 @@
 /* space-sum.c -- sums over pairs against brute force, and their bits. */
 #include "space.h"
 
-#define LANES 2 /* tables are laid out alike at every width */
 #include "kernels/kernel.h"
-#include "space/pairs.h"
+#include "space/laws.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -20,6 +19,7 @@ static const int uniform[KINDS] = { 700 };
 static const double strength = 0.7;
 extern pairs_law *const space_laws_lanes2[], *const space_laws_lanes4[],
     *const space_laws_lanes8[];
+extern const struct kernel kernel_wendland_c2_lanes2, kernel_cubic_spline_lanes2;
 extern const struct kernel kernel_wendland_c2_lanes4, kernel_cubic_spline_lanes4;
 extern const struct kernel kernel_wendland_c2_lanes8, kernel_cubic_spline_lanes8;
 
@@ -71,7 +71,8 @@ static struct wide wide_of(const struct sum_engine *engine)
                               &kernel_cubic_spline_lanes4 };
 #endif
     (void)engine;
-    return (struct wide){ space_laws_lanes2, &kernel_wendland_c2, &kernel_cubic_spline };
+    return (struct wide){ space_laws_lanes2, &kernel_wendland_c2_lanes2,
+                          &kernel_cubic_spline_lanes2 };
 }
 
 /* Slot 0: nothing; slot 1: first law, everybody; slot 2: second law, shorter

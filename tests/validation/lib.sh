@@ -8,7 +8,8 @@
 # VALIDATION_OUT is where runs, rows, tables and the figure are left; without it, nowhere.
 set -eu
 top=$(cd "${top_srcdir:-.}" && pwd)
-stiffwater=${STIFFWATER:-$(cd "${top_builddir:-.}" && pwd)/stiffwater}
+top_srcdir=$top
+top_builddir=$(cd "${top_builddir:-.}" && pwd)
 cases=$top/tests/validation
 scenes=$top/data/scenes
 reference=$top/data/reference
@@ -22,7 +23,7 @@ fi
 cd "$VALIDATION_OUT"
 : >rows
 out=.
-. "$top/tests/lib.sh" # what is there under the name of a function below is replaced
+. "$top/tests/lib.sh" # the harness; what stands there under a name used below is replaced
 
 # go NAME SCENE KEY=VALUE...: a run into the directory NAME
 go() {
@@ -30,19 +31,8 @@ go() {
     file=$2
     shift 2
     rm -rf "$name"
-    "$stiffwater" run "$file" -q -o "$name" "$@" 2>"$name.said" ||
+    "$STIFFWATER" run "$file" -q -o "$name" "$@" 2>"$name.said" ||
         { echo "$case: the run $name ends with $?"; cat "$name.said"; return 1; }
-}
-
-# column RUN/FILE COLUMN...: time and these columns, with blanks between
-column() {
-    table=$1
-    shift
-    awk -F, -v names="$*" '/^#/ { next }
-        !n { n = split(names, name, " ")
-             for (k = 1; k <= n; k++) for (i = 1; i <= NF; i++) if ($i == name[k]) c[k] = i
-             next }
-        { line = $1; for (k = 1; k <= n; k++) line = line " " $(c[k]); print line }' "$table.csv"
 }
 
 # mean FROM TO: of the second column between these times
