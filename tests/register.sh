@@ -45,7 +45,7 @@ flags()
 {
     for word; do
         case $word in
-        wrap=*) echo "$word" | sed 's/^wrap=/ -Wl,--wrap=/; s/,/ -Wl,--wrap=/g' ;;
+        wrap=*) echo "$word" | sed 's/,/ -Wl@--wrap=/g; s/^wrap=/ -Wl@--wrap=/; s/@/,/g' ;;
         esac
     done
 }
