@@ -25,7 +25,7 @@
 extern const char *const tank_water;
 
 /* The same without a word about kernels, to go with one of these: one for all, and
- * one for each use as the seed has them. */
+ * one for each use as Toth (2012) has them. */
 extern const char *const tank_bare_water;
 #define TANK_ONE_KERNEL "kernel = { support = 2.5; };"
 #define TANK_SEED_KERNELS                                                                \
