@@ -2,7 +2,7 @@
  * mass matrix does to its first frequency, and what the two kinds of damping do to its first mode.
  *
  * Writes CSV to stdout; plots/figures-beam.sh draws it.  The beam is that of
- * data/scenes/toth-beam.scene, with d = 0.01 of the thesis' table 2.  A damping ratio is that
+ * data/scenes/toth-beam.scene, with d = 0.01 of the paper's table 2.  A damping ratio is that
  * of lambda^2 + 2 ratio omega lambda + omega^2 = 0, omega the frequency without damping:
  * above 1 the mode only creeps back. */
 #include "base/status.h"
