@@ -193,7 +193,7 @@ static void effect_left_out_costs_nothing(void **state)
 {
     const char *const less = "effects = { continuity = { }; pressure = { };"
                              " density-diffusion = { delta = 0.1; }; };";
-    char name[PLAN_WORKS][80];
+    char name[BOOK_WORKS][80];
     struct tank all, few;
     const struct layout *a, *b;
 
@@ -209,7 +209,7 @@ static void effect_left_out_costs_nothing(void **state)
         assert_int_equal(a->row[i].offset, b->row[i].offset);
     }
     assert_int_equal(plan_parts(all.plan) - plan_parts(few.plan), 2);
-    assert_int_equal(plan_work_names(few.plan, name), 2);
+    assert_int_equal(book_work_names(few.plan, name), 2);
     assert_string_equal(name[0], "density-diffusion");
     assert_string_equal(name[1], "walls");
     tank_free(&all);

@@ -1,5 +1,5 @@
 /* observe.c -- looking at a run without disturbing it. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 
@@ -125,4 +125,12 @@ const char *observe_runaway(struct moment *m, double t, const double *y)
              v.p->object[v.p->object_of[i]].name, place, speed,
              speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
     return text;
+}
+
+void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)
+{
+    struct view v;
+
+    observe_view(run, t, y, &v);
+    book_read(run->plan, &run->layout, run->body, &v, y, sheet);
 }

@@ -1,6 +1,6 @@
 /* pack.c -- records of everybody in the order of the list, with the pressure
  * of the equation of state; refuses densities out of bounds. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/record.h"

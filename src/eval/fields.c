@@ -1,5 +1,5 @@
 /* fields.c -- densities that are no state: summed over pairs before the forces. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 
