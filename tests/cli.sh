@@ -108,7 +108,7 @@ piped()
     scene=$2
     shift 2
     tried=$((tried + 1))
-    cat "$scene" | timeout 300 "$stiffwater" "$@" >said 2>&1
+    cat "$scene" | timeout 300 "$STIFFWATER" "$@" >said 2>&1
     found=$?
     what="$scene through a pipe: $*"
     [ $found = "$wanted" ] || complain "$what: exit status $found instead of $wanted"
@@ -125,7 +125,7 @@ piped 0 "$scenes/small-2d.scene" run /dev/stdin -q until=0.002 -o piped
 piped 0 "$scenes/small-3d.scene" check /dev/fd/0
 says 'Small tank in 3D'
 tried=$((tried + 1))
-cat "$scenes/small-2d.scene" | "$stiffwater" check /dev/fd/7 7<&0 >said 2>&1 </dev/null ||
+cat "$scenes/small-2d.scene" | "$STIFFWATER" check /dev/fd/7 7<&0 >said 2>&1 </dev/null ||
     complain 'a scene through descriptor 7 is refused'
 piped 2 /dev/null check /dev/stdin
 says '/dev/stdin: this scene is empty'
@@ -133,7 +133,7 @@ sed 's/^until.*/until = ;/' "$scenes/small-2d.scene" >bad.scene
 piped 2 bad.scene check /dev/stdin
 says '/dev/stdin:6: until has no value'
 tried=$((tried + 1))
-yes '# a remark' | timeout 300 "$stiffwater" check /dev/stdin >said 2>&1
+yes '# a remark' | timeout 300 "$STIFFWATER" check /dev/stdin >said 2>&1
 [ $? = 2 ] || complain 'a pipe without an end is not refused'
 what='a pipe without an end'
 says '8 MB'
@@ -141,7 +141,7 @@ mkfifo fifo
 cat "$scenes/small-2d.scene" >fifo &
 expect 2 check fifo
 says 'fifo: this scene is a pipe with a name' '/dev/stdin <fifo'
-"$stiffwater" check /dev/stdin <fifo >said 2>&1 || complain 'a pipe with a name as standard input'
+"$STIFFWATER" check /dev/stdin <fifo >said 2>&1 || complain 'a pipe with a name as standard input'
 expect 2 check /dev/fd/99
 says '/dev/fd/99' 'cannot read this scene'
 

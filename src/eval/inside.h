@@ -55,6 +55,14 @@ struct moment {
     struct moment_counts counts;
 };
 
+/* Complaints belong to the run, whichever moment has them. */
+static inline void moment_note(struct moment *m, enum moment_complaint what, int who, double t)
+{
+    struct moment *run = m->beside ? m->beside : m;
+
+    run->culprit[what] = (struct moment_culprit){ true, who, t };
+}
+
 /* workspace.c: zeroed numbers on cache lines; the memory of an evaluation; after a rebuild
  * there may be more images. */
 double *workspace_lines(size_t numbers);

@@ -118,7 +118,7 @@ const char *observe_runaway(struct moment *m, double t, const double *y)
     if (!(speed > p->in.eos.fastest * p->scales.c0))
         return NULL;
     moment_place(m, &v, i, place);
-    m->culprit[MOMENT_TOO_FAST] = (struct moment_culprit){ true, i, t };
+    moment_note(m, MOMENT_TOO_FAST, i, t);
     snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) at %s m "
              "moves at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
              "higher eos.c0 if that speed is real", t, i,
