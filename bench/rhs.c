@@ -22,7 +22,7 @@
  * The share is that of the default method in data/scenes/dam-break.scene from 0
  * to 0.3 s: 21, 12, 7 % of right-hand sides at margins of 0.05, 0.1, 0.2 (here 20, 10, 5);
  * dam-break-3d.scene with spacing=0.037 has 24, 17, 12 % at 0.03, 0.05, 0.1. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/cells.h"

@@ -2,7 +2,7 @@
 #ifndef BENCH_WATER_H
 #define BENCH_WATER_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 
 #include <stdbool.h>
 

@@ -75,7 +75,7 @@ struct body_implicit {
 };
 
 /* The same where the fluid's viscosity is implicit, too, and pulls at the skin by
- * forces that are linear in velocities.  A solver of the whole (plan/viscous.h) has
+ * forces that are linear in velocities.  A solver of the whole (implicit/viscous.h) has
  * the body's part of it by v [unknowns], the velocities of its blocks:
  *   B v - gamma S^T (forces on the skin) = right,  positions = r + gamma v */
 struct body_coupled {

@@ -1,6 +1,6 @@
 /* viscosity-side.h -- the keys by which a viscosity that is linear in velocities is
- * taken explicitly, or implicitly with the stiff side of bodies (plan/viscous.h), and
- * sticks to solids at their faces or where their particles are (plan/face.h). */
+ * taken explicitly, or implicitly with the stiff side of bodies (implicit/viscous.h), and
+ * sticks to solids at their faces or where their particles are (eval/face.h). */
 #ifndef EFFECTS_VISCOSITY_SIDE_H
 #define EFFECTS_VISCOSITY_SIDE_H
 

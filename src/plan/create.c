@@ -2,9 +2,8 @@
 #include "plan/inside.h"
 
 #include "base/status.h"
-#include "plan/face.h"
 #include "plan/kernels.h"
-#include "plan/viscous.h"
+#include "plan/solver.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -78,6 +77,7 @@ static int find_stiff(struct plan *p, const struct scene *scene)
                                "its side = \"explicit\"", scene_path(scene), p->stiff->path,
                                one->path);
         p->stiff = one;
+        p->solver = &implicit_viscous;
     }
     return STATUS_DONE;
 }
@@ -161,7 +161,6 @@ static int build(struct plan *p, struct scene *scene)
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
                      p->kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
-    p->walls_as_fluid = p->in.walls->as.wall->as_fluid;
     TRY(plan_bodies_make(p));
     TRY(plan_objects_fill(p));
     TRY(take_parts(p));
@@ -173,8 +172,8 @@ static int build(struct plan *p, struct scene *scene)
     TRY(make_layout(p));
     TRY(plan_tables_make(p));
     make_list_def(p);
-    TRY(face_make(p, scene));
-    return viscous_agree(p);
+    TRY(plan_face_make(p, scene));
+    return p->solver ? p->solver->agree(p) : STATUS_DONE;
 }
 
 static void destroy(struct plan **plan)

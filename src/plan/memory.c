@@ -2,7 +2,7 @@
 #include "plan/memory.h"
 
 #include "plan/inside.h"
-#include "plan/viscous.h"
+#include "plan/solver.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -68,7 +68,7 @@ static double viscous(const struct count *c)
     if (!c->viscous)
         return 0;
     return 8 * (1.25 * c->entries + n * (c->slots * COUPLE_STRIDE + 2 + DIM) + c->numbers
-                + c->fluid * DIM * VISCOUS_VECTORS);
+                + c->fluid * DIM * implicit_viscous.vectors);
 }
 
 /* Coefficients of pairs of fluid and solids, from both sides; velocities and slip by
@@ -96,15 +96,13 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
     };
 }
 
-void plan_memory(const struct moment *m, int vectors, struct plan_memory *out)
+void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_memory *out)
 {
-    const struct plan *p = m->plan;
-    const struct list *l = m->own;
     const double fluid = particles_count(p->particles, KIND_FLUID);
     const struct count c = {
         .fluid = fluid, .solid = p->particles->n - fluid, .numbers = layout_size(&p->layout),
-        .entries = l && l->builds > 0
-                       ? list_entries(l)
+        .entries = pairs > 0
+                       ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->stiff,
         .drifts = p->drifter, .faces = p->face,

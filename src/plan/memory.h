@@ -6,7 +6,7 @@
 #ifndef PLAN_MEMORY_H
 #define PLAN_MEMORY_H
 
-#include "plan/moment.h"
+#include "plan/plan.h"
 
 /* Bytes. */
 struct plan_memory {
@@ -17,9 +17,9 @@ struct plan_memory {
     double outputs;    /* frames, gauges, and a file of fields while it is made */
 };
 
-/* For a method that holds so many vectors of the size of y.  The list counts as
- * it is; before there is one, as a full lattice would make it. */
-void plan_memory(const struct moment *moment, int vectors, struct plan_memory *out);
+/* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list
+ * as it is, moment_pairs(); 0: as a full lattice would make it. */
+void plan_memory(const struct plan *plan, double pairs, int vectors, struct plan_memory *out);
 double plan_memory_sum(const struct plan_memory *m);
 
 #endif

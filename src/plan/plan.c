@@ -1,7 +1,6 @@
 /* plan.c -- what a plan says of itself. */
 #include "plan/inside.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
 
@@ -16,7 +15,7 @@ const char *plan_halves(const struct plan *p)
         return plan_drifts(p);
     if (p->stiff)
         return "its viscosity is implicit (side = \"implicit\")";
-    return p->mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
+    return p->table.mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
 }
 
 long plan_size(const struct plan *p)
@@ -152,30 +151,6 @@ const struct settings_probe *plan_probe(const struct plan *p, int i, const char 
 int plan_lanes(const struct plan *p)
 {
     return p->engine->lanes;
-}
-
-double plan_speed_expected(const struct plan *p)
-{
-    double most = plan_start_speed(p), fall2 = 0;
-
-    for (int i = 0; i < p->in.fluids; i++) {
-        double low[DIM], high[DIM];
-        shape_bounds(&p->in.fluid[i].set.shape, low, high);
-        for (int d = 0; d < DIM; d++) {
-            const double g = p->scales.period[d] > 0 ? 0 : p->scales.g[d];
-            fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
-                                               : p->scales.high[d] - low[d]));
-        }
-    }
-    for (int i = 0; i < p->walls; i++) {
-        const double *slides = p->in.wall[i].set.surface;
-        double low[DIM], high[DIM], reach[DIM];
-        shape_bounds(&p->in.wall[i].set.shape, low, high);
-        most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
-                                              reach));
-        most = fmax(most, gsl_hypot3(slides[0], slides[1], slides[2]));
-    }
-    return fmax(most, sqrt(fall2));
 }
 
 int plan_parts(const struct plan *p)

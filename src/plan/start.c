@@ -3,6 +3,7 @@
 
 #include "matter/eos.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
 
@@ -124,7 +125,8 @@ static void start_motion(const struct plan *p, double *y)
     }
 }
 
-double plan_start_speed(const struct plan *p)
+/* Of the fluid at t = 0, the largest [m/s]. */
+static double start_speed(const struct plan *p)
 {
     const struct particles *all = p->particles;
     double most = 0;
@@ -147,10 +149,34 @@ double plan_start_speed(const struct plan *p)
 
 void plan_start(const struct plan *p, double *y)
 {
-    memset(y, 0, (size_t)plan_size(p) * sizeof *y);
+    memset(y, 0, (size_t)layout_size(&p->layout) * sizeof *y);
     if (p->row.x >= 0)
         start_motion(p, y);
     plan_start_density(p, y);
     for (int i = 0; i < p->bodies; i++)
         p->body[i].kind->start(p->body[i].body, &p->layout, y);
+}
+
+double plan_speed_expected(const struct plan *p)
+{
+    double most = start_speed(p), fall2 = 0;
+
+    for (int i = 0; i < p->in.fluids; i++) {
+        double low[DIM], high[DIM];
+        shape_bounds(&p->in.fluid[i].set.shape, low, high);
+        for (int d = 0; d < DIM; d++) {
+            const double g = p->scales.period[d] > 0 ? 0 : p->scales.g[d];
+            fall2 = fmax(fall2, 2 * g * (g < 0 ? p->scales.low[d] - high[d]
+                                               : p->scales.high[d] - low[d]));
+        }
+    }
+    for (int i = 0; i < p->walls; i++) {
+        const double *slides = p->in.wall[i].set.surface;
+        double low[DIM], high[DIM], reach[DIM];
+        shape_bounds(&p->in.wall[i].set.shape, low, high);
+        most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
+                                              reach));
+        most = fmax(most, gsl_hypot3(slides[0], slides[1], slides[2]));
+    }
+    return fmax(most, sqrt(fall2));
 }

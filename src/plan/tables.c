@@ -10,7 +10,7 @@ static bool owns(const struct plan *p, const struct part_law *law, int owner)
 {
     const bool solid = KIND_BIT(owner) & KIND_SOLIDS;
 
-    return !(solid && law->columns == COLUMN_DRHO && !p->walls_as_fluid);
+    return !(solid && law->columns == COLUMN_DRHO && !p->in.walls->as.wall->as_fluid);
 }
 
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
@@ -96,7 +96,7 @@ int plan_tables_make(struct plan *p)
     to->explicit = p->stiff ? to->all + 4 * ONE : to->all;
     to->implicit = to->all + 5 * ONE;
     for (int i = 0; i < p->parts; i++)
-        p->mixed |= p->part[i].part->as.law
+        to->mixed |= p->part[i].part->as.law
                     && p->part[i].part->as.law->columns == (COLUMN_DRHO | COLUMN_FORCE);
     TRY(make_table(p, to->all, (struct choice){ BOTH, 0, false }));
     TRY(make_table(p, to->densities, (struct choice){ BOTH, COLUMN_DRHO, false }));
@@ -117,7 +117,7 @@ static void add_field(struct plan *p, const struct plan_part *part)
         p->drifter = part;
     for (int k = 0; k < KINDS; k++) {
         const bool solid = KIND_BIT(k) & KIND_SOLIDS;
-        if (!(solid && (part->part->provides & FIELD_DENSITY) && !p->walls_as_fluid))
+        if (!(solid && (part->part->provides & FIELD_DENSITY) && !p->in.walls->as.wall->as_fluid))
             f->meets[k] = part->part->as.summed->meets[k];
         p->list_def.acts[k] |= f->meets[k];
     }

@@ -115,7 +115,7 @@ static void print_memory(const struct run *r, double program)
     char state[40];
 
     program += n > 0 ? later : 2e6;
-    plan_memory(r->moment, vectors, &m);
+    plan_memory(r->plan, moment_pairs(r->moment), vectors, &m);
     printf("memory: about %.3g MB at its peak", (program + plan_memory_sum(&m)) / 1e6);
     if (n > 0)
         printf(", %.0f bytes a particle and %.3g MB of the program",

@@ -2,7 +2,7 @@
 #ifndef RUN_INSIDE_H
 #define RUN_INSIDE_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "run/outputs.h"
 #include "run/run.h"
 #include "time/method.h"

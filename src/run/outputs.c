@@ -23,7 +23,7 @@ struct outputs {
     struct tables *tables;
     struct fields *fields;
     struct snapshot *snapshot;
-    struct plan_sheet first, last;
+    struct book_sheet first, last;
     bool begun;
     double defect_max, made, most; /* of energy, see the header [J] */
     struct observe_sunk sunk;   /* at its worst */
@@ -80,15 +80,6 @@ int outputs_open(struct outputs **out, const struct plan *plan, const char *dir)
     return open_all(*out, plan, dir);
 }
 
-static double defect_of(const struct plan_sheet *first, const struct plan_sheet *s)
-{
-    double given = s->pressure_defect - first->pressure_defect;
-
-    for (int i = 0; i < s->works; i++)
-        given += s->work[i] - first->work[i];
-    return s->total - first->total - given;
-}
-
 /* Energy of the last row that the book explains [J]: that above all fluid in the lowest
  * corner of the domain, or of what moves and is bent, where beams sink or are loaded; no
  * less than that of fluid at U/100. */
@@ -120,11 +111,12 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
     if (!o->begun)
         o->first = o->last;
     o->begun = true;
+    o->last.defect = book_defect(&o->first, &o->last);
     o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
     o->made = fmax(o->made, outputs_defect(o));
     o->most = fmax(o->most, energy_there(o, moment_plan(moment)));
     look_for_sunk(o, moment, t, y);
-    return tables_rows(o->tables, moment, t, y, &o->last, outputs_defect(o));
+    return tables_rows(o->tables, moment, t, y, &o->last);
 }
 
 int outputs_step(struct outputs *o, const struct method_step *step)
@@ -177,7 +169,7 @@ int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const d
     return snapshot_write(o->snapshot, &f);
 }
 
-const struct plan_sheet *outputs_sheet(const struct outputs *o)
+const struct book_sheet *outputs_sheet(const struct outputs *o)
 {
     return &o->last;
 }
@@ -189,7 +181,7 @@ double outputs_energy_initial(const struct outputs *o)
 
 double outputs_defect(const struct outputs *o)
 {
-    return defect_of(&o->first, &o->last);
+    return o->last.defect;
 }
 
 double outputs_defect_max(const struct outputs *o)
@@ -212,15 +204,9 @@ const struct observe_sunk *outputs_sunk(const struct outputs *o)
     return &o->sunk;
 }
 
-/* Largest component of what momentum the book cannot explain [N s]. */
 double outputs_momentum_defect(const struct outputs *o)
 {
-    double worst = 0;
-
-    for (int d = 0; d < DIM; d++)
-        worst = fmax(worst, fabs(o->last.momentum[d] - o->first.momentum[d]
-                                 - o->last.momentum_given[d] + o->first.momentum_given[d]));
-    return worst;
+    return book_momentum_defect(&o->first, &o->last);
 }
 
 int outputs_close(struct outputs **outputs)

@@ -2,7 +2,7 @@
 #ifndef RUN_OUTPUTS_H
 #define RUN_OUTPUTS_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "time/method.h"
 
 struct outputs;
@@ -21,7 +21,7 @@ int outputs_field(struct outputs *o, struct moment *moment, double t, const doub
 int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* The book at the last row, the first row's, and the largest defect [J]. */
-const struct plan_sheet *outputs_sheet(const struct outputs *o);
+const struct book_sheet *outputs_sheet(const struct outputs *o);
 double outputs_energy_initial(const struct outputs *o);
 double outputs_defect(const struct outputs *o);
 double outputs_defect_max(const struct outputs *o);

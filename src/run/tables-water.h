@@ -2,7 +2,7 @@
 #ifndef RUN_TABLES_WATER_H
 #define RUN_TABLES_WATER_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "run/columns.h"
 
 struct tables_water;

@@ -19,25 +19,16 @@ static const char axes[] = "xyz";
 struct tables {
     struct series *book, *forces, *beam, *steps;
     struct tables_water *water; /* front, pairing, probes */
+    int book_columns;
+    struct book_column book_column[BOOK_COLUMNS];
 };
 
 static int open_book(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
 {
-    static const char *const parts[] = { "kinetic", "potential", "internal", "elastic" };
-    char work[PLAN_WORKS][80];
-    const int works = plan_work_names(plan, work);
-
+    o->book_columns = book_columns(plan, o->book_column);
     columns_start(h);
-    for (int i = 0; i < 4; i++)
-        columns_add(h, UNIT("J"), "%s", parts[i]);
-    for (int i = 0; i < works; i++)
-        columns_add(h, UNIT("J"), "%s", work[i]);
-    columns_add(h, UNIT("J"), "pressure_defect");
-    columns_add(h, UNIT("J"), "total");
-    columns_add(h, UNIT("J"), "defect");
-    columns_add(h, UNIT("kg"), "mass");
-    for (int d = 0; d < DIM; d++)
-        columns_add(h, UNIT("kg m/s"), "momentum_%c", axes[d]);
+    for (int i = 0; i < o->book_columns; i++)
+        columns_add(h, o->book_column[i].unit, "%s", o->book_column[i].name);
     return columns_open(h, &o->book, dir, "book.csv");
 }
 
@@ -108,24 +99,13 @@ int tables_open(struct tables **out, const struct plan *plan, const char *dir)
     return status;
 }
 
-static int row_book(struct tables *o, const struct plan_sheet *s, double defect)
+static int row_book(struct tables *o, const struct book_sheet *s)
 {
-    double v[COLUMNS_MOST];
-    int n = 0;
+    double v[BOOK_COLUMNS + 1];
 
-    v[n++] = s->t;
-    v[n++] = s->energy.kinetic;
-    v[n++] = s->energy.potential;
-    v[n++] = s->energy.internal;
-    v[n++] = s->energy.elastic;
-    for (int i = 0; i < s->works; i++)
-        v[n++] = s->work[i];
-    v[n++] = s->pressure_defect;
-    v[n++] = s->total;
-    v[n++] = defect;
-    v[n++] = s->mass;
-    for (int d = 0; d < DIM; d++)
-        v[n++] = s->momentum[d];
+    v[0] = s->t;
+    for (int i = 0; i < o->book_columns; i++)
+        v[i + 1] = book_value(s, &o->book_column[i]);
     return series_row(o->book, v);
 }
 
@@ -174,9 +154,9 @@ int tables_pairing(struct tables *o, struct moment *moment, double t, const doub
 }
 
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
-                const struct plan_sheet *sheet, double defect)
+                const struct book_sheet *sheet)
 {
-    TRY(row_book(o, sheet, defect));
+    TRY(row_book(o, sheet));
     TRY(observe_forces(moment, t, y));
     TRY(row_forces(o, moment, t, y));
     TRY(row_beam(o, moment, t, y));

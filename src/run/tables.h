@@ -3,7 +3,7 @@
 #ifndef RUN_TABLES_H
 #define RUN_TABLES_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "time/method.h"
 
 struct tables;
@@ -18,7 +18,7 @@ int tables_pairing(struct tables *o, struct moment *moment, double t, const doub
 /* A row in every other table for moment t and state y, whose sheet of the book is
  * given, with what it cannot explain [J]. */
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
-                const struct plan_sheet *sheet, double defect);
+                const struct book_sheet *sheet);
 
 /* A row in steps.csv. */
 int tables_step(struct tables *o, const struct method_step *step);

@@ -17,7 +17,7 @@
 #include "time/dv.h"
 
 #include "base/status.h"
-#include "plan/moment.h"
+#include "eval/moment.h"
 #include <math.h>
 
 /* to = y + c (z - y) + h f. */

@@ -3,7 +3,7 @@
 #ifndef TIME_METHOD_H
 #define TIME_METHOD_H
 
-#include "plan/moment.h"
+#include "eval/moment.h"
 #include <stdbool.h>
 
 enum method_norm { METHOD_NORM_MAX, METHOD_NORM_P8, METHOD_NORM_WRMS };

@@ -16,7 +16,7 @@
 #include "time/mri.h"
 
 #include "base/status.h"
-#include "plan/moment.h"
+#include "eval/moment.h"
 #include "time/arkode.h"
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef TIME_RATES_H
 #define TIME_RATES_H
 
-#include "plan/moment.h"
+#include "eval/moment.h"
 
 struct rates {
     struct moment *moment;

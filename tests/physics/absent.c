@@ -9,7 +9,7 @@
 #include "tank.h"
 
 #include "base/status.h"
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include <stdio.h>
 #include <stdlib.h>

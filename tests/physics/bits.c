@@ -171,7 +171,7 @@ static void rates_do_not_depend_on_history(void **state)
 static void check_looking(int which)
 {
     struct tank seen, alone;
-    struct plan_sheet sheet;
+    struct book_sheet sheet;
     struct limit limit[2];
     struct view view;
     double *aside;

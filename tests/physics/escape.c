@@ -63,8 +63,8 @@ static void a_particle_outside_only_falls(void **state)
         for (long k = 0; k < t.n; k++)
             check(isfinite(t.ydot[k]), "entry %ld is not finite", k);
     }
-    plan_memory(t.moment, 1, &memory);
-    plan_memory(other.moment, 1, &wanted);
+    plan_memory(t.plan, moment_pairs(t.moment), 1, &memory);
+    plan_memory(other.plan, moment_pairs(other.moment), 1, &wanted);
     check(plan_memory_sum(&memory) <= plan_memory_sum(&wanted), "memory grows");
     tank_free(&t);
     tank_free(&other);

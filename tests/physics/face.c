@@ -113,16 +113,16 @@ static void forces_follow_the_formula(void **state)
 /* --- books --------------------------------------------------------------------- */
 
 /* Works of the sheet so long after y: rates of the book times h. */
-static void sheet_after(struct tank *t, double h, struct plan_sheet *s, double *viscous)
+static void sheet_after(struct tank *t, double h, struct book_sheet *s, double *viscous)
 {
     double *y = tank_copy(t, t->y);
-    char name[PLAN_WORKS][80];
+    char name[BOOK_WORKS][80];
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];
     observe_sheet(t->moment, 0.01 + h, y, s);
     test_free(y);
-    plan_work_names(t->plan, name);
+    book_work_names(t->plan, name);
     *viscous = NAN;
     for (int i = 0; i < s->works; i++)
         if (strcmp(name[i], "laminar-viscosity") == 0)
@@ -137,7 +137,7 @@ static void check_books(struct tank *t, const char *what, bool brakes)
     const double *u = t->y + tank_at(t, "velocity of fluid", NULL);
     const double *udot = t->ydot + tank_at(t, "velocity of fluid", NULL);
     double power = 0, works = 0, viscous, g[DIM];
-    struct plan_sheet s;
+    struct book_sheet s;
 
     tank_rates(t, 0.01, t->y, t->ydot);
     memcpy(g, plan_scales(t->plan)->g, sizeof g);

@@ -14,7 +14,7 @@
 
 static double potential(struct tank *t, double *y)
 {
-    struct plan_sheet s;
+    struct book_sheet s;
 
     observe_sheet(t->moment, 0, y, &s);
     return s.energy.potential;
@@ -50,7 +50,7 @@ static void acceleration_is_the_slope_of_the_potential(void **state)
 static void its_pull_is_in_the_book(void **state)
 {
     struct tank t;
-    struct plan_sheet s, later;
+    struct book_sheet s, later;
     const double h = 1e-3;
     double *y;
 

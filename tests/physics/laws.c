@@ -107,7 +107,7 @@ static void momentum_comes_from_walls_and_weight(void **state)
 }
 
 /* (total, sum of works, pressure_defect) at y + h ydot, t + h. */
-static void sheet_at(struct tank *t, double h, struct plan_sheet *s)
+static void sheet_at(struct tank *t, double h, struct book_sheet *s)
 {
     double *y = tank_copy(t, t->y);
 
@@ -121,24 +121,24 @@ static void sheet_at(struct tank *t, double h, struct plan_sheet *s)
 static const double step = 2e-8;
 
 /* Sheets at -2, -1, 1 and 2 steps along the rates. */
-static void sheets_around(struct tank *t, struct plan_sheet s[4])
+static void sheets_around(struct tank *t, struct book_sheet s[4])
 {
     for (int k = 0; k < 4; k++)
         sheet_at(t, step * (k < 2 ? k - 2 : k - 1), &s[k]);
 }
 
 /* d/dt along the rates, by central differences of fourth order. */
-static double slope(const struct plan_sheet s[4], double (*of)(const struct plan_sheet *s))
+static double slope(const struct book_sheet s[4], double (*of)(const struct book_sheet *s))
 {
     return (8 * (of(&s[2]) - of(&s[1])) - (of(&s[3]) - of(&s[0]))) / (12 * step);
 }
 
-static double kinetic(const struct plan_sheet *s)
+static double kinetic(const struct book_sheet *s)
 {
     return s->energy.kinetic;
 }
 
-static double defect(const struct plan_sheet *s)
+static double defect(const struct book_sheet *s)
 {
     double given = s->pressure_defect;
 
@@ -147,7 +147,7 @@ static double defect(const struct plan_sheet *s)
     return s->total - given;
 }
 
-static double pressure_defect(const struct plan_sheet *s)
+static double pressure_defect(const struct book_sheet *s)
 {
     return s->pressure_defect;
 }
@@ -167,7 +167,7 @@ static double turnover(const struct tank *t)
 
 static void check_energy(struct tank *t, const struct look *of)
 {
-    struct plan_sheet s[4];
+    struct book_sheet s[4];
     double size;
 
     tank_rates(t, when, t->y, t->ydot);
@@ -193,7 +193,7 @@ static void energy_changes_by_the_booked_powers(void **state)
 static void check_momentum_sheet(struct tank *t, const struct look *of)
 {
     const double h = 1e-3;
-    struct plan_sheet a, b;
+    struct book_sheet a, b;
     double size = 0;
 
     tank_rates(t, when, t->y, t->ydot);

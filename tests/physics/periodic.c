@@ -235,7 +235,7 @@ static void sides_may_lie_anywhere(void **state)
 
 static double potential(struct tank *t, const double *y, double *mass)
 {
-    struct plan_sheet s;
+    struct book_sheet s;
 
     observe_sheet(t->moment, 0, y, &s);
     *mass = s.mass;
@@ -307,7 +307,7 @@ static void momentum_closes(void **state)
 static double defect_at(struct tank *t, double h)
 {
     double *y = tank_copy(t, t->y), defect;
-    struct plan_sheet s;
+    struct book_sheet s;
 
     for (long i = 0; i < t->n; i++)
         y[i] += h * t->ydot[i];

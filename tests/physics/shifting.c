@@ -103,7 +103,7 @@ static void water_on_its_lattice_stays(void **state)
     tank_free(&t);
 }
 
-static double booked(const struct plan_sheet *s)
+static double booked(const struct book_sheet *s)
 {
     double sum = s->pressure_defect;
 
@@ -116,18 +116,18 @@ static double booked(const struct plan_sheet *s)
  * them. */
 static void its_work_is_in_the_book(void **state)
 {
-    struct plan_sheet before, after;
+    struct book_sheet before, after;
     const double h = 1e-7;
     struct tank t;
     double *y;
     int own = -1;
-    char name[PLAN_WORKS][80];
+    char name[BOOK_WORKS][80];
 
     (void)state;
     tank_make(&t, tank_water, tank_frame, SHIFTING, NULL);
     tank_shake(&t, 5, 0.2, 0.3, 0.01);
     tank_rates(&t, 0, t.y, t.ydot);
-    for (int i = 0; i < plan_work_names(t.plan, name); i++)
+    for (int i = 0; i < book_work_names(t.plan, name); i++)
         if (strcmp(name[i], "particle-shifting") == 0)
             own = i;
     check(own >= 0, "it has no column in the book");

@@ -116,7 +116,7 @@ static void slip_leaves_pressure_alone(void **state)
 /* Power of a wall that is pushed against the water: force times its velocity. */
 static void driven_wall_gives_power(void **state)
 {
-    struct plan_sheet before, after;
+    struct book_sheet before, after;
     const double h = 1e-3;
     double force, power, given;
     struct tank t;
@@ -133,8 +133,8 @@ static void driven_wall_gives_power(void **state)
     for (long i = 0; i < t.n; i++)
         t.y[i] += h * t.ydot[i];
     observe_sheet(t.moment, h, t.y, &after);
-    char name[PLAN_WORKS][80];
-    for (int i = 0; i < plan_work_names(t.plan, name); i++)
+    char name[BOOK_WORKS][80];
+    for (int i = 0; i < book_work_names(t.plan, name); i++)
         if (strcmp(name[i], "walls") == 0) {
             given = (after.work[i] - before.work[i]) / h;
             power = -force * 1.0;

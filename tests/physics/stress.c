@@ -129,13 +129,13 @@ static void its_work_is_in_the_book(void **state)
 {
     struct tank t;
     double *more = added(&t), power = 0, given;
-    struct plan_sheet before, after;
-    char name[PLAN_WORKS][80];
+    struct book_sheet before, after;
+    char name[BOOK_WORKS][80];
     int own = -1;
     struct view v;
 
     (void)state;
-    for (int i = 0; i < plan_work_names(t.plan, name); i++)
+    for (int i = 0; i < book_work_names(t.plan, name); i++)
         if (strcmp(name[i], "artificial-stress") == 0)
             own = i;
     check(own >= 0, "it has no column in the book");

@@ -2,7 +2,7 @@
  * double loops over all pairs with the kernels typed anew. */
 #include "tank.h"
 
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -270,7 +270,7 @@ static struct powers powers_of(const struct all *e, const struct particles *p,
 static double booked_defect(struct tank *t)
 {
     double *y = tank_copy(t, t->y);
-    struct plan_sheet s;
+    struct book_sheet s;
     const double h = 1e-6;
 
     for (long i = 0; i < t->n; i++)

@@ -3,7 +3,7 @@
 #ifndef TESTS_PHYSICS_TANK_H
 #define TESTS_PHYSICS_TANK_H
 
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "scene/scene.h"
 
 #include <setjmp.h>

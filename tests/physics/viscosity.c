@@ -91,8 +91,8 @@ static void both_only_take_energy(void **state)
     (void)state;
     for (int i = 0; i < 2; i++)
         for (unsigned seed = 1; seed <= 4; seed++) {
-            char keys[256], name[PLAN_WORKS][80];
-            struct plan_sheet s;
+            char keys[256], name[BOOK_WORKS][80];
+            struct book_sheet s;
             struct tank t;
             snprintf(keys, sizeof keys, "effects = { continuity = { }; %s = { mu = %g; }; };",
                      effects[i], MU);
@@ -102,7 +102,7 @@ static void both_only_take_energy(void **state)
             for (long k = 0; k < t.n; k++)
                 t.y[k] += h * t.ydot[k];
             observe_sheet(t.moment, h, t.y, &s);
-            plan_work_names(t.plan, name);
+            book_work_names(t.plan, name);
             assert_string_equal(name[0], effects[i]);
             check(s.work[0] < -1e-3 * h, "%s gives %g W", effects[i], s.work[0] / h);
             tank_free(&t);

@@ -184,7 +184,7 @@ static void books_close_in_water(void **state)
 {
     (void)state;
     for (int i = 0; i < METHODS; i++) {
-        struct plan_sheet at_start, s;
+        struct book_sheet at_start, s;
         struct tank t;
         tank_make(&t, tank_parted_water, TANK_EFFECTS, tank_frame, FLOAT, NULL);
         observe_sheet(t.moment, 0, t.y, &at_start);

@@ -1,6 +1,6 @@
 /* elastica-swing.c -- methods on the program's own beam that bends far: a free swing keeps
  * its energy, the tip converges, and a solve that finds nothing is a refusal. */
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "plan/plan.h"
 
 #include "base/status.h"
@@ -41,7 +41,7 @@ static struct swing swing(const char *name, double tol)
     struct method_def def = method_def_default();
     const struct method *method;
     struct method_step step = { .t = 0 };
-    struct plan_sheet sheet;
+    struct book_sheet sheet;
     struct body_view view;
     struct swing out = {0};
     struct scene *scene;

@@ -193,7 +193,7 @@ static void effect_left_out_costs_nothing(void **state)
 {
     const char *const less = "effects = { continuity = { }; pressure = { };"
                              " density-diffusion = { delta = 0.1; }; };";
-    char name[PLAN_WORKS][80];
+    char name[BOOK_WORKS][80];
     struct tank all, few;
     const struct layout *a, *b;
 
@@ -209,7 +209,7 @@ static void effect_left_out_costs_nothing(void **state)
         assert_int_equal(a->row[i].offset, b->row[i].offset);
     }
     assert_int_equal(plan_parts(all.plan) - plan_parts(few.plan), 2);
-    assert_int_equal(plan_work_names(few.plan, name), 2);
+    assert_int_equal(book_work_names(few.plan, name), 2);
     assert_string_equal(name[0], "density-diffusion");
     assert_string_equal(name[1], "walls");
     tank_free(&all);
@@ -217,6 +217,71 @@ static void effect_left_out_costs_nothing(void **state)
 }
 
 /* Without gravity there is no such effect; without walls no density of theirs. */
+/* What a pressure that is solved for must know first: all rates but by pressure are those of
+ * the scene without that effect, bit by bit; with it they are others. */
+static void all_but_pressure_can_be_asked_for(void **state)
+{
+    static const char *const effects[] = {
+        TANK_EFFECTS,
+        "effects = { continuity = { }; artificial-viscosity = { alpha = 0.1; };"
+        " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };",
+    };
+    struct tank t[2];
+    double *whole;
+    struct ask ask = ASK_ALL;
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        tank_make(&t[i], tank_bare_water, tank_frame, TANK_ONE_KERNEL, effects[i], NULL);
+        tank_shake(&t[i], 5, 0.2, 1, 0.01);
+    }
+    const long n = tank_at(&t[0], "book", NULL), u = tank_at(&t[0], "velocity of fluid", NULL);
+    tank_rates(&t[0], 0, t[0].y, t[0].ydot);
+    whole = tank_copy(&t[0], t[0].ydot);
+    tank_rates(&t[1], 0, t[0].y, t[1].ydot);
+    ask.without_pressure = true;
+    assert_int_equal(moment_eval(t[0].moment, ask, 0, t[0].y, t[0].ydot), STATUS_DONE);
+    assert_memory_equal(t[0].ydot, t[1].ydot, (size_t)n * sizeof *whole);
+    assert_true(fabs(whole[u] - t[0].ydot[u]) > 1e-3 * fabs(whole[u]));
+    test_free(whole);
+    for (int i = 0; i < 2; i++)
+        tank_free(&t[i]);
+}
+
+/* Two moments of one plan at two states, asked in turns: each answers as if alone. */
+static void moments_of_a_plan_keep_apart(void **state)
+{
+    struct tank t, other;
+    struct moment *second;
+    double *alone[2], *y[2];
+
+    (void)state;
+    tank_make(&t, DIM == 2 ? tank_parted_water : tank_bare_water, tank_frame,
+              DIM == 2 ? tank_beam : "", TANK_ONE_KERNEL, TANK_EFFECTS, NULL);
+    other = t;
+    assert_int_equal(moment_create(t.plan, &second), STATUS_DONE);
+    for (int i = 0; i < 2; i++) {
+        tank_shake(&t, 3 + (unsigned)i, 0.3, 1, 0.01);
+        y[i] = tank_copy(&t, t.y);
+        alone[i] = tank_copy(&t, t.y);
+        other.moment = i ? second : t.moment;
+        tank_rates(&other, 0.01 * i, y[i], alone[i]);
+    }
+    for (int turn = 0; turn < 4; turn++) {
+        other.moment = turn % 2 ? second : t.moment;
+        tank_rates(&other, 0.01 * (turn % 2), y[turn % 2], t.ydot);
+        assert_memory_equal(t.ydot, alone[turn % 2], (size_t)t.n * sizeof *t.ydot);
+    }
+    assert_int_equal(moment_counts(second)->passes, 3);
+    assert_int_equal(moment_counts(second)->rebuilds, 1);
+    for (int i = 0; i < 2; i++) {
+        test_free(y[i]);
+        test_free(alone[i]);
+    }
+    moment_free(&second);
+    tank_free(&t);
+}
+
 static void what_is_not_there_has_no_row(void **state)
 {
     const char *const space = DIM == 2
@@ -324,6 +389,8 @@ int main(void)
 #endif
         cmocka_unit_test(rows_fill_the_state),
         cmocka_unit_test(effect_left_out_costs_nothing),
+        cmocka_unit_test(all_but_pressure_can_be_asked_for),
+        cmocka_unit_test(moments_of_a_plan_keep_apart),
         cmocka_unit_test(what_is_not_there_has_no_row),
         cmocka_unit_test(weights_are_those_of_the_scales),
         cmocka_unit_test(stiffness_is_the_square_of_the_sound_speed),

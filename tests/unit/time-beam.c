@@ -1,7 +1,7 @@
 /* time-beam.c -- the coupling of Toth (2012), the implicit bodies of "dv" and the methods for
  * beams alone on the program's own beam, without water: the first vibration of a
  * cantilever under a step load. */
-#include "plan/observe.h"
+#include "eval/observe.h"
 #include "plan/plan.h"
 
 #include "base/status.h"
@@ -210,7 +210,7 @@ static void the_tip_of_dv_converges(void **state)
 static void the_book_of_dv_is_that_of_its_steps(void **state)
 {
     struct method_step step = { .t = 0 };
-    struct plan_sheet s;
+    struct book_sheet s;
     struct beam b;
     double most = 0, driven;
 

@@ -128,7 +128,7 @@ static void water_finds_its_way_back(void **state)
 }
 
 /* What the book got between two sheets. */
-static double given(const struct plan_sheet *s, const struct plan_sheet *from)
+static double given(const struct book_sheet *s, const struct book_sheet *from)
 {
     double sum = s->pressure_defect - from->pressure_defect;
 
@@ -141,7 +141,7 @@ static double given(const struct plan_sheet *s, const struct plan_sheet *from)
 static void the_work_of_a_kick_is_exact(void **state)
 {
     const double h = 3e-4;
-    struct plan_sheet before, after;
+    struct book_sheet before, after;
     struct tank t;
 
     (void)state;
@@ -165,7 +165,7 @@ static void the_work_of_a_kick_is_exact(void **state)
 /* Energy stored from h/2 before a density to h/2 after it, less what the book gets. */
 static double swelling(double h)
 {
-    struct plan_sheet before, after;
+    struct book_sheet before, after;
     struct tank t;
     double off;
 
@@ -195,7 +195,7 @@ static void the_work_of_pressure_is_that_of_the_middle(void **state)
  * of it that pressure seems to have made goes to *pressure. */
 static double defect(const char *effects, double tol, double *pressure)
 {
-    struct plan_sheet first, last;
+    struct book_sheet first, last;
     struct tank t;
 
     make(&t, effects);

@@ -11,7 +11,7 @@
 #ifndef TIME_TOY_H
 #define TIME_TOY_H
 
-#include "plan/moment.h"
+#include "eval/moment.h"
 
 enum { TOY_PARTICLES = 3 };
 

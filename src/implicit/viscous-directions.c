@@ -5,7 +5,7 @@
  * of these and of directions conjugate to them: momentum and energy close to rounding
  * however inexact the solve.  Saad, Yeung, Erhel, Guyomarc'h, SIAM J. Sci. Comput. 21
  * (2000) 1909-1926. */
-#include "plan/viscous.h"
+#include "implicit/viscous.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,13 +18,13 @@ static double dot(const struct viscous *u, const double *a, const double *b)
 /* A 1 of fluid in slot s: its mass, and what solids hold of it. */
 static double drag_of(const struct moment *m, double gamma, int s)
 {
-    return m->particles->m[m->list->order[s]] + gamma * m->viscous->job.firm[s];
+    return m->particles->m[m->list->order[s]] + gamma * viscous_of(m)->job.firm[s];
 }
 
 /* A 1 of bodies, and 1 . A 1, for all components the same. */
 static void set_drag(struct moment *m, double gamma)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
     double (*at)[DIM] = m->work->points;
 
@@ -50,7 +50,7 @@ static void set_drag(struct moment *m, double gamma)
 /* (1 . A x)/(1 . A 1) of each component. */
 static void along_drag(const struct moment *m, double gamma, const double *x, double mean[DIM])
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const int n = m->list->start[KIND_FLUID + 1];
 
     memset(mean, 0, DIM * sizeof *mean);
@@ -68,7 +68,7 @@ static void along_drag(const struct moment *m, double gamma, const double *x, do
  * w = 0 when nothing else moves. */
 void viscous_directions_set(struct moment *m, double gamma)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
     double mean[DIM], norm, whole;
 
@@ -95,7 +95,7 @@ void viscous_directions_set(struct moment *m, double gamma)
 
 struct viscous_along viscous_directions_clear(struct moment *m, double gamma, double *residual)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const int n = m->list->start[KIND_FLUID + 1];
     struct viscous_along along = { .guess = dot(u, u->guess, residual) };
 
@@ -125,7 +125,7 @@ void viscous_directions_add(const struct viscous *u, const struct viscous_along 
 
 void viscous_directions_leave(struct moment *m, double gamma, double *v)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const int n = m->list->start[KIND_FLUID + 1];
     const double along = dot(u, u->guess_image, v);
     double mean[DIM];

@@ -1,5 +1,5 @@
 /* observe.c -- looking at a run without disturbing it. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 
@@ -118,11 +118,19 @@ const char *observe_runaway(struct moment *m, double t, const double *y)
     if (!(speed > p->in.eos.fastest * p->scales.c0))
         return NULL;
     moment_place(m, &v, i, place);
-    m->culprit[MOMENT_TOO_FAST] = (struct moment_culprit){ true, i, t };
+    moment_note(m, MOMENT_TOO_FAST, i, t);
     snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) at %s m "
              "moves at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
              "higher eos.c0 if that speed is real", t, i,
              v.p->object[v.p->object_of[i]].name, place, speed,
              speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
     return text;
+}
+
+void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)
+{
+    struct view v;
+
+    observe_view(run, t, y, &v);
+    book_read(run->plan, &run->layout, run->body, &v, y, sheet);
 }

@@ -1,11 +1,11 @@
 /* viscous.h -- a viscosity on the implicit side: its rates, and the solve of a stage
  * for the velocities of fluid and bodies together. */
-#ifndef PLAN_VISCOUS_H
-#define PLAN_VISCOUS_H
+#ifndef IMPLICIT_VISCOUS_H
+#define IMPLICIT_VISCOUS_H
 
 #include "algebra/vector.h"
 #include "plan/couple.h"
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include <sundials/sundials_linearsolver.h>
 
@@ -35,22 +35,26 @@ struct viscous {
     double *drag[DIM];           /* [unknowns - fluid] bodies' part of A 1     */
     double drag_all;             /* 1 . A 1                                    */
     double *partial;             /* sums of blocks                             */
-    SUNContext context;
-    SUNLinearSolver gradients;
-    N_Vector b, correction;      /* [unknowns] what it solves for              */
-    int starts, stages;
-    struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
+    struct {
+        int starts, stages;
+        struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
+    } known;                     /* for guesses                                */
+    struct {
+        SUNContext context;
+        SUNLinearSolver gradients;
+        N_Vector b, correction;  /* [unknowns] what it solves for              */
+    } search;
 };
 
-/* viscous.c: refuses (BAD_SCENE) bodies that cannot be solved for with it; m->viscous, when
- * the scene asks for one. */
-int viscous_agree(const struct plan *p);
-int viscous_create(struct moment *m);
-void viscous_free(struct viscous **viscous); /* NULL is welcome */
-int viscous_fit(struct viscous *u); /* after a rebuild */
-bool viscous_faces(const struct plan *p); /* does it act at the faces of solids?      */
-int viscous_rates(struct moment *m, double t, const double *y, double *ydot);
-int viscous_sides(struct moment *m, double t, const double *y, double *explicit, double *implicit);
+static inline struct viscous *viscous_of(const struct moment *m)
+{
+    return m->solver;
+}
+
+/* viscous.c: members of implicit_viscous; after a rebuild there may be more pairs. */
+int viscous_create(struct moment *m, void **out);
+void viscous_free(void **self);
+int viscous_fit(struct viscous *u);
 
 /* After forces and power in the workspace are those of the implicit law: rates of the book
  * but for what supports give, and forces on bodies. */

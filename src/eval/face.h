@@ -1,24 +1,16 @@
 /* face.h -- what a viscosity does at solids beside its law between particles: the fluid
  * sticks at their faces, not where their particles are, and faces may slide. */
-#ifndef PLAN_FACE_H
-#define PLAN_FACE_H
+#ifndef EVAL_FACE_H
+#define EVAL_FACE_H
 
 #include "plan/couple.h"
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 enum { FACE_BLOCK = 512 }; /* slots whose powers are added first */
 
-/* Of a plan. */
-struct face_plan {
-    const struct plan_part *part; /* the viscosity                              */
-    bool mirrored;                /* sticks at faces; else only some slide      */
-    bool turns;                   /* some wall does                             */
-    unsigned acts[KINDS];         /* the fluid and what it sticks to            */
-};
-
 /* Of a moment: all vectors are by slot. */
 struct face {
-    const struct face_plan *of;
+    const struct plan_face *of;
     struct couple_job job;        /* pairs of the fluid and what it sticks to   */
     size_t room, slots;           /* for so many c; for so many velocities      */
     double *velocity;             /* [slots][COUPLE_STRIDE] of everybody [m/s]  */
@@ -32,9 +24,7 @@ struct face {
     double power;                 /* of the fluid on faces that slide [W]       */
 };
 
-/* p->face, when the scene asks for it and has solids to stick to; freed with the plan by
- * free().  Then m->face, where the plan has one. */
-int face_make(struct plan *p, const struct scene *scene);
+/* m->face, where the plan has one. */
 int face_create(struct moment *m);
 void face_free(struct face **face); /* NULL is welcome */
 

@@ -1,6 +1,6 @@
 /* limit.c -- the largest explicit step: the fastest wave and the fastest decay
  * of all parts, by name. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include <stdio.h>
 

@@ -9,10 +9,10 @@
  *
  * is symmetric and positive definite.  Of positions only skins' depend on z: they come
  * from a guess, which is mended when the solution moves them. */
-#include "plan/viscous.h"
+#include "implicit/viscous.h"
 
 #include "base/status.h"
-#include "plan/face.h"
+#include "eval/face.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -26,7 +26,7 @@ static const double stay = 0.01; /* of tol and hs: skins that moved less stand r
 /* y of the stage as far as v says it. */
 static void set_stage(struct moment *m, double gamma, const double *r)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const double *v = u->v;
 
     memcpy(u->stage, r, (size_t)moment_size(m) * sizeof *r);
@@ -41,7 +41,7 @@ static void set_stage(struct moment *m, double gamma, const double *r)
 /* The matrix and the first residual, at the places of the stage. */
 static int set_system(struct moment *m, double t, double gamma, const double *r)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
     const double *r_u = r + layout_at(&m->layout, m->plan->row.u);
     int at = u->fluid;
@@ -76,7 +76,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
 /* Solution to the order of creation; what is in no list keeps r. */
 static void take_solution(struct moment *m, const double *r)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
 
     memcpy(u->v, r + layout_at(&m->layout, m->plan->row.u), (size_t)u->fluid * sizeof *u->v);
@@ -97,7 +97,7 @@ static double moved(struct moment *m, double t)
             continue;
         const int from = all->object[b->object].from;
         double (*x)[DIM] = m->work->points;
-        b->kind->move(b->body, b->work, &m->layout, t, m->viscous->stage, x, all->u + from);
+        b->kind->move(b->body, b->work, &m->layout, t, viscous_of(m)->stage, x, all->u + from);
         for (int j = 0; j < b->skin; j++)
             for (int d = 0; d < DIM; d++)
                 most = fmax(most, fabs(x[j][d] - all->x[from + j][d]));
@@ -109,7 +109,7 @@ static double moved(struct moment *m, double t)
  * F = (m z - m r + residual)/gamma; those on solids are asked for. */
 static double power(struct moment *m, double gamma)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
     const int n = l->start[KIND_FLUID + 1];
     double sum = 0;
@@ -123,7 +123,7 @@ static double power(struct moment *m, double gamma)
         for (int d = 0; d < DIM && u->job.diagonal[s] > 0; d++)
             sum += u->velocity[(size_t)s * COUPLE_STRIDE + (size_t)d]
                    * m->work->f[(size_t)s * DIM + (size_t)d];
-    if (viscous_faces(m->plan))
+    if (plan_face_implicit(m->plan))
         sum += face_power(m);
     return sum;
 }
@@ -131,7 +131,7 @@ static double power(struct moment *m, double gamma)
 /* Forces and power at the solution, and what they do to z. */
 static void finish(struct moment *m, double gamma, const double *r, double *z)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const long book = layout_at(&m->layout, m->plan->book.row);
     double *rates = u->stage + book;
     int at = u->fluid;
@@ -155,13 +155,13 @@ static int refuse_skins(struct moment *m, double t, double off)
 {
     snprintf(m->refusal, sizeof m->refusal, "%s, taken implicitly, found no place for the skin of "
              "a body at t = %g s: after %d solves it still moves by %.3g m",
-             m->viscous->part->path, t, MENDINGS, off);
+             viscous_of(m)->part->path, t, MENDINGS, off);
     return STATUS_FAILED;
 }
 
 int viscous_solve(struct moment *m, double t, double gamma, const double *r, double *z)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const double near = fmax(stay * u->tol, 1e-11) * m->plan->scales.hs;
     double off = HUGE_VAL;
 

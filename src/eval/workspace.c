@@ -1,5 +1,5 @@
 /* workspace.c -- memory of an evaluation: records, sums. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/record.h"

@@ -3,11 +3,11 @@
  * A plan says what there is and never changes; a moment holds where everything stands, the
  * list of pairs, fields, forces and the book of one evaluation, with the counters and the
  * complaints of the run that it belongs to.  A run has one.  Outputs look through another,
- * made beside it (plan/observe.h), so that looking disturbs nothing.
+ * made beside it (eval/observe.h), so that looking disturbs nothing.
  *
  * This header knows no dimension: time/ sees only this and plan.h. */
-#ifndef PLAN_MOMENT_H
-#define PLAN_MOMENT_H
+#ifndef EVAL_MOMENT_H
+#define EVAL_MOMENT_H
 
 #include "plan/plan.h"
 
@@ -104,5 +104,8 @@ struct moment_counts {
     long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
 };
 const struct moment_counts *moment_counts(const struct moment *moment);
+
+/* Entries in the rows of its pair list; 0: it has none yet. */
+double moment_pairs(const struct moment *moment);
 
 #endif

@@ -3,7 +3,7 @@
  * The parabola through the last stage and the starts of the last steps: a solve then
  * begins with an error of some h^3 instead of h.  More nodes would carry more of what
  * solves have left into the guess: 16 % more products, and twice the error. */
-#include "plan/viscous.h"
+#include "implicit/viscous.h"
 
 #include <math.h>
 #include <string.h>
@@ -36,24 +36,24 @@ static struct viscous_past *push(struct viscous_past *past, int *n, int most)
 /* The same moment twice is a step that is tried again. */
 void viscous_begin(struct moment *m, double t, const double *y)
 {
-    struct viscous *u = m->viscous;
-    struct viscous_past *to = u->start;
+    struct viscous *u = viscous_of(m);
+    struct viscous_past *to = u->known.start;
 
-    while (u->starts > 0 && u->start[0].t >= t) { /* time was set back */
-        const struct viscous_past gone = u->start[0];
-        memmove(u->start, u->start + 1, (VISCOUS_STARTS - 1) * sizeof gone);
-        u->start[VISCOUS_STARTS - 1] = gone;
-        u->starts--;
+    while (u->known.starts > 0 && u->known.start[0].t >= t) { /* time was set back */
+        const struct viscous_past gone = u->known.start[0];
+        memmove(u->known.start, u->known.start + 1, (VISCOUS_STARTS - 1) * sizeof gone);
+        u->known.start[VISCOUS_STARTS - 1] = gone;
+        u->known.starts--;
     }
-    to = push(u->start, &u->starts, VISCOUS_STARTS);
+    to = push(u->known.start, &u->known.starts, VISCOUS_STARTS);
     to->t = t;
     viscous_read(m, y, to->v);
-    u->stages = 0;
+    u->known.stages = 0;
 }
 
 void viscous_keep(struct viscous *u, double t, const double *v)
 {
-    struct viscous_past *to = push(u->past, &u->stages, VISCOUS_STAGES);
+    struct viscous_past *to = push(u->known.past, &u->known.stages, VISCOUS_STAGES);
 
     to->t = t;
     memcpy(to->v, v, (size_t)u->unknowns * sizeof *v);
@@ -73,22 +73,22 @@ static int take(const struct viscous_past *one, double apart, const struct visco
 
 static int choose(const struct viscous *u, double t, const struct viscous_past **node)
 {
-    const double h = u->starts > 0 ? t - u->start[0].t : 0;
+    const double h = u->known.starts > 0 ? t - u->known.start[0].t : 0;
     int n = 0;
 
     if (!(h > 0))
         return 0;
-    for (int i = 0; i < u->stages; i++)
-        n = take(&u->past[i], 0.1 * h, node, n);
-    for (int i = 0; i < u->starts; i++)
-        if (t - u->start[i].t < 5 * h)
-            n = take(&u->start[i], 0.3 * h, node, n);
+    for (int i = 0; i < u->known.stages; i++)
+        n = take(&u->known.past[i], 0.1 * h, node, n);
+    for (int i = 0; i < u->known.starts; i++)
+        if (t - u->known.start[i].t < 5 * h)
+            n = take(&u->known.start[i], 0.3 * h, node, n);
     return n;
 }
 
 void viscous_guess(struct moment *m, double t, const double *z, double *v)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const struct viscous_past *node[NODES];
     const int n = choose(u, t, node);
 

@@ -1,6 +1,6 @@
 /* eval.c -- the one right-hand side, and its implicit side. */
-#include "plan/inside.h"
-#include "plan/viscous.h"
+#include "eval/inside.h"
+#include "plan/solver.h"
 
 #include "base/status.h"
 
@@ -27,8 +27,8 @@ static int implicit_side(struct moment *m, double t, const double *y, double *yd
 {
     m->counts.rhs_implicit++;
     memset(ydot, 0, (size_t)moment_size(m) * sizeof *ydot);
-    if (m->viscous)
-        TRY(count_pass(m, viscous_rates(m, t, y, ydot)));
+    if (m->solver)
+        TRY(count_pass(m, m->plan->solver->rates(m, t, y, ydot)));
     add_stiff(m, t, y, ydot);
     return STATUS_DONE;
 }
@@ -50,13 +50,13 @@ static int one_vector(struct moment *m, const struct ask *ask, double t, const d
 static int two_vectors(struct moment *m, const struct ask *ask, double t, const double *y,
                        double *ydot)
 {
-    if (!m->viscous) {
+    if (!m->solver) {
         TRY(one_vector(m, &ASK_EXPLICIT_SIDE, t, y, ydot));
         return one_vector(m, &ASK_IMPLICIT_SIDE, t, y, ask->apart);
     }
     m->counts.rhs_explicit++;
     m->counts.rhs_implicit++;
-    TRY(count_pass(m, viscous_sides(m, t, y, ydot, ask->apart)));
+    TRY(count_pass(m, m->plan->solver->sides(m, t, y, ydot, ask->apart)));
     add_stiff(m, t, y, ask->apart);
     return STATUS_DONE;
 }
@@ -69,8 +69,8 @@ int moment_eval(struct moment *m, struct ask ask, double t, const double *y, dou
 int moment_solve(struct moment *m, double t, double gamma, const double *r, double *z)
 {
     m->counts.solves++;
-    if (m->viscous) {
-        const int status = viscous_solve(m, t, gamma, r, z);
+    if (m->solver) {
+        const int status = m->plan->solver->solve(m, t, gamma, r, z);
         m->counts.refused += status != STATUS_DONE;
         m->counts.rebuilds = m->own->builds;
         return status;
@@ -81,4 +81,21 @@ int moment_solve(struct moment *m, double t, double gamma, const double *r, doub
             TRY(b->kind->implicit->solve(b->body, b->work, &m->layout, t, gamma, r, z));
     }
     return STATUS_DONE;
+}
+
+void moment_body_book(struct moment *m, double t, const double *y, double share, double *ydot)
+{
+    const struct plan *p = m->plan;
+    double *book = ydot + layout_at(&m->layout, p->book.row);
+
+    for (int i = 0; i < p->bodies; i++) {
+        const struct moment_body *b = &m->body[i];
+        struct body_load load;
+
+        if (!plan_body_stiff(p, i)) /* moved by the right-hand sides themselves */
+            continue;
+        b->kind->load(b->body, b->work, &m->layout, t, y, (const double (*)[DIM])b->force,
+                      m->work->rates, &load);
+        book_add_load(p, i, share, &load, book);
+    }
 }

@@ -5,7 +5,7 @@
  * more: a largest correction says how wrong velocities are, of the fluid and of beams
  * alike, while their own stop, a norm of residuals, knows nothing of beams, whose soft
  * modes are a millionth of a residual. */
-#include "plan/viscous.h"
+#include "implicit/viscous.h"
 
 #include "base/status.h"
 
@@ -38,7 +38,7 @@ static int precondition(void *self, N_Vector residual, N_Vector near, sunrealtyp
 {
     struct search *s = self;
     struct moment *m = s->moment;
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     double *to = vector_overwrite(near), rz;
 
     (void)tol, (void)side;
@@ -57,14 +57,14 @@ static int refuse(struct moment *m, double t, double left, int products)
 {
     snprintf(m->refusal, sizeof m->refusal, "%s, taken implicitly, found no velocities at "
              "t = %g s: after %d products the largest correction is still %.3g of its scale (tol "
-             "%g)", m->viscous->part->path, t, products, left, m->viscous->tol);
+             "%g)", viscous_of(m)->part->path, t, products, left, viscous_of(m)->tol);
     return STATUS_FAILED;
 }
 
 /* What is left along the directions goes into x. */
 static void project(struct moment *m, double gamma)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     const struct viscous_along along = viscous_directions_clear(m, gamma, u->residual);
 
     viscous_directions_add(u, &along, u->x);
@@ -73,56 +73,56 @@ static void project(struct moment *m, double gamma)
 /* The correction of x, and the residual that it leaves. */
 static void take(struct moment *m, double gamma)
 {
-    struct viscous *u = m->viscous;
-    const double *correction = vector_read(u->correction);
+    struct viscous *u = viscous_of(m);
+    const double *correction = vector_read(u->search.correction);
 
     for (int i = 0; i < u->unknowns; i++)
         u->x[i] += correction[i];
-    vector_copy(u->unknowns, vector_read(SUNLinSolResid(u->gradients)), u->residual);
+    vector_copy(u->unknowns, vector_read(SUNLinSolResid(u->search.gradients)), u->residual);
     project(m, gamma);
 }
 
 int viscous_iterate(struct moment *m, double t, double gamma)
 {
-    struct viscous *u = m->viscous;
+    struct viscous *u = viscous_of(m);
     struct search s = { .moment = m, .gamma = gamma };
     int code;
 
     s.floor = 1e-30 * fabs(vector_dot(u->unknowns, u->right, u->x, u->partial));
     viscous_directions_set(m, gamma);
     project(m, gamma);
-    vector_copy(u->unknowns, u->residual, vector_overwrite(u->b));
-    N_VConst(0, u->correction);
-    SUNLinSolSetATimes(u->gradients, &s, multiply);
-    SUNLinSolSetPreconditioner(u->gradients, &s, NULL, precondition);
-    SUNLinSolSetZeroGuess(u->gradients, 1);
-    code = SUNLinSolSolve(u->gradients, NULL, u->correction, u->b, 0);
+    vector_copy(u->unknowns, u->residual, vector_overwrite(u->search.b));
+    N_VConst(0, u->search.correction);
+    SUNLinSolSetATimes(u->search.gradients, &s, multiply);
+    SUNLinSolSetPreconditioner(u->search.gradients, &s, NULL, precondition);
+    SUNLinSolSetZeroGuess(u->search.gradients, 1);
+    code = SUNLinSolSolve(u->search.gradients, NULL, u->search.correction, u->search.b, 0);
     if (code != 0 && !s.enough)
-        return refuse(m, t, s.left, SUNLinSolNumIters(u->gradients));
+        return refuse(m, t, s.left, SUNLinSolNumIters(u->search.gradients));
     take(m, gamma);
     return STATUS_DONE;
 }
 
 int viscous_gradients_make(struct viscous *u)
 {
-    TRY(sundials_open(&u->context));
-    u->b = vector_create(u->unknowns, VECTOR_NORM_MAX, u->context);
-    if (!u->b)
+    TRY(sundials_open(&u->search.context));
+    u->search.b = vector_create(u->unknowns, VECTOR_NORM_MAX, u->search.context);
+    if (!u->search.b)
         return STATUS_FAILED;
-    u->correction = N_VClone(u->b);
-    u->gradients = SUNLinSol_PCG(u->b, SUN_PREC_LEFT, PRODUCTS, u->context);
-    if (!u->correction || !u->gradients)
+    u->search.correction = N_VClone(u->search.b);
+    u->search.gradients = SUNLinSol_PCG(u->search.b, SUN_PREC_LEFT, PRODUCTS, u->search.context);
+    if (!u->search.correction || !u->search.gradients)
         return status_fail(STATUS_FAILED, "no memory to solve for %d velocities", u->unknowns);
     return STATUS_DONE;
 }
 
 void viscous_gradients_free(struct viscous *u)
 {
-    if (u->gradients)
-        SUNLinSolFree(u->gradients);
-    if (u->correction)
-        N_VDestroy(u->correction);
-    if (u->b)
-        N_VDestroy(u->b);
-    sundials_close(&u->context);
+    if (u->search.gradients)
+        SUNLinSolFree(u->search.gradients);
+    if (u->search.correction)
+        N_VDestroy(u->search.correction);
+    if (u->search.b)
+        N_VDestroy(u->search.b);
+    sundials_close(&u->search.context);
 }

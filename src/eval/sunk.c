@@ -3,7 +3,7 @@
  * In a wall: deeper in its shape than half a spacing, where its first particles stand.  In
  * a beam: behind the outermost layer of its skin; a particle there is surrounded by points
  * of the skin, so that no half of its neighbourhood is free of them. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/list.h"

@@ -1,8 +1,8 @@
 /* viscous-operator.c -- A of (BV1) times velocities, and about its inverse. */
-#include "plan/viscous.h"
+#include "implicit/viscous.h"
 
 #include "base/status.h"
-#include "plan/face.h"
+#include "eval/face.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,9 +17,9 @@ static void spread(struct moment *m, const double *x, bool walls)
 {
     const struct particles *all = m->particles;
     const struct list *l = m->list;
-    double (*to)[COUPLE_STRIDE] = (double (*)[COUPLE_STRIDE])m->viscous->velocity;
+    double (*to)[COUPLE_STRIDE] = (double (*)[COUPLE_STRIDE])viscous_of(m)->velocity;
     double (*point)[DIM] = m->work->points;
-    const double *w = x + m->viscous->fluid;
+    const double *w = x + viscous_of(m)->fluid;
 
     for (int s = 0; s < l->start[KIND_FLUID + 1]; s++)
         memcpy(to[s], x + (size_t)s * DIM, DIM * sizeof *x);
@@ -43,13 +43,13 @@ static void spread(struct moment *m, const double *x, bool walls)
 
 void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool walls)
 {
-    const bool faces = viscous_faces(m->plan);
+    const bool faces = plan_face_implicit(m->plan);
 
     spread(m, x, walls);
-    m->plan->engine->couple->multiply(&m->viscous->job, faces ? kinds | KIND_STICKY : kinds,
-                                m->viscous->velocity, m->work->f);
+    m->plan->engine->couple->multiply(&viscous_of(m)->job, faces ? kinds | KIND_STICKY : kinds,
+                                viscous_of(m)->velocity, m->work->f);
     if (faces)
-        face_complete(m, &m->viscous->job, kinds, walls, m->work->f);
+        face_complete(m, &viscous_of(m)->job, kinds, walls, m->work->f);
     m->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
@@ -59,7 +59,7 @@ static void image_of(struct moment *m, double gamma, const double *x, double *to
     const struct list *l = m->list;
     const double *mass = m->particles->m, *f = m->work->f;
     const int n = l->start[KIND_FLUID + 1];
-    int at = m->viscous->fluid;
+    int at = viscous_of(m)->fluid;
 
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = 0; s < n; s++)
@@ -68,7 +68,7 @@ static void image_of(struct moment *m, double gamma, const double *x, double *to
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
         b->kind->coupled->inertia(b->body, b->work, gamma, x + at, to + at);
-        rates_of_skin(m, b);
+        solids_skin(m, b);
         b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -gamma, to + at);
         at += viscous_body(m->plan, i);
     }
@@ -82,12 +82,12 @@ void viscous_apply(struct moment *m, double gamma, const double *x, double *to)
 
 int viscous_assemble(struct moment *m, double gamma, const double *x, double *to)
 {
-    struct couple_job *const job = &m->viscous->job;
+    struct couple_job *const job = &viscous_of(m)->job;
 
     spread(m, x, true);
-    m->plan->engine->couple->assemble(job, m->work->record, m->viscous->velocity, m->work->f);
+    m->plan->engine->couple->assemble(job, m->work->record, viscous_of(m)->velocity, m->work->f);
     m->counts.passes++;
-    if (viscous_faces(m->plan)) {
+    if (plan_face_implicit(m->plan)) {
         TRY(face_ready(m, job));
         face_complete(m, job, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), true, m->work->f);
     }
@@ -97,7 +97,7 @@ int viscous_assemble(struct moment *m, double gamma, const double *x, double *to
 
 int viscous_join(struct moment *m, double gamma)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
 
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
@@ -113,7 +113,7 @@ int viscous_join(struct moment *m, double gamma)
 
 double viscous_precondition(struct moment *m, double gamma, const double *residual, double *near)
 {
-    const struct viscous *u = m->viscous;
+    const struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
     const int n = l->start[KIND_FLUID + 1];
     double most = 0;

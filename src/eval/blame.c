@@ -3,7 +3,7 @@
  *
  * That is the particle that the last refusal named, if it was of a moment not before that
  * state; else the one of the fluid that is pushed hardest. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/laws.h"

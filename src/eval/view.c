@@ -1,5 +1,5 @@
 /* view.c -- moves solids to the moment and says where everything is. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "state/period.h"
 

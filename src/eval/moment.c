@@ -1,7 +1,7 @@
 /* moment.c -- a plan at one (t, y): its memory, and what is asked of it. */
-#include "plan/face.h"
-#include "plan/inside.h"
-#include "plan/viscous.h"
+#include "eval/face.h"
+#include "eval/inside.h"
+#include "plan/solver.h"
 
 #include "base/status.h"
 #include "state/particles-private.h"
@@ -49,7 +49,7 @@ static int take_work(struct moment *m)
 {
     TRY(workspace_create(m->plan, &m->work));
     TRY(face_create(m));
-    return viscous_create(m);
+    return m->plan->solver ? m->plan->solver->create(m, &m->solver) : STATUS_DONE;
 }
 
 static int create(const struct plan *plan, struct moment *beside, struct moment **out)
@@ -101,7 +101,8 @@ void moment_free(struct moment **moment)
         return;
     moment_free(&m->observer);
     if (!m->beside) {
-        viscous_free(&m->viscous);
+        if (m->solver)
+            m->plan->solver->free(&m->solver);
         face_free(&m->face);
         workspace_free(&m->work);
     }
@@ -166,11 +167,16 @@ const struct moment_counts *moment_counts(const struct moment *m)
 
 void moment_solve_tolerance(struct moment *m, double tol)
 {
-    if (m->viscous)
-        m->viscous->tol = tol;
+    if (m->solver)
+        m->plan->solver->exact(m->solver, tol);
 }
 
 const double *moment_force(const struct moment *m, int object)
 {
     return m->force[object];
+}
+
+double moment_pairs(const struct moment *m)
+{
+    return m->own && m->own->builds > 0 ? list_entries(m->own) : 0;
 }

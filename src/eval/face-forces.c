@@ -16,7 +16,7 @@
  * matrix.  What is added here to the law: -c_wf s_w on f and the opposite on w, with the
  * slip s_w = u_w - v_w.  Of a wall that turns omega x sum_f c_wf (x_f - x_w) / sum_f c_wf
  * is added to v_w: fluid that turns with it does not slip.  Checked in tests/physics/face.c. */
-#include "plan/face.h"
+#include "eval/face.h"
 
 #include "base/status.h"
 #include "space/record.h"

@@ -1,6 +1,6 @@
 /* pack.c -- records of everybody in the order of the list, with the pressure
  * of the equation of state; refuses densities out of bounds. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 #include "space/record.h"
@@ -137,7 +137,7 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
              "particles were pushed together or torn apart faster than the step could follow",
              v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], c, o->name, place, v->t,
              m->density_low, m->density_high);
-    m->culprit[MOMENT_DENSITY_OUT] = (struct moment_culprit){ true, c, v->t };
+    moment_note(m, MOMENT_DENSITY_OUT, c, v->t);
     return STATUS_FAILED;
 }
 

@@ -1,5 +1,5 @@
 /* fields.c -- densities that are no state: summed over pairs before the forces. */
-#include "plan/inside.h"
+#include "eval/inside.h"
 
 #include "base/status.h"
 
@@ -18,7 +18,7 @@ static int refuse_position(struct moment *m, double t)
     o = &m->particles->object[m->particles->object_of[l->bad]];
     snprintf(m->refusal, sizeof m->refusal, "the position of particle %d (%s) is not finite at "
              "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
-    m->culprit[MOMENT_PLACE_LOST] = (struct moment_culprit){ true, l->bad, t };
+    moment_note(m, MOMENT_PLACE_LOST, l->bad, t);
     return STATUS_FAILED;
 }
 

@@ -1,0 +1,119 @@
+/* inside.h -- a moment as the rooms that evaluate see it. */
+#ifndef EVAL_INSIDE_H
+#define EVAL_INSIDE_H
+
+#include "book/book.h"
+#include "eval/moment.h"
+#include "eval/observe.h"
+#include "plan/inside.h"
+
+struct face;
+
+/* What an evaluation works in: read while it lasts.  A moment made beside another shares
+ * that one's, as one evaluation is over before the next. */
+struct workspace {
+    double *record;  /* [slots][RECORD], 64-byte aligned                      */
+    size_t slots;    /* room for so many; with images it may grow             */
+    double *f;       /* [n][DIM] by slot; of the fluid only what struct sum_rates
+                        leaves there                                          */
+    double *drho;    /* [n] likewise                                          */
+    double *power;   /* [slots]                                               */
+    double *rho;     /* [n] densities that fields give, creation order; NULL  */
+    double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
+    double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
+    double (*points)[DIM];    /* [points of any body][DIM] scratch            */
+    double *rates;   /* [size] of an evaluation that is only looked at        */
+    struct sum_scratch scratch;
+};
+
+/* What refusals, and looks for runaways, named last. */
+enum moment_complaint { MOMENT_TOO_FAST, MOMENT_DENSITY_OUT, MOMENT_PLACE_LOST,
+                        MOMENT_COMPLAINTS };
+struct moment_culprit {
+    bool known;
+    int who;   /* creation index                                             */
+    double t;  /* [s]                                                        */
+};
+
+struct moment {
+    const struct plan *plan;
+    struct moment *beside;             /* the run's, whose work it shares; NULL: its own */
+    struct moment *observer;           /* made at the first look              */
+    struct layout layout;
+    struct particles *particles;       /* solids stand where they are now     */
+    struct list *list, *own;           /* of the evaluation; its own          */
+    struct workspace *work;
+    struct moment_body *body;          /* [bodies]                            */
+    double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
+    double wall_power;                 /* v . f of moving walls [W]           */
+    double pull[DIM];                  /* of fields beside the weight [N]     */
+    double density_low, density_high;  /* bounds, beyond them it refuses      */
+    void *solver;                      /* what plan->solver works in; of the run's */
+    struct face *face;                 /* eval/face.h; NULL                   */
+    char refusal[400];
+    struct moment_culprit culprit[MOMENT_COMPLAINTS];
+    struct moment_counts counts;
+};
+
+/* Complaints belong to the run, whichever moment has them. */
+static inline void moment_note(struct moment *m, enum moment_complaint what, int who, double t)
+{
+    struct moment *run = m->beside ? m->beside : m;
+
+    run->culprit[what] = (struct moment_culprit){ true, who, t };
+}
+
+/* workspace.c: zeroed numbers on cache lines; the memory of an evaluation; after a rebuild
+ * there may be more images. */
+double *workspace_lines(size_t numbers);
+int workspace_create(const struct plan *p, struct workspace **out);
+void workspace_free(struct workspace **w);
+int workspace_fit(struct workspace *w, const struct list *l);
+
+/* moment.c: another moment of the run's plan, for looking. */
+int moment_create_beside(struct moment *run, struct moment **out);
+
+/* view.c: moves solids to (t, y) and says where everything is, but for densities
+ * that are summed. */
+void moment_view(struct moment *m, double t, const double *y, struct view *v);
+
+/* Where particle c (creation index) is in the domain: "(x, y)" in metres. */
+void moment_place(const struct moment *m, const struct view *v, int c, char text[PLAN_PLACE]);
+
+/* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
+int moment_pack(struct moment *m, const struct view *v, unsigned kinds);
+
+/* fields.c: list and records of this moment, and the densities in v that are
+ * summed.  STATUS_FAILED: refused. */
+int moment_fields(struct moment *m, struct view *v);
+
+/* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates;
+ * rates of everything but bodies, body forces and the book. */
+struct sum_rates spread_places(const struct moment *m, const struct ask *ask, double *ydot);
+double (*spread_velocities(const struct moment *m, double *ydot))[DIM];
+void spread_rates(const struct moment *m, const struct ask *ask, const struct view *v,
+                  double *ydot);
+
+/* solids.c: force of the fluid on each solid, and the power of driven walls; forces on the
+ * points of one skin. */
+void solids_sum(struct moment *m);
+void solids_skin(const struct moment *m, struct moment_body *b);
+
+/* rates.c: sums over pairs by these laws.  push: see struct sum_job; it is added to.
+ * apart: see struct ask; forces of the implicit law by slot. */
+struct rates_job {
+    const struct pairs_table *table;
+    double ahead;         /* see struct ask */
+    double (*push)[DIM];
+    struct sum_rates to;
+    double *apart;
+};
+int rates_sum(struct moment *m, const struct rates_job *job);
+
+/* The explicit side, or what of it was asked for; of the implicit side, laws of pairs but
+ * not the stiff side of bodies.  apart: forces of the implicit law by slot, with their
+ * power in *power; NULL. */
+int rates_eval(struct moment *m, const struct ask *ask, double t, const double *y, double *ydot,
+               double *apart, double *power);
+
+#endif

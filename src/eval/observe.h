@@ -1,0 +1,53 @@
+/* observe.h -- what can be known of a run at a (t, y) without disturbing it.
+ *
+ * Outputs must not shift list rebuilds, so they look through a moment of their own, made
+ * beside the run's at the first look; it brings a list of its own when the run's does not
+ * fit. */
+#ifndef EVAL_OBSERVE_H
+#define EVAL_OBSERVE_H
+
+#include "bodies/bodies.h"
+#include "book/book.h"
+#include "eval/moment.h"
+#include "plan/facts.h"
+
+/* What the last evaluation of a moment found: force on an object [DIM] [N]. */
+const double *moment_force(const struct moment *moment, int object);
+
+/* --- looks ----------------------------------------------------------------------- */
+
+void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet);
+
+/* All particles at (t, y); lent until the next look. */
+void observe_view(struct moment *run, double t, const double *y, struct view *v);
+
+/* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it.
+ * STATUS_FAILED when the right-hand side cannot answer. */
+int observe_forces(struct moment *run, double t, const double *y);
+const double *observe_force(const struct moment *run, int object); /* [DIM] [N] */
+void observe_body(const struct moment *run, int body, double t, const double *y,
+                  struct body_view *out);
+
+/* For the message of a run that failed after the state (t, y): for which particle -- the
+ * one that the last refusal named, or the one that is pushed hardest --, where, and which
+ * part does most to it there; "" when there are no particles. */
+void observe_blame(struct moment *run, double t, const double *y, char *text, size_t room);
+
+/* NULL, or why no run should go on from here: fluid that moves faster than
+ * eos.fastest times the sound speed.  Static buffer. */
+const char *observe_runaway(struct moment *run, double t, const double *y);
+
+int observe_escaped(struct moment *run, double t, const double *y); /* fluid outside the box */
+
+/* Fluid in solids, more than half a spacing deep: how many, and the first of them. */
+enum { PLAN_PLACE = 64 };
+struct observe_sunk {
+    int n;
+    double t;               /* [s]                                            */
+    int who;                /* particle, -1: none                             */
+    const char *solid;      /* name of the wall or beam                       */
+    char place[PLAN_PLACE]; /* "(x, y)" [m]                                   */
+};
+void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out);
+
+#endif

@@ -1,0 +1,49 @@
+/* solids.c -- what the fluid does to solids: forces on them, and the power of walls. */
+#include "eval/face.h"
+#include "eval/inside.h"
+
+#include <string.h>
+
+/* What the fluid's forces do on a wall that moves [W]. */
+static double power_of(const struct moment *m, const struct object *o)
+{
+    double power = 0;
+
+    for (int c = o->from; c < o->from + o->n; c++) {
+        const int s = m->list->slot[c];
+        for (int d = 0; d < DIM && s >= 0; d++)
+            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[c][d];
+    }
+    return power;
+}
+
+void solids_sum(struct moment *m)
+{
+    const struct particles *all = m->particles;
+    const struct plan *p = m->plan;
+
+    memset(m->force, 0, all->objects * sizeof *m->force);
+    m->wall_power = 0;
+    for (int c = all->from[KIND_WALL]; c < all->n; c++) {
+        const int s = m->list->slot[c];
+        double *sum = m->force[all->object_of[c]];
+        if (s < 0)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            sum[d] += m->work->f[(size_t)s * DIM + d];
+    }
+    for (int i = 0; i < p->walls; i++)
+        if (p->wall[i].moves)
+            m->wall_power += power_of(m, &all->object[p->wall[i].object]);
+    if (m->face)
+        m->wall_power += m->face->power;
+}
+
+void solids_skin(const struct moment *m, struct moment_body *b)
+{
+    for (int j = 0; j < b->skin; j++) {
+        const int s = m->list->slot[m->particles->object[b->object].from + j];
+        for (int d = 0; d < DIM; d++)
+            b->force[j][d] = s < 0 ? 0 : m->work->f[(size_t)s * DIM + d];
+    }
+}

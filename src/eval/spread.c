@@ -1,0 +1,108 @@
+/* spread.c -- from the order of the pair list to that of y: rates of particles. */
+#include "eval/inside.h"
+
+#include <string.h>
+
+enum { COPIED = 4096 }; /* numbers at a time */
+
+/* Rates of the fluid that sums over pairs write to ydot at once: where its viscosity acts
+ * at faces, forces are not known before these have added theirs. */
+struct sum_rates spread_places(const struct moment *m, const struct ask *ask, double *ydot)
+{
+    const struct plan_rows *row = &m->plan->row;
+    const int rho = row->density[KIND_FLUID];
+    struct sum_rates to = { 0 };
+
+    if (row->x < 0)
+        return to;
+    if (ask->rates != ASK_DENSITIES && !m->face)
+        to.u = (double (*)[DIM])(ydot + layout_at(&m->layout, row->u));
+    if (ask->rates != ASK_VELOCITIES && rho >= 0)
+        to.rho = ydot + layout_at(&m->layout, rho);
+    return to;
+}
+
+/* Particles outside the domain are excluded from all sums. */
+static void stop_outsiders(const struct moment *m, struct sum_rates to)
+{
+    const struct list *l = m->list;
+    const int n = particles_count(m->particles, KIND_FLUID);
+
+    for (int i = 0; i < n && l->start[KIND_FLUID + 1] < n; i++) {
+        if (l->slot[i] >= 0)
+            continue;
+        if (to.u)
+            memset(to.u[i], 0, sizeof to.u[i]);
+        if (to.rho)
+            to.rho[i] = 0;
+    }
+}
+
+double (*spread_velocities(const struct moment *m, double *ydot))[DIM]
+{
+    return (double (*)[DIM])(ydot + layout_at(&m->layout, m->plan->row.u));
+}
+
+/* x' = u. */
+static void copy_velocities(const struct moment *m, const struct view *v, double *ydot)
+{
+    const int n = DIM * particles_count(v->p, KIND_FLUID);
+    double *xdot = ydot + layout_at(&m->layout, m->plan->row.x);
+
+#pragma omp parallel for schedule(static) if (n > 4 * COPIED)
+    for (int i = 0; i < n; i += COPIED)
+        memcpy(xdot + i, v->u[KIND_FLUID] + i,
+               (size_t)(n - i < COPIED ? n - i : COPIED) * sizeof *xdot);
+}
+
+/* u' = f/m from slots: one pass in the order of ydot, as scattered writes wait longer
+ * than scattered reads. */
+static void spread_forces(const struct moment *m, double *ydot)
+{
+    const struct list *l = m->list;
+    const double *f = m->work->f;
+    const int n = particles_count(m->particles, KIND_FLUID);
+    double (*udot)[DIM] = spread_velocities(m, ydot);
+
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int i = 0; i < n; i++) {
+        const int s = l->slot[i]; /* -1: has left the domain */
+        const double im = 1 / m->particles->m[i];
+        for (int d = 0; d < DIM; d++)
+            udot[i][d] = s < 0 ? 0 : f[(size_t)s * DIM + d] * im;
+    }
+}
+
+/* Rates of density of solids that have one of their own. */
+static void spread_densities(const struct moment *m, double *ydot)
+{
+    const struct list *l = m->list;
+    const struct plan_rows *row = &m->plan->row;
+    const double *drho = m->work->drho;
+
+    for (int k = KIND_FLUID + 1; k < KINDS; k++) {
+        const int first = m->particles->from[k], n = particles_count(m->particles, k);
+        double *rhodot;
+        if (row->density[k] < 0)
+            continue;
+        rhodot = ydot + layout_at(&m->layout, row->density[k]);
+#pragma omp parallel for schedule(static) if (n > 4096)
+        for (int i = 0; i < n; i++)
+            rhodot[i] = l->slot[first + i] < 0 ? 0 : drho[l->slot[first + i]];
+    }
+}
+
+/* Rates of everything but bodies, fields and the book. */
+void spread_rates(const struct moment *m, const struct ask *ask, const struct view *v,
+                   double *ydot)
+{
+    if (m->plan->row.x < 0)
+        return;
+    stop_outsiders(m, spread_places(m, ask, ydot));
+    if (ask->rates == 0) /* halves move nothing */
+        copy_velocities(m, v, ydot);
+    if (ask->rates != ASK_DENSITIES && m->face)
+        spread_forces(m, ydot);
+    if (ask->rates != ASK_VELOCITIES)
+        spread_densities(m, ydot);
+}

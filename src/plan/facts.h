@@ -1,0 +1,34 @@
+/* facts.h -- what is known of a plan before it runs. */
+#ifndef PLAN_FACTS_H
+#define PLAN_FACTS_H
+
+#include "plan/plan.h"
+#include "plan/settings.h"
+#include "state/part.h"
+
+const struct particles *plan_particles(const struct plan *plan); /* at t = 0 */
+const struct scales *plan_scales(const struct plan *plan);
+const struct settings *plan_settings(const struct plan *plan);
+const struct settings_output *plan_output(const struct plan *plan);
+int plan_probes(const struct plan *plan);
+const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
+int plan_bodies(const struct plan *plan);
+const char *plan_body_name(const struct plan *plan, int body);
+bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
+int plan_lanes(const struct plan *plan);
+
+/* Pressure [Pa] of n densities. */
+void plan_pressures(const struct plan *plan, int n, const double *rho, double *p);
+
+/* Impulse that the fluid gave a solid so far, [DIM] [N s]. */
+const double *plan_impulse(const struct plan *plan, const double *y, int object);
+
+/* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a
+ * fall through the domain. */
+double plan_speed_expected(const struct plan *plan);
+
+/* Parts in the plan, a line each, for `check`. */
+int plan_parts(const struct plan *plan);
+const struct part *plan_part(const struct plan *plan, int i, const char **path);
+
+#endif
