@@ -51,7 +51,7 @@ for method in $adaptive $ruled; do
     tells "narrow-$method" 'm: effects.continuity (density that evolves with the flow) changes its density most'
 done
 
-# A density that is a sum has no rate: the part that gives it.
+# A summed density has no rate: the part that gives it.
 sed 's/continuity/summation/; /density-diff/d' "$tank" >"$out/summed.scene"
 tank=$out/summed.scene
 fails summed 3000 walls=adami eos.tension=false eos.lowest=0.7 eos.highest=1.01

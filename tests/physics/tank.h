@@ -17,7 +17,7 @@
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"  \
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };"
 
-/* Densities that are sums, between walls that are fluid otherwise. */
+/* Summed densities, between walls that are fluid otherwise. */
 #define TANK_SUMMED "walls = \"ghost\"; effects = { summation = { }; pressure = { }; };"
 
 /* A closed tank, 0.1 m wide and 0.08 m high, filled up to 0.06 m: 240 particles
