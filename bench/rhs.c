@@ -1,17 +1,17 @@
 /* rhs.c -- how fast the whole right-hand side is, and where its time goes, by
- * number of particles, neighbours, skin, lane width and effects.
+ * number of particles, neighbours, Verlet margin, lane width and effects.
  *
  * A plan made from a scene (see water.h) answers moment_eval().  All times are CPU
  * time on one thread in ns per particle: those of water and of walls, as both have
  * rates or forces to be asked for.  A plus marks a cube of water and nothing else; at
  * 2.5 dx it has 66 neighbours in the mean.  A star marks water in a domain that repeats
- * in all directions; at 2.45 dx everybody has 66 neighbours there.  Its images cost time
+ * in all directions; at 2.45 dx each particle has 66 neighbours there.  Its images cost time
  * but are not counted as particles.  RHS is the median of 15, its parts are the least of
  * 15, as differences of medians say little on a machine with other work:
  *
  *     gather   neighbours fetched, separations and roots formed
  *     laws     kernel gradient, its division by r^2 + 0.01 hs^2, and the laws
- *     pack     records of everybody with the equation of state
+ *     pack     records of all particles with the equation of state
  *     rest     check of displacements, rates written to their places
  *     list     sorting and finding, times the share of rebuilds
  *     fresh    one moment_eval() that rebuilds nothing
@@ -20,7 +20,7 @@
  *              by the least
  *
  * The share is that of the default method in data/scenes/dam-break.scene from 0
- * to 0.3 s: 21, 12, 7 % of right-hand sides at skins of 0.05, 0.1, 0.2 (here 20, 10, 5);
+ * to 0.3 s: 21, 12, 7 % of right-hand sides at margins of 0.05, 0.1, 0.2 (here 20, 10, 5);
  * dam-break-3d.scene with spacing=0.037 has 24, 17, 12 % at 0.03, 0.05, 0.1. */
 #include "eval/inside.h"
 
@@ -152,7 +152,7 @@ static struct parts measure(struct water *w, double share)
     return t;
 }
 
-/* Useful neighbours of everybody, and entries of the rows, per particle. */
+/* Useful neighbours of all particles, and entries of the rows, per particle. */
 static void count(const struct water *w, double *useful, double *entries)
 {
     const struct list *list = w->moment->list;
@@ -197,7 +197,7 @@ static const char *threads_agree(struct water *w, uint64_t *hash)
 
 static void report(struct water *w, const struct water_def *def, double share)
 {
-    const double support = def->support, skin = def->skin;
+    const double support = def->support, margin = def->margin;
 
     const struct parts t = measure(w, share);
     const int width = w->plan->engine->lanes;
@@ -209,12 +209,12 @@ static void report(struct water *w, const struct water_def *def, double share)
     const char *same = threads_agree(w, &hash);
     printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
            " |%6.1f %6.1f (%.1f-%.1f) %6.2f (%.2f) %6.1f  %016" PRIx64 " %s\n",
-           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support, skin,
-           100 * share, useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
+           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support,
+           margin, 100 * share, useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
            share * t.rebuild, t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
            1e3 / t.rhs.least, 1e3 * useful / t.rhs.median, hash, same);
     fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
-            PRIx64 ",%s\n", DIM, w->fluid, w->all, width, support, skin, share, useful,
+            PRIx64 ",%s\n", DIM, w->fluid, w->all, width, support, margin, share, useful,
             entries / useful, t.gather, t.laws, t.pack, t.rest, t.sort, t.rebuild,
             t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
             1e3 * useful / t.rhs.median, share * t.rebuild / t.rhs.median, hash, same);
@@ -233,7 +233,7 @@ static void run(const struct water_def *def, double share)
 static void head(void)
 {
     printf("%2s %7s %7s %s %4s %4s %4s %5s %5s |%6s %6s %5s %5s %5s |%6s %6s %13s %13s %6s\n",
-           "", "fluid", "all", "L", "H/dx", "skin", "reb.", "nb", "rows", "gather", "laws",
+           "", "fluid", "all", "L", "H/dx", "marg", "reb.", "nb", "rows", "gather", "laws",
            "pack", "rest", "list", "fresh", "RHS", "(least-most)", "M/s (best)", "Mpr/s");
 }
 
@@ -285,17 +285,17 @@ static void one_loop(const struct water_def *def)
 
 static void rebuild_parts(struct water_def def)
 {
-    static const double skins[] = { 0.05, 0.1, 0.2 }, shares[] = { 0.2, 0.1, 0.05 };
+    static const double margins[] = { 0.05, 0.1, 0.2 }, shares[] = { 0.2, 0.1, 0.05 };
 
     printf("rebuilding the list, ns per particle:\n");
     for (int i = 0; i < 3; i++) {
         struct water w;
-        def.skin = skins[i];
+        def.margin = margins[i];
         water_make(&w, &def);
         const struct parts t = measure(&w, shares[i]);
         const double list = shares[i] * t.rebuild;
-        printf("    skin %.2f: sort %5.1f, find %5.1f, share of RHS %4.1f %%, RHS %6.1f\n",
-               skins[i], t.sort, t.rebuild - t.sort, 100 * list / (t.fresh + list),
+        printf("    margin %.2f: sort %5.1f, find %5.1f, share of RHS %4.1f %%, RHS %6.1f\n",
+               margins[i], t.sort, t.rebuild - t.sort, 100 * list / (t.fresh + list),
                t.rhs.median);
         water_free(&w);
     }
@@ -334,7 +334,7 @@ static void two_threads(const struct water_def *def)
 }
 
 #if DIM == 2
-static const struct water_def usual = { .n = 50000, .support = 2.52, .skin = 0.05 };
+static const struct water_def usual = { .n = 50000, .support = 2.52, .margin = 0.05 };
 
 static void cases(void)
 {
@@ -342,16 +342,17 @@ static void cases(void)
 
     for (int i = 0; i < 3; i++)
         for (int wide = 0; wide < 2; wide++)
-            run(&(struct water_def){ .n = n[i], .support = wide ? 3.0 : 2.52, .skin = 0.05 }, 0.2);
+            run(&(struct water_def){ .n = n[i], .support = wide ? 3.0 : 2.52, .margin = 0.05 },
+                0.2);
 }
 #else
-static const struct water_def usual = { .n = 50000, .support = 2.5, .skin = 0.05 };
+static const struct water_def usual = { .n = 50000, .support = 2.5, .margin = 0.05 };
 
 static void cases(void)
 {
     run(&usual, 0.2);
-    run(&(struct water_def){ .n = 50000, .support = 2.5, .skin = 0.05, .alone = true }, 0.2);
-    run(&(struct water_def){ .n = 50000, .support = 2.45, .skin = 0.05, .endless = true }, 0.2);
+    run(&(struct water_def){ .n = 50000, .support = 2.5, .margin = 0.05, .alone = true }, 0.2);
+    run(&(struct water_def){ .n = 50000, .support = 2.45, .margin = 0.05, .endless = true }, 0.2);
 }
 #endif
 
@@ -361,8 +362,8 @@ int main(int argc, char **argv)
     bench_start(argv);
     bench_head(DIM == 2 ? "whole right-hand side in 2D" : "whole right-hand side in 3D",
                engine_pick()->lanes);
-    csv = bench_csv(argv[0], "dimension,fluid,all,lanes,support,skin,share,neighbours,rows,gather,"
-                    "laws,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
+    csv = bench_csv(argv[0], "dimension,fluid,all,lanes,support,margin,share,neighbours,rows,"
+                    "gather,laws,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
                     "million_rhs_per_s,million_pairs_per_s,list_share,hash,threads_1_2_4");
     head();
     cases();

@@ -65,7 +65,7 @@ static void run(FILE *csv, const char *name, const char *beam, double aim, doubl
     void *self;
 
     def.tol = 1e-2; /* as in a scene that names none */
-    water_make(&w, &(struct water_def){ .n = 50000, .support = 2.52, .skin = 0.05, .width = 0.5,
+    water_make(&w, &(struct water_def){ .n = 50000, .support = 2.52, .margin = 0.05, .width = 0.5,
                                         .more = beam });
     bench_must(method_find(name, &def, &m));
     for (int r = 0; r < BENCH_REPEATS; r++) {

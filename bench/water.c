@@ -42,7 +42,7 @@ static void write_scene(FILE *f, const struct water_def *def, double dx, double 
             "fluid = { water = { type = \"box\"; from = [0.0, %s0.0];"
             " to = [%.17g, %s1.0]; }; };\n"
             "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx,
-            DIM == 2 ? "" : "0.0, ", width, y, def->support, def->skin, effects,
+            DIM == 2 ? "" : "0.0, ", width, y, def->support, def->margin, effects,
             def->more ? def->more : "");
     write_surroundings(f, def);
 }
@@ -119,8 +119,8 @@ void water_make(struct water *w, const struct water_def *def)
     memcpy(w->y[1], w->y[0], (size_t)w->size * sizeof(double));
     const double *u = row(w, w->y[0], "velocity of fluid");
     double *x = row(w, w->y[1], "position of fluid");
-    for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed two skins */
-        x[i] += 2.05 * def->skin * def->support * dx * u[i];
+    for (int i = 0; i < w->fluid * DIM; i++) /* the fastest have passed two margins */
+        x[i] += 2.05 * def->margin * def->support * dx * u[i];
     water_rates(w);
 }
 

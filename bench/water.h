@@ -21,7 +21,7 @@ struct water {
 
 struct water_def {
     int n;                /* particles of fluid, about                        */
-    double support, skin; /* [spacings], [support]                            */
+    double support, margin; /* [spacings]; Verlet margin [support]              */
     double width;         /* part of the box that is filled; 0: all           */
     bool alone;           /* no walls, no gravity                             */
     bool endless;         /* alone, and all directions repeat                 */

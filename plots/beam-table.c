@@ -1,8 +1,8 @@
-/* beam-table.c -- the seed's beam against its number of elements: what the mass matrix does to
- * its first frequency, and what the two kinds of damping do to its first mode.
+/* beam-table.c -- the beam of Toth (2012) against its number of elements: what the
+ * mass matrix does to its first frequency, and what the two kinds of damping do to its first mode.
  *
  * Writes CSV to stdout; plots/figures-beam.sh draws it.  The beam is that of
- * data/scenes/toth-beam.scene, with d = 0.01 of the seed's table 2.  A damping ratio is that
+ * data/scenes/toth-beam.scene, with d = 0.01 of the paper's table 2.  A damping ratio is that
  * of lambda^2 + 2 ratio omega lambda + omega^2 = 0, omega the frequency without damping:
  * above 1 the mode only creeps back. */
 #include "base/status.h"

@@ -59,7 +59,7 @@ mine(i, p) = line_of(strcol(1)) eq word(lines, i) && (p eq '' || place(0) eq p)
 
 # Why runs did not come to their end, a line of text each reason.
 most_reasons = 6
-array who[most_reasons]
+array method[most_reasons]
 array why[most_reasons]
 n_reasons = 0
 others = 0
@@ -68,14 +68,14 @@ cut(w) = strstrt(w, ' at t = ') && strcol(3) eq 'stopped' ? w[1:strstrt(w, ' at 
 asked(i) = strcol(1).(strcol(2) eq 'nan' ? '' : ' '.strcol(2)).(sweeps < 1 ? '' : ' '.place(0))
 known(w) = sum [i = 1:n_reasons] (why[i] eq w ? i : 0)
 first(w) = n_reasons < most_reasons ? (n_reasons = n_reasons + 1, why[n_reasons] = w, \
-    who[n_reasons] = asked(0), 0) : (others = others + 1, 0)
-again(k) = (who[k] = who[k].', '.asked(0), 0)
+    method[n_reasons] = asked(0), 0) : (others = others + 1, 0)
+again(k) = (method[k] = method[k].', '.asked(0), 0)
 reason(w) = known(w) ? again(known(w)) : first(w)
 stats table using (strcol(3) ne 'done' ? reason(strcol(3).': '.cut(strcol(c_why))) : 0) skip 2 \
     nooutput
 reasons = ''
 do for [k = 1:n_reasons] {
-    reasons = reasons.one_line(one_line(who[k], 60).' '.why[k], 160)."\n"
+    reasons = reasons.one_line(one_line(method[k], 60).' '.why[k], 160)."\n"
 }
 if (others > 0) { reasons = reasons.sprintf("and %d more: see compare.md\n", others) }
 reason_lines = n_reasons + (others > 0)

@@ -28,7 +28,7 @@ but(k, j) = j > sweeps || j == k ? '' : \
     ','.word(names, first_swept - 1 + j).'='.strcol(first_swept - 1 + j)
 elsewhere(k) = 'at'.but(k, 1).but(k, 2).but(k, 3).but(k, 4)
 
-# Panels: pair passes, CPU time, and an error, so that nobody takes what is cheap and wrong.
+# Panels: pair passes, CPU time, and an error, so that what is cheap and wrong is seen to be so.
 wanted = '3 2 1 4 5'
 q = 0
 do for [c in wanted] { if (q == 0 && is_one_of(c, shown)) { q = c + 0 } }

@@ -54,7 +54,7 @@ columns=steps,cpu_s,density_max,escaped,energy_initial,front_at_wall,kinetic,ene
 small=spacing=3.3333333333333333e-3
 one='kernel.density=wendland-c2 kernel.pressure=wendland-c2 kernel.support=3'
 
-# --- figures 13 and 14; stiffness, with the seed's kernels and with one ------------------
+# --- figures 13 and 14; stiffness, with the kernels of Toth (2012) and with one ------------------
 # stiff NAME C SCENE KEY=VALUE...: with 5,000 particles, and 1,800 of one kernel
 stiff()
 {

@@ -15,7 +15,7 @@ highest = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : start_max > 0 ? start_max :
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'pressure.png'
 set multiplot title heading noenhanced
-# Tension has colours of its own; who lies beyond an end of the scale has the colour of the end.
+# Tension has colours of its own; particles beyond an end of the scale have the colour of the end.
 set palette defined (-2.5 '#d73027', -0.01 '#fdbfae', 0 '#440154', 1 '#414487', 2 '#2a788e', \
     3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [-highest / 2:highest]

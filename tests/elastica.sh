@@ -19,7 +19,7 @@ books() {
     claim "$1: momentum closes" "$(number "$1" momentum_defect) < 1e-10"
     claim "$1: energy closes to 0.2 %" \
         "$(number "$1" energy_defect_max) < 2e-3 * $(number "$1" energy_initial)"
-    claim "$1: nobody leaves" "$(number "$1" escaped) == 0"
+    claim "$1: no particle leaves" "$(number "$1" escaped) == 0"
 }
 
 coarse='spacing=5e-3 until=0.25'

@@ -2,7 +2,7 @@
 # methods.sh -- methods of libraries run the program's own water, and their books close.
 #
 # Marks: every run ends, no energy appears or gets lost but 0.2 % of the initial energy
-# (cks43: 0.012 %), nobody asks for one and a half times the right-hand sides that were
+# (cks43: 0.012 %), none asks for one and a half times the right-hand sides that were
 # measured, and with a beam bdf needs few times those of imex3.
 . "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/data/scenes

@@ -4,7 +4,7 @@
 #
 # Marks: plates, 20 spacings apart, to 2 % (none moves) and 1 % (one moves) of the largest
 # speed; the vortices' viscous work until 0.05 s within 3 % (it is 2.4 % low), momentum to
-# rounding, the same bits on 1, 2 and 4 threads, nobody lost, particles written where the domain is.
+# rounding, the same bits on 1, 2 and 4 threads, no particle lost, particles written where the domain is.
 . "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/data/scenes
 

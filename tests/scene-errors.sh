@@ -228,7 +228,7 @@ bad_key 'override without a key' '=3' '=3'
 bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'
 bad_key 'override out of range' 'until=-1' until -1 'command line'
 bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
-bad_key 'override of nobody' 'body.mass=3' body 'command line'
+bad_key 'override of an unknown body' 'body.mass=3' body 'command line'
 bad_key 'override of an object that is not there' 'fluid.middle.dye=1' fluid.middle
 
 # files

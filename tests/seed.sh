@@ -46,7 +46,7 @@ claim 'with the right viscosity, too, it stays' "$code == 0 && $(number both esc
 # --- the scene that is put right -----------------------------------------------------------
 go right "$scenes/toth-dam-break.scene" $coarse
 claim 'the dam break runs to its end' "$code == 0 && $(number right t_end) == 1"
-claim 'nobody leaves' "$(number right escaped) == 0"
+claim 'no particle leaves' "$(number right escaped) == 0"
 claim 'the front is at the wall at about 0.23 s' \
     "$(arrival right) > 0.21 && $(arrival right) < 0.25"
 claim 'energy closes to 15 %, rough as it is' \

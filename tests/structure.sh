@@ -11,7 +11,7 @@
 #   no files of a room call each other in a circle.
 #
 # A file calls another of its room when its object asks for a function, or a variable without
-# initialiser, that the other defines (nm).  Who includes a header for its types or its inline
+# initialiser, that the other defines (nm).  A file that includes a header for its types or its inline
 # functions calls nothing.  Nor does a table call the const structs that it lists: that is a
 # contract with its implementations, which may call what stands beside the table.
 #
@@ -51,7 +51,7 @@ function strip(line,    clean, at) {   # without comments and texts
     }
     return clean
 }
-function name_of(head) {                # of the function whose head this is
+function name_of(head) {                # of the function with this head
     if (match(head, /LANE_NAME\([a-z_0-9]*\)/)) return substr(head, RSTART + 10, RLENGTH - 11)
     sub(/[ \t]*\(.*/, "", head); sub(/.*[^A-Za-z_0-9]/, "", head)
     return head

@@ -32,7 +32,7 @@ first() {
 # The books.  Measured: 4e-6 of the energy; rounding, 2e-13 of the weight's impulse.
 claim "energy closes" "$(number run energy_defect_max) < 1e-4 * $(number run energy_initial)"
 claim "momentum closes" "$(number run momentum_defect) < 1e-12 * 677 * 9.81 * 0.5"
-claim "nobody leaves" "$(number run escaped) == 0"
+claim "no particle leaves" "$(number run escaped) == 0"
 claim "water is hardly compressed" "$(number run density_min) > 880 && $(number run density_max) < 1120"
 
 # The box: nothing before the front comes (0.39 s in the experiment, later the coarser

@@ -30,7 +30,7 @@ for run in coarse fine; do
 done
 claim 'momentum closes' "$(number beam momentum_defect) < 1e-10"
 claim 'energy closes to 0.1 %' "$(number beam energy_defect_max) < 1e-3 * $(number beam energy_initial)"
-claim 'nobody leaves' "$(number beam escaped) == 0"
+claim 'no particle leaves' "$(number beam escaped) == 0"
 rhs=$(number beam rhs_explicit)
 claim 'at most 1.3 times the right-hand sides of the water alone' "$rhs <= 1.3 * $(number alone rhs_explicit)"
 for run in coarse fine steel; do

@@ -1,10 +1,10 @@
 /* vector-private.h -- what the files of our vectors share.
  *
  * A vector keeps its numbers in a store, which copies share until one of them is
- * written.  A sum is put off until somebody reads it: many are only read as a
+ * written.  A sum is put off until it is read: many are only read as a
  * part of the next sum, or by a norm, and then fewer passes over memory do.  A
- * store that such a sum reads is not written before the sum is done, so who asks
- * sees no difference but the time.
+ * store that such a sum reads is not written before the sum is done, so callers
+ * see no difference but the time.
  *
  * Where a family has ranges (of stiff entries), what a vector holds inside of
  * them is always there, put off or not; outside it may be 0 without being written. */

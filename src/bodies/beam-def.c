@@ -61,8 +61,8 @@ const struct param beam_def_params[] = {
       .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha" },
     { .key = "drag", .unit = "N s/m^2", AT(drag), .max = 1e9,
       .about = "(45) of Toth (2012): one number on the deflection and on the rotation (N s) of "
-               "every node, so that damping grows with elements; his 0.01 lets his beam swing "
-               "with 10 elements, not with 100: prefer damping_ratio" },
+               "every node, so that damping grows with elements; with the paper's 0.01 a beam of "
+               "10 elements swings, one of 100 does not: prefer damping_ratio" },
     { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,

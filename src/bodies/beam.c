@@ -31,7 +31,7 @@ static int beam_skin(const struct body *b, double (*x)[DIM], enum kind *kind)
     return b->skin->points;
 }
 
-/* Four rows.  Rates weigh lightly: their scale is the speed of sound, not of the
+/* Four blocks.  Rates weigh lightly: their scale is the speed of sound, not of the
  * flow, because the errors of stiff modes that no step resolves show in rates, and
  * deflections hold the accuracy.  (With the speed of the flow, 100 elements take
  * twice the steps of 10, and the tip moves the same.)  Rotations weigh as the

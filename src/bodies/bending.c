@@ -8,7 +8,7 @@
  * cantilever of 10 elements is 9 % too low.  (45) is drag I alone, one number for
  * forces and moments: damping grows with the number of elements.
  *
- * The implicit solve is in bending-solve.c.  Seed: Toth 2012, section 4.
+ * The implicit solve is in bending-solve.c.  Source: Toth (2012), section 4.
  * Checked in tests/unit/bending.c and beam-balance.c. */
 #include "bodies/bending.h"
 

@@ -1,7 +1,7 @@
 /* bodies.h -- things that move by themselves and carry a skin of particles.
  *
  * A kind of body is a const struct in the table of this room.  The state of a
- * body lives in y, in rows that it adds to the layout; its skin is a range of
+ * body lives in y, in blocks that it adds to the layout; its skin is a range of
  * particles of kind KIND_SKIN or KIND_SKIN_SLIP, moved by move() and pressed
  * by the fluid through load(), its exact transpose.
  *
@@ -10,7 +10,7 @@
  * implicit viscosity in one solve has a part in that, too.  Pointers to layers that a
  * kind does not have are NULL.
  *
- * A body is const as soon as its rows are known.  What its members work in during a run
+ * A body is const as soon as its blocks are known.  What its members work in during a run
  * is a struct body_work that the caller brings: two works of one body may be in use at
  * the same time.  What a work keeps saves time and changes no result by a bit, but for
  * join(), whose matrix joined() solves with. */
@@ -61,22 +61,22 @@ struct body_making { /* free and work_free: a pointer to NULL is welcome */
 
 /* Rates that explicit steps follow at a price only: f_I, beside what load() gives. */
 struct body_implicit {
-    /* q' = v, v' = -M^-1 (K q + D v), ADDED to its rows of ydot. */
+    /* q' = v, v' = -M^-1 (K q + D v), ADDED to its blocks of ydot. */
     void (*stiff)(const struct body *b, struct body_work *w, const struct layout *l, double t,
                   const double *y, double *ydot);
 
-    /* Finds z with z - gamma f_I(t, z) = r in its own rows; others untouched.  A guess
+    /* Finds z with z - gamma f_I(t, z) = r in its own blocks; others untouched.  A guess
      * comes in through z; STATUS_FAILED when none is found from there. */
     int (*solve)(const struct body *b, struct body_work *w, const struct layout *l, double t,
                  double gamma, const double *r, double *z);
 
-    /* The fastest rate of f_I, for those who take it explicitly. */
+    /* The fastest rate of f_I, for methods that take it explicitly. */
     void (*limit)(const struct body *b, struct limit *out);
 };
 
 /* The same where the fluid's viscosity is implicit, too, and pulls at the skin by
  * forces that are linear in velocities.  A solver of the whole (implicit/viscous.h) has
- * the body's part of it by v [unknowns], the velocities of its rows:
+ * the body's part of it by v [unknowns], the velocities of its blocks:
  *   B v - gamma S^T (forces on the skin) = right,  positions = r + gamma v */
 struct body_coupled {
     int (*unknowns)(const struct body *b);
@@ -96,7 +96,7 @@ struct body_coupled {
     void (*joined)(const struct body *b, const struct body_work *w, double *v);
     double (*fastest)(const struct body *b, const double *v); /* of its points [m/s] */
 
-    /* Rates by forces on the skin alone: adds M^-1 S^T force to its rows of ydot, and
+    /* Rates by forces on the skin alone: adds M^-1 S^T force to its blocks of ydot, and
      * what the support gives against them [N, 2D: N/m] to `support`. */
     void (*yield)(const struct body *b, struct body_work *w, const struct layout *l,
                   const double (*force)[DIM], double *ydot, double support[DIM]);
@@ -115,7 +115,7 @@ struct body_kind {
     /* The number of its points; x [skin][DIM] at rest and their kind, NULL: not asked. */
     int (*skin)(const struct body *b, double (*x)[DIM], enum kind *kind);
 
-    /* Adds its rows; the last that changes a body.  As many velocities as positions, in
+    /* Adds its blocks; the last that changes a body.  As many velocities as positions, in
      * the same order: methods like "dv" step positions by velocities alone. */
     int (*rows)(struct body *b, struct layout *l);
     void (*start)(const struct body *b, const struct layout *l, double *y); /* y at t = 0 */
@@ -124,7 +124,7 @@ struct body_kind {
     void (*move)(const struct body *b, struct body_work *w, const struct layout *l, double t,
                  const double *y, double (*x)[DIM], double (*u)[DIM]);
 
-    /* Explicit rates, all rows of ydot set: of velocities M^-1 (N^T force + weight +
+    /* Explicit rates, all blocks of ydot set: of velocities M^-1 (N^T force + weight +
      * prescribed loads), of positions q' = v, or, with an implicit side, 0: there it is
      * stiff() that adds v.  force [skin][DIM]. */
     void (*load)(const struct body *b, struct body_work *w, const struct layout *l, double t,

@@ -27,7 +27,7 @@ static int elastica_skin(const struct body *b, double (*x)[DIM], enum kind *kind
     return b->skin->points;
 }
 
-/* Eight rows; scales are those of beam.c, where the reasons are, for both components. */
+/* Eight blocks; scales are those of beam.c, where the reasons are, for both components. */
 static int elastica_rows(struct body *b, struct layout *l)
 {
     static const char *const name[ELASTICA_NODE] = { "u", "w", "u_slope", "w_slope" };

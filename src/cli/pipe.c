@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { MOST = 9 << 20 }; /* a scene may have 8 MB: who reads it refuses more */
+enum { MOST = 9 << 20 }; /* a scene may have 8 MB: its reader refuses more */
 
 /* The descriptor that the path names, -1 if it is another path. */
 static int descriptor(const char *path)

@@ -16,7 +16,7 @@ struct coupling {
     lanes c[PAIRS_ROWS]; /* [kg/s, 2D: kg/(m s)]                                */
 };
 
-/* Who meets whom: every kind meets the fluid, the fluid meets every kind. */
+/* Which kinds meet: every kind meets the fluid, the fluid meets every kind. */
 #define EFFECTS_ACT_ALL                                                                  \
     {                                                                                    \
         [KIND_FLUID] = KIND_BIT(KIND_FLUID) | KIND_SOLIDS,                               \

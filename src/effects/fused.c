@@ -82,7 +82,7 @@ extern const struct part LANE_NAME(effects_continuity), LANE_NAME(effects_pressu
     LANE_NAME(effects_density_diffusion);
 
 static const struct {
-    const struct part *part[MOST + 1]; /* whose laws, in table order, NULL-ended */
+    const struct part *part[MOST + 1]; /* parts with these laws, in table order, NULL-ended */
     pairs_laws *laws;
 } fused[] = {
     { { RATE, PRESSURE }, rate_pressure },

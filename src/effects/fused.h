@@ -9,8 +9,8 @@
 
 #include "space/pairs.h"
 
-/* One loop for all laws of this table, or NULL: nobody wrote one for these laws in
- * this order and with this kernel. */
+/* One loop for all laws of this table, or NULL: there is none for these laws in this
+ * order and with this kernel. */
 #define fused_laws LANE_NAME(fused_laws)
 pairs_laws *fused_laws(const struct pairs_table *table);
 

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* Its density [kg/m^D], HUGE_VAL without fluid; who it is to *where. */
+/* Its density [kg/m^D], HUGE_VAL without fluid; its number in *where. */
 static inline double lightest_fluid(const struct view *v, int *where)
 {
     const int n = particles_count(v->p, KIND_FLUID);

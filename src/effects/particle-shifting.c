@@ -5,11 +5,11 @@
  *   C_a = sum_b m_b/rho_b W_ab (a included),  grad C_a = sum_b m_b/rho_b grad W_ab
  *
  * s goes from 0 at C = 0.85 to 1 at 0.95: near a free surface, where C says nothing of
- * crowding, nobody drifts.  |w| stays below U/2.  Velocity and density stay those of the
+ * crowding, no particle drifts.  |w| stays below U/2.  Velocity and density stay those of the
  * particle: what a drift through their slopes would change is left out, an error that
- * goes with dx.  A drift across the weight is energy, and booked; with other fields it
- * does not go.  After Sun, Colagrossi, Marrone, Zhang, Comput. Methods Appl. Mech. Engrg.
- * 315 (2017) 25-49, eq. 9, without the term against pairing, and per unit of time.
+ * goes with dx.  A drift across the weight is energy, and booked; scenes with other body
+ * forces are refused.  After Sun, Colagrossi, Marrone, Zhang, Comput. Methods Appl. Mech.
+ * Engrg. 315 (2017) 25-49, eq. 9, without the term against pairing, and per unit of time.
  * Checked in tests/physics/shifting.c. */
 #include "effects/effects.h"
 
@@ -23,7 +23,7 @@ struct particle_shifting {
     double rate;     /* fastest decay           [1/s]    */
 };
 
-static const double bare = 0.85, full = 0.95; /* C where nobody, and everybody, drifts */
+static const double bare = 0.85, full = 0.95; /* C where drift begins, where it is full */
 
 static const struct param params[] = {
     { .key = "strength", .unit = "1", .offset = offsetof(struct particle_shifting, strength),
@@ -96,10 +96,10 @@ static void limit(const void *self, const struct view *v, struct limit *out)
     out->where = -1; /* the same everywhere */
 }
 
-#define EVERYBODY (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
+#define ALL_KINDS (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
 
 static const struct part_summed summed = {
-    .meets = { [KIND_FLUID] = EVERYBODY },
+    .meets = { [KIND_FLUID] = ALL_KINDS },
     .rows = NEED_X | NEED_IRHO | NEED_W | NEED_GRADW,
     .gather = gather,
     .carry = carry,

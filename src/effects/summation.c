@@ -51,21 +51,21 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     pairs_rows(density_rate_row, self, a, b, to);
 }
 
-#define EVERYBODY (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
-#define MEETS_EVERYBODY                                                                  \
-    { [KIND_FLUID] = EVERYBODY, [KIND_WALL] = EVERYBODY, [KIND_WALL_SLIP] = EVERYBODY,   \
-      [KIND_SKIN] = EVERYBODY, [KIND_SKIN_SLIP] = EVERYBODY }
+#define ALL_KINDS (KIND_BIT(KIND_FLUID) | KIND_SOLIDS)
+#define MEETS_ALL                                                                        \
+    { [KIND_FLUID] = ALL_KINDS, [KIND_WALL] = ALL_KINDS, [KIND_WALL_SLIP] = ALL_KINDS,   \
+      [KIND_SKIN] = ALL_KINDS, [KIND_SKIN_SLIP] = ALL_KINDS }
 
 static const struct part_law law = {
     .rows = NEED_XV | NEED_GRADW,
     .columns = COLUMN_DRHO,
-    .acts = MEETS_EVERYBODY,
+    .acts = MEETS_ALL,
     .conservative = true,
     .pairs = pairs,
 };
 
 static const struct part_summed summed = {
-    .meets = MEETS_EVERYBODY,
+    .meets = MEETS_ALL,
     .rows = NEED_W,
     .gather = gather,
     .densities = densities,

@@ -1,4 +1,4 @@
-/* buckets.c -- who is near a place. */
+/* buckets.c -- which points are near a place. */
 #include "fill/buckets.h"
 
 #include "base/status.h"

@@ -1,4 +1,4 @@
-/* buckets.h -- who is near a place, for filling shapes.
+/* buckets.h -- which points are near a place, for filling shapes.
  *
  * Points are sorted into cells, the cells into buckets by their number modulo the
  * buckets: near points lie near in memory, and two cells in one bucket cost time
@@ -21,7 +21,7 @@ int buckets_create(struct buckets *b, const double (*x)[DIM], int n, double widt
 void buckets_free(struct buckets *b);
 
 /* A point j nearer to x than reach, at most the width, for which counts(self, j)
- * says yes (NULL: everybody counts), or -1. */
+ * says yes (NULL: all count), or -1. */
 int buckets_find(const struct buckets *b, const double *x, double reach,
                  bool (*counts)(const void *self, int j), const void *self);
 

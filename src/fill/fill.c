@@ -1,4 +1,4 @@
-/* fill.c -- turns the shapes of a scene into particles: how many, where, whose.
+/* fill.c -- turns the shapes of a scene into particles: how many, where, of which object.
  *
  * Every item is first a list of places of its own; particles are made of what is left of
  * them when fluids have been trimmed. */

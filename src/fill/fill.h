@@ -20,7 +20,7 @@ struct fill_item {
 /* All particles of all items, sorted by kind; within a kind in the order of
  * the items, within an item along the lattice, the first axis fastest, or layer by
  * layer from the outline inwards.  Object
- * k of *out is the k-th item in that order.  Mass rho0 dx^D for everybody, x
+ * k of *out is the k-th item in that order.  Mass rho0 dx^D for all, x
  * and x0 are the places, u and dye are 0.  *out belongs to the caller.
  *
  * Lattice sites are at low + (i + 1/2) dx, low being the lowest corner of

@@ -21,7 +21,7 @@ struct merging {
     bool *moved;                  /* [at->n] */
 };
 
-/* Who stands in the way of point i: an earlier one that is in `to`. */
+/* What stands in the way of point i: an earlier one that is in `to`. */
 struct rival {
     const struct merging *m;
     int i;
@@ -39,8 +39,8 @@ static bool is_rival(const void *self, int j)
         && buckets_distance2(m->at->x[j], m->at->x[w->i]) < reach * reach;
 }
 
-/* Point j takes the place of i as well.  Corners stay where they are, and so does who
- * meets a deeper row: the fluid is to find the first row at its depth. */
+/* Point j takes the place of i as well.  Corners stay where they are, and so do points
+ * that meet a deeper row: the fluid is to find the first row at its depth. */
 static void join(const struct merging *m, int i, int j)
 {
     double *x = m->to->x[m->place[j]];

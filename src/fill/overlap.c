@@ -46,13 +46,13 @@ static bool image(const struct scales *s, const double *x, int k, double reach, 
 static int find_beyond(const struct buckets *b, const struct particles *p, int i, double reach,
                        unsigned kinds)
 {
-    const struct partners anybody = { p, -1, kinds };
+    const struct partners any = { p, -1, kinds };
     double x[DIM];
     int j = -1;
 
     for (int k = 1; k < 1 << DIM && j < 0; k++)
         if (image(p->scales, p->x0[i], k, reach, x))
-            j = buckets_find(b, x, reach, is_partner, &anybody);
+            j = buckets_find(b, x, reach, is_partner, &any);
     return j;
 }
 

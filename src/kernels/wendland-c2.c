@@ -1,4 +1,4 @@
-/* wendland-c2.c -- the smoothing kernel that everybody gets by default.
+/* wendland-c2.c -- the default smoothing kernel.
  *
  *   w(q) = (1 - q)^4 (1 + 4 q),  sigma_2 = 7/pi,  sigma_3 = 21/(2 pi)         (K1)
  *

@@ -78,7 +78,7 @@ const struct view *crowd_view(const struct crowd *c)
     return &c->view;
 }
 
-/* Everybody counts who is less than a support outside the domain (its walls
+/* A particle counts if it is less than a support outside the domain (its walls
  * stand there); fluid has to be inside. NaN counts nowhere. */
 static bool is_inside(const struct scales *s, enum kind k, const double *x)
 {

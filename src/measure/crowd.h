@@ -5,7 +5,7 @@
  * of those fluid.  Neighbours are fluid, and of solids only what lies below the
  * domain's floor: so a toe two particles thin that runs along the floor is water;
  * drops in the air, single particles that slide over the floor and the film that
- * sinking water leaves on a wall are not.  Who has left the domain neither
+ * sinking water leaves on a wall are not.  Fluid outside the domain neither
  * belongs nor counts.  Up is the last axis. */
 #ifndef MEASURE_CROWD_H
 #define MEASURE_CROWD_H
@@ -18,7 +18,7 @@ struct crowd; /* work arrays, made once for a run */
 int crowd_create(const struct particles *p, struct crowd **out);
 void crowd_free(struct crowd **crowd); /* NULL is welcome */
 
-/* Sorts everybody of this moment into cells: O(n).  The view must live as long
+/* Sorts all particles of this moment into cells: O(n).  The view must live as long
  * as questions are asked. */
 void crowd_update(struct crowd *c, const struct view *v);
 

@@ -193,7 +193,7 @@ static double nearest(const struct pairing *g, const double *x, int i)
 
     for (int d = 1; d < DIM; d++)
         size = fmin(size, g->size[d]);
-    if (r2 > size * size) /* a cell further away somebody may be nearer */
+    if (r2 > size * size) /* a cell further away there may be a nearer one */
         r2 = nearest_around(g, x, i, (long)ceil(far / size));
     return r2 < far * far ? sqrt(r2) : INFINITY;
 }

@@ -1,4 +1,4 @@
-/* cloud.h -- everybody at one moment, as particle files want it: fluid and
+/* cloud.h -- all particles at one moment, as particle files want it: fluid and
  * solids in one list, creation order. */
 #ifndef OUTPUT_CLOUD_H
 #define OUTPUT_CLOUD_H

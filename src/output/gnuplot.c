@@ -15,7 +15,7 @@
 
 extern char **environ;
 
-/* -d: nobody's ~/.gnuplot changes our figures */
+/* -d: the user's ~/.gnuplot does not change our figures */
 static int spawn(const char *directory, const char *script, const char *log, pid_t *child)
 {
     char *const words[] = { "gnuplot", "-d", (char *)script, NULL };

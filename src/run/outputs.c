@@ -27,7 +27,7 @@ struct outputs {
     bool begun;
     double defect_max, made, most; /* of energy, see the header [J] */
     struct observe_sunk sunk;   /* at its worst */
-    double *rho, *p, *x, *u; /* of everybody, for particle files */
+    double *rho, *p, *x, *u; /* of all particles, for particle files */
     unsigned char *kind;
 };
 

@@ -16,7 +16,7 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
 /* A row in steps.csv. */
 int outputs_step(struct outputs *o, const struct method_step *step);
 
-/* Everybody, for viewers (fields) or for pictures (snapshots). */
+/* All particles, for viewers (output fields) or for pictures (snapshots). */
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y);
 int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y);
 

@@ -175,7 +175,7 @@ static void write_end(struct run *r)
         outputs_rows(r->outputs, r->moment, r->tally.t, y);
 }
 
-/* A constant step that nobody but the user has chosen. */
+/* A constant step is the choice of the user alone. */
 static void doubt_step(struct run *r, char message[MESSAGE])
 {
     const size_t n = strlen(message);
@@ -191,7 +191,7 @@ static void doubt_step(struct run *r, char message[MESSAGE])
              r->def.seconds * rate);
 }
 
-/* What to try, where nobody has said it yet. */
+/* What to try, unless the message says it. */
 static void advise(const struct run *r, char message[MESSAGE])
 {
     const size_t n = strlen(message);
@@ -207,7 +207,7 @@ static void advise(const struct run *r, char message[MESSAGE])
                  "spacing");
 }
 
-/* The message of a run that ended early; for one that failed, with whom to blame. */
+/* The message of a run that ended early; for one that failed, with the cause. */
 static void explain(struct run *r, int status, char message[MESSAGE])
 {
     char why[MESSAGE / 2] = "";
@@ -219,7 +219,7 @@ static void explain(struct run *r, int status, char message[MESSAGE])
         observe_blame(r->moment, r->tally.t, r->method->state(r->self), why, sizeof why);
     }
     if (why[0])
-        snprintf(message + strlen(message), MESSAGE - strlen(message), ". Who did it: %s", why);
+        snprintf(message + strlen(message), MESSAGE - strlen(message), ". Cause: %s", why);
 }
 
 int run_scene(const struct run_order *order)

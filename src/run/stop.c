@@ -63,7 +63,7 @@ void stop_listen(void)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     hear_hangup(&action);
-    signal(SIGPIPE, SIG_IGN); /* nobody reads the progress line: no reason to end */
+    signal(SIGPIPE, SIG_IGN); /* an unread progress line is no reason to end */
     signal(SIGXFSZ, SIG_IGN); /* write() says it, and the run ends in order       */
 }
 

@@ -1,7 +1,8 @@
 /* layout.h -- which numbers of y mean what.
  *
- * y = all positions, all velocities, everything else.  The layout is made from
- * rows; who needs an offset asks each time, so that it may be remade. */
+ * y = all positions, all velocities, everything else.  The layout is made of
+ * blocks, a struct layout_row each; offsets are asked for each time, so
+ * that the layout may be remade. */
 #ifndef STATE_LAYOUT_H
 #define STATE_LAYOUT_H
 
@@ -25,21 +26,21 @@ struct layout {
     long from[LAYOUT_CLASSES + 1]; /* class c: y[from[c]] .. y[from[c+1]-1]  */
 };
 
-/* Adds a row and returns its number; -1 (a failure is kept) when full, when the
+/* Adds a block and returns its number; -1 (a failure is kept) when full, when the
  * name is too long or a number makes no sense.  Start from a zeroed layout. */
 int layout_add(struct layout *l, enum layout_class what, const char *name, const char *unit,
                int n, int components, double scale);
 
-/* Gives all rows their offsets. */
+/* Gives all blocks their offsets. */
 void layout_done(struct layout *l);
 
 long layout_size(const struct layout *l);
-long layout_at(const struct layout *l, int row); /* offset of a row */
+long layout_at(const struct layout *l, int row); /* offset of a block */
 
 /* Weight 1/(tol*scale) of every entry; quadratures get 1e-12. */
 void layout_weights(const struct layout *l, double tol, double *weight);
 
-/* Row that holds y[i], and which of its n things that is; NULL beyond y. */
+/* Block that holds y[i], and which of its n things that is; NULL beyond y. */
 const struct layout_row *layout_find(const struct layout *l, long i, int *which);
 
 #endif

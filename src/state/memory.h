@@ -3,7 +3,7 @@
 #define STATE_MEMORY_H
 
 /* Bytes free for programs: MemAvailable of a file like /proc/meminfo; where
- * there is none, the free pages that sysconf() knows of; 0: nobody can tell. */
+ * there is none, the free pages that sysconf() knows of; 0: unknown. */
 double memory_available(const char *meminfo);
 
 /* The most that this program has held so far [bytes]. */

@@ -157,7 +157,7 @@ struct part {
     /* Derives constants from parameters; refuses what makes no sense. */
     int (*prepare)(void *self, const struct scales *s);
 
-    /* Adds rows to y; density_row[k] becomes the row that holds the density of
+    /* Adds blocks to y; density_row[k] becomes the one that holds the density of
      * kind k, for kinds whose density it evolves. */
     int (*blocks)(const void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS]);

@@ -1,4 +1,4 @@
-/* particles.h -- everybody in the tank, in creation order (for ever): fluid,
+/* particles.h -- all particles in the tank, in creation order (for ever): fluid,
  * walls, skins.  Only what does not evolve is held here; what evolves is in y. */
 #ifndef STATE_PARTICLES_H
 #define STATE_PARTICLES_H
@@ -34,7 +34,7 @@ struct particles {
     struct object *object; /* [objects] in creation order                     */
 };
 
-/* Everybody at one moment: where to read x, u, rho of each kind. */
+/* All particles at one moment: where to read x, u, rho of each kind. */
 struct view {
     const struct particles *p;
     double t;

@@ -42,7 +42,7 @@ static bool has(const struct study *s, const struct point *p, int column)
     return cheapest(s, p, column, HUGE_VAL, CPU) >= 0;
 }
 
-/* Neither what nobody reaches nor what everybody does. */
+/* Neither what no method reaches nor what all do. */
 static bool tells(const struct study *s, const struct point *p, int decade, enum price what)
 {
     for (int q = 0; q < COLUMNS; q++) {

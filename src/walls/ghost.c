@@ -1,6 +1,6 @@
 /* ghost.c -- walls of Toth (2012): particles that stand still and are fluid otherwise.
  *
- * Their density is the sum (D3) over everybody around them, walls included, and they
+ * Their density is the sum (D3) over all particles around them, walls included, and they
  * press the fluid by the same law (P1), but not each other.  A wall that the fluid has
  * left has too few neighbours, rho < rho0: with tension it would suck, so eos.tension =
  * false belongs to it.

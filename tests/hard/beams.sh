@@ -20,7 +20,7 @@ beam() {
     shift
     go "$name" "$scene" spacing=$spacing until=0.3 "$@"
     claim "$name comes to its end" "$code == 0"
-    claim 'nobody leaves' "$(number "$name" escaped) == 0"
+    claim 'no particle leaves' "$(number "$name" escaped) == 0"
     claim 'energy closes to 0.2 %' \
         "$(number "$name" energy_defect_max) < 2e-3 * $(number "$name" energy_initial)"
 }

@@ -19,9 +19,9 @@ fails() {
     whole "$name"
 }
 
-# tells NAME WORDS: who, where, when, which part did most to it (WORDS), what to try
+# tells NAME WORDS: which particle, where, when, which part did most to it (WORDS), what to try
 tells() {
-    prints "$1" 't = ' ' s' 'particle' ' at (' 'Who did it: at t = ' 'the last accepted state, for ' \
+    prints "$1" 't = ' ' s' 'particle' ' at (' 'Cause: at t = ' 'the last accepted state, for ' \
         "$2"
     grep -q -E 'Things to try|[Tt]ry |take a higher eos.c0' "$out/$1.said" ||
         { wrong "$1 says what to try"; cat "$out/$1.said"; }
@@ -29,7 +29,7 @@ tells() {
 
 # place NAME: where the particle is that its first sentence names
 place() {
-    sed -n 's/.*Who did it: .* particle \([0-9]* ([a-z]*) at ([^)]*)\) m: .*/\1/p' "$out/$1.said"
+    sed -n 's/.*Cause: .* particle \([0-9]* ([a-z]*) at ([^)]*)\) m: .*/\1/p' "$out/$1.said"
 }
 
 adaptive='cks43 imex3 ark436 erk2 bs54 erk6 ab3 dv adams bdf gsl-rkf45 gsl-rk8pd gsl-msadams'
@@ -51,7 +51,7 @@ for method in $adaptive $ruled; do
     tells "narrow-$method" 'm: effects.continuity (density that evolves with the flow) changes its density most'
 done
 
-# A density that is a sum has no rate: the part that gives it.
+# A summed density has no rate: the part that gives it.
 sed 's/continuity/summation/; /density-diff/d' "$tank" >"$out/summed.scene"
 tank=$out/summed.scene
 fails summed 3000 walls=adami eos.tension=false eos.lowest=0.7 eos.highest=1.01

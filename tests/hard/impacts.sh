@@ -1,6 +1,6 @@
 #!/bin/sh
 # impacts.sh -- drops, a jet, a film, a plunging wave, one particle at half the sound speed:
-# nobody passes through anything, nothing is not finite.  The marks stand in the scenes.
+# no particle passes through anything, nothing is not finite.  The marks stand in the scenes.
 . "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/tests/hard
 
@@ -18,8 +18,8 @@ hit() {
     shift 2
     go "$name" "$scene" output.snapshots=41 "$@"
     claim "$name comes to its end" "$code == 0"
-    claim 'nobody leaves' "$(number "$name" escaped) == 0"
-    claim "at most ${sunk:=0} in solids, in any row, and nobody at the end" \
+    claim 'no particle leaves' "$(number "$name" escaped) == 0"
+    claim "at most ${sunk:=0} in solids, in any row, and none at the end" \
         "$(number "$name" in_solids_max) <= $sunk && $(number "$name" in_solids) == 0"
     ! grep -q -i -E '(nan|inf),' "$out/$name/book.csv" "$out/$name"/snapshots/*.csv ||
         wrong "$name is finite"
@@ -39,13 +39,13 @@ claim 'left mirrors right' "$(awk -F, '$8 == 0 { x += $1 - 0.1; n++ } END { x /=
 
 hit corner "$scenes/corner.scene"
 closes corner
-claim 'nobody is inside the post' \
+claim 'no particle is inside the post' \
     "$(through corner '(x > 0.1 ? x - 0.1 : 0.1 - x) + (y > 0.06 ? y - 0.06 : 0.06 - y) < 0.029') == 0"
 claim 'density' "$(number corner density_max) < 1300"
 
 hit jet "$scenes/jet.scene"
 closes jet
-claim 'nobody is behind the plate, nor half a spacing deep in it' "$(through jet 'y < 0.099') == 0"
+claim 'no particle is behind the plate, nor half a spacing deep in it' "$(through jet 'y < 0.099') == 0"
 claim 'the plate has the momentum of the jet' "$(number jet momentum_defect) < 1e-9"
 
 # Distance to the walls of the V: (y - 0.02) sin 30 - |x - 0.15| cos 30.
@@ -53,7 +53,7 @@ deep='(y - 0.02) * 0.5 - (x > 0.15 ? x - 0.15 : 0.15 - x) * 0.8660254 < -0.001'
 for walls in own-density adami; do
     hit funnel-$walls "$scenes/funnel.scene" walls=$walls
     closes funnel-$walls
-    claim 'nobody is in the walls of the V' "$(through funnel-$walls "$deep") == 0"
+    claim 'no particle is in the walls of the V' "$(through funnel-$walls "$deep") == 0"
     claim 'density' "$(number funnel-$walls density_max) < 1400"
 done
 sunk=2 # for a moment: sound is five times as fast as the jet only
@@ -67,18 +67,18 @@ claim 'else four pass, and are counted' "$(number slow in_solids) >= 3 && $(numb
 
 hit film "$scenes/film.scene"
 closes film
-claim 'nobody sinks' "$(through film 'y < 0') == 0"
+claim 'no particle sinks' "$(through film 'y < 0') == 0"
 
 hit plunge "$scenes/plunge.scene"
 closes plunge
-claim 'nobody sinks' "$(through plunge 'y < 0') == 0"
+claim 'no particle sinks' "$(through plunge 'y < 0') == 0"
 claim 'density' "$(number plunge density_max) < 1150"
 
 # --- one particle, with both walls that a continuity density has -----------------------------
 for walls in own-density adami; do
     for direction in 10,0 10,10 7.1,-7.1; do
         hit "shot-$walls" "$scenes/shot.scene" walls=$walls "fluid.shot.velocity=[$direction]"
-        claim "nobody is in a wall (velocity $direction)" \
+        claim "no particle is in a wall (velocity $direction)" \
             "$(through "shot-$walls" 'x < 0 || x > 0.1 || y < 0 || y > 0.1') == 0"
     done
     { cat "$scenes/shot.scene"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # ladders.sh -- one dam break in tanks of twelve lengths, at five resolutions, with eight
-# tolerances: all come to their end, nobody leaves, density stays within bounds, and the
+# tolerances: all come to their end, no particle leaves, density stays within bounds, and the
 # energy defect below what the tolerance allows.
 #
 # Allowed is E(0) tol/20.  tol bounds the error of each velocity in each step, in units of
@@ -21,7 +21,7 @@ rung() {
     go "$name" "$tank" tol="$tol" output.interval=2e-3 "$@"
     claim "$name comes to its end" "$code == 0"
     quiet "$name"
-    claim 'nobody leaves' "$(number "$name" escaped) == 0"
+    claim 'no particle leaves' "$(number "$name" escaped) == 0"
     claim 'density' "$(number "$name" density_min) > 800 && $(number "$name" density_max) < 1200"
     claim 'energy' "$(number "$name" energy_defect_max) < $tol / 20 * $(number "$name" energy_initial)"
 }

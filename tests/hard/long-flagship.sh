@@ -1,6 +1,6 @@
 #!/bin/sh
 # long-flagship.sh -- the flagship for 5 s, ten times its length: the water sloshes to rest
-# around the beam, nobody leaves, and the book stays closed.  With particles 5 mm apart; with
+# around the beam, no particle leaves, and the book stays closed.  With particles 5 mm apart; with
 # STIFFWATER_LONG as its scene has them.
 #
 # Marks: energy defect below 0.2 % of E(0) over all of it; what the water has only falls: at each
@@ -13,7 +13,7 @@ spacing=5e-3
 go long "$top_srcdir/data/scenes/toth-beam.scene" until=5 spacing=$spacing output.interval=0.01
 claim 'it comes to its end' "$code == 0"
 quiet long
-claim 'nobody leaves' "$(number long escaped) == 0"
+claim 'no particle leaves' "$(number long escaped) == 0"
 claim 'density' "$(number long density_min) > 800 && $(number long density_max) < 1200"
 claim 'energy closes' "$(number long energy_defect_max) < 2e-3 * $(number long energy_initial)"
 claim 'momentum closes' "$(number long momentum_defect) < 1e-9"

@@ -24,7 +24,7 @@ rests() {
               printf "%s: kinetic %.2g m g H, centre of mass %.2g H, level %.2g H, bed pressure %+.2f %%\n",
                   name, kinetic, centre, level, 100 * p
               exit !ok }' "$out/$1/book.csv" "$out/$1/probes.csv"); then good "$words"; else wrong "$words"; fi
-    claim 'nobody leaves' "$(number "$1" escaped) == 0"
+    claim 'no particle leaves' "$(number "$1" escaped) == 0"
     claim 'energy closes' "$(number "$1" energy_defect_max) < 1e-3 * $(number "$1" energy_initial)"
 }
 

@@ -1,3 +1,3 @@
-/* absent-more.c -- absent.c for the program whose tables have one effect more. */
+/* absent-more.c -- absent.c for the program with one effect more in its tables. */
 #define ABSENT_MORE
 #include "absent.c"

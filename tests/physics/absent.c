@@ -178,7 +178,7 @@ static void report(const char *what, long n, const struct tank *t)
            plan_lanes(t->plan));
 }
 
-/* For somebody who counts from outside. */
+/* For a program that counts from outside. */
 static void evaluate(int n)
 {
     struct tank t;

@@ -1,6 +1,6 @@
 /* bits.c -- the right-hand side is a function of t and y: to the bit on any number
- * of threads and lanes, to rounding whatever was asked before, and nobody who only
- * looks changes what comes after. */
+ * of threads and lanes, to rounding whatever was asked before, and looking changes
+ * nothing of what comes after. */
 #include "tank.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* escape.c -- who leaves the tank only falls, who comes back is felt again, and
- * what cannot be is refused with the name of the particle. */
+/* escape.c -- a particle out of the tank only falls, one that comes back is felt again,
+ * and what cannot be is refused with the name of the particle. */
 #include "tank.h"
 
 #include "plan/memory.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { WHO = 37 };
+enum { LOST = 37 };
 
 static double *place(struct tank *t, int i)
 {
@@ -19,14 +19,14 @@ static double *rate(struct tank *t, int i)
     return t->ydot + tank_at(t, "velocity of fluid", NULL) + i * DIM;
 }
 
-/* All rates but those of particle WHO and of the book are the same. */
+/* All rates but those of particle LOST and of the book are the same. */
 static void check_others(struct tank *a, struct tank *b, const char *what)
 {
     const struct layout_row *r;
     const long u = tank_at(a, "velocity of fluid", &r);
 
     for (int i = 0; i < r->n; i++)
-        for (int d = 0; d < DIM && i != WHO; d++) {
+        for (int d = 0; d < DIM && i != LOST; d++) {
             const double x = a->ydot[u + i * DIM + d], y = b->ydot[u + i * DIM + d];
             check(fabs(x - y) <= 1e-11 * (fabs(x) + 9.81), "%s: particle %d feels %g, not %g", what,
                   i, y, x);
@@ -37,10 +37,10 @@ static void check_others(struct tank *a, struct tank *b, const char *what)
 static void throw_out(struct tank *t, double far)
 {
     for (int d = 0; d < DIM; d++)
-        place(t, WHO)[d] = d == 0 ? 0.1 * far : 0.03;
+        place(t, LOST)[d] = d == 0 ? 0.1 * far : 0.03;
 }
 
-static void who_is_outside_only_falls(void **state)
+static void a_particle_outside_only_falls(void **state)
 {
     const double far[] = { 3, 1e3, 1e9, -1e30 };
     struct plan_memory memory, wanted;
@@ -55,10 +55,10 @@ static void who_is_outside_only_falls(void **state)
         throw_out(&t, far[i]);
         tank_rates(&t, 0, t.y, t.ydot);
         for (int d = 0; d < DIM; d++)
-            check(rate(&t, WHO)[d] == plan_scales(t.plan)->g[d],
-                  "%g tanks away: acceleration %g in direction %d", far[i], rate(&t, WHO)[d], d);
+            check(rate(&t, LOST)[d] == plan_scales(t.plan)->g[d],
+                  "%g tanks away: acceleration %g in direction %d", far[i], rate(&t, LOST)[d], d);
         check(observe_escaped(t.moment, 0, t.y) == 1, "%d escaped", observe_escaped(t.moment, 0, t.y));
-        check(t.ydot[tank_at(&t, "density of fluid", NULL) + WHO] == 0, "its density changes");
+        check(t.ydot[tank_at(&t, "density of fluid", NULL) + LOST] == 0, "its density changes");
         check_others(&other, &t, "wherever it is");
         for (long k = 0; k < t.n; k++)
             check(isfinite(t.ydot[k]), "entry %ld is not finite", k);
@@ -71,7 +71,7 @@ static void who_is_outside_only_falls(void **state)
 }
 
 /* Out and in again without and with a rebuild in between: rates as before. */
-static void who_comes_back_is_felt(void **state)
+static void a_particle_back_is_felt(void **state)
 {
     struct tank t, other;
     double *home;
@@ -86,14 +86,14 @@ static void who_comes_back_is_felt(void **state)
     tank_rates(&t, 0, t.y, t.ydot);
     throw_out(&t, 3);
     tank_rates(&t, 0, t.y, t.ydot);
-    check(rate(&t, WHO)[0] != rate(&other, WHO)[0], "nobody notices that it left");
+    check(rate(&t, LOST)[0] != rate(&other, LOST)[0], "no neighbour notices that it left");
     memcpy(t.y, home, t.n * sizeof *home);
     tank_rates(&t, 0, t.y, t.ydot);
     check_others(&other, &t, "after it came back");
     for (int d = 0; d < DIM; d++)
-        check(fabs(rate(&t, WHO)[d] - rate(&other, WHO)[d]) <= 1e-11 * 9.81 + 1e-11
-              * fabs(rate(&other, WHO)[d]), "it feels %g, not %g", rate(&t, WHO)[d],
-              rate(&other, WHO)[d]);
+        check(fabs(rate(&t, LOST)[d] - rate(&other, LOST)[d]) <= 1e-11 * 9.81 + 1e-11
+              * fabs(rate(&other, LOST)[d]), "it feels %g, not %g", rate(&t, LOST)[d],
+              rate(&other, LOST)[d]);
     test_free(home);
     tank_free(&t);
     tank_free(&other);
@@ -111,12 +111,12 @@ static void border_counts_at_once(void **state)
          + (ceil(plan_scales(t.plan)->support / plan_scales(t.plan)->dx - 1e-9) + 0.5)
            * plan_scales(t.plan)->dx;
     for (int side = 0; side < 2; side++) {
-        place(&t, WHO)[0] = edge + (side ? 1e-6 : -1e-6) * plan_scales(t.plan)->dx;
-        place(&t, WHO + 1)[0] = edge - plan_scales(t.plan)->dx;
-        place(&t, WHO + 1)[1] = place(&t, WHO)[1];
+        place(&t, LOST)[0] = edge + (side ? 1e-6 : -1e-6) * plan_scales(t.plan)->dx;
+        place(&t, LOST + 1)[0] = edge - plan_scales(t.plan)->dx;
+        place(&t, LOST + 1)[1] = place(&t, LOST)[1];
         tank_rates(&t, 0, t.y, t.ydot);
-        check((rate(&t, WHO)[0] == 0) == (side == 1), "side %d: acceleration %g", side,
-              rate(&t, WHO)[0]);
+        check((rate(&t, LOST)[0] == 0) == (side == 1), "side %d: acceleration %g", side,
+              rate(&t, LOST)[0]);
     }
     check(moment_counts(t.moment)->rebuilds == 1, "%ld rebuilds", moment_counts(t.moment)->rebuilds);
     tank_free(&t);
@@ -138,10 +138,10 @@ static void the_impossible_is_refused_by_name(void **state)
 
     (void)state;
     tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, NULL);
-    rho = t.y + tank_at(&t, "density of fluid", NULL) + WHO;
+    rho = t.y + tank_at(&t, "density of fluid", NULL) + LOST;
     home = tank_copy(&t, t.y);
     for (int i = 0; i < 3; i++) {
-        place(&t, WHO)[DIM - 1] = bad[i];
+        place(&t, LOST)[DIM - 1] = bad[i];
         expect_refusal(&t, "a position that is not finite", "position");
         memcpy(t.y, home, t.n * sizeof *home);
     }
@@ -158,16 +158,16 @@ static void the_impossible_is_refused_by_name(void **state)
     tank_free(&t);
 }
 
-/* Particle WHO at x: is it inside that solid (NULL: in none)? */
+/* Particle LOST at x: is it inside that solid (NULL: in none)? */
 static void expect_sunk(struct tank *t, double time, const double *x, const char *solid)
 {
     struct observe_sunk sunk;
 
-    memcpy(place(t, WHO), x, DIM * sizeof *x);
+    memcpy(place(t, LOST), x, DIM * sizeof *x);
     observe_sunk(t->moment, time, t->y, &sunk);
     check(sunk.n == (solid != NULL), "%d in solids at (%g, %g), t = %g s", sunk.n, x[0], x[DIM - 1],
           time);
-    check(!solid || (sunk.who == WHO && strcmp(sunk.solid, solid) == 0), "particle %d in %s",
+    check(!solid || (sunk.who == LOST && strcmp(sunk.solid, solid) == 0), "particle %d in %s",
           sunk.who, sunk.n ? sunk.solid : "nothing");
 }
 
@@ -182,7 +182,7 @@ static const char *const obstacles =
     "  velocity = [0.1, 0.0, 0.0]; }; };";
 #endif
 
-static void who_is_in_a_wall_is_counted(void **state)
+static void particles_in_a_wall_are_counted(void **state)
 {
     const double radius = DIM == 2 ? 0.015 : 0.025;
     double x[3] = { 0.05, DIM == 2 ? 0.076 : 0.05, 0.15 };
@@ -200,7 +200,7 @@ static void who_is_in_a_wall_is_counted(void **state)
     expect_sunk(&t, 0.3, x, "ball");
     x[0] += 0.2 * s->dx;
     expect_sunk(&t, 0.3, x, NULL); /* deep, but not half a spacing */
-    memcpy(x, plan_particles(t.plan)->x0[WHO], sizeof x[0] * DIM);
+    memcpy(x, plan_particles(t.plan)->x0[LOST], sizeof x[0] * DIM);
     x[0] = -0.4 * s->dx;
     expect_sunk(&t, 0, x, NULL);
     x[0] = -0.6 * s->dx;
@@ -210,7 +210,7 @@ static void who_is_in_a_wall_is_counted(void **state)
 
 #if DIM == 2
 /* The beam of tank.c has its axis at x = 0.0675 and three layers, 5 mm apart. */
-static void who_is_in_a_beam_is_counted(void **state)
+static void particles_in_a_beam_are_counted(void **state)
 {
     struct tank t;
 
@@ -230,13 +230,13 @@ static void who_is_in_a_beam_is_counted(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(who_is_outside_only_falls),
-        cmocka_unit_test(who_comes_back_is_felt),
+        cmocka_unit_test(a_particle_outside_only_falls),
+        cmocka_unit_test(a_particle_back_is_felt),
         cmocka_unit_test(border_counts_at_once),
         cmocka_unit_test(the_impossible_is_refused_by_name),
-        cmocka_unit_test(who_is_in_a_wall_is_counted),
+        cmocka_unit_test(particles_in_a_wall_are_counted),
 #if DIM == 2
-        cmocka_unit_test(who_is_in_a_beam_is_counted),
+        cmocka_unit_test(particles_in_a_beam_are_counted),
 #endif
     };
 

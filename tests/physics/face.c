@@ -322,7 +322,7 @@ static void what_turns_together_does_not_slip(void **state)
     tank_free(&bare);
 }
 
-/* --- who may ---------------------------------------------------------------------- */
+/* --- refusals ---------------------------------------------------------------------- */
 
 static void what_cannot_drag_is_refused(void **state)
 {

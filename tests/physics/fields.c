@@ -1,4 +1,4 @@
-/* fields.c -- fields that pull at the water are the slopes of what they store, and
+/* fields.c -- body forces on the water are the slopes of what they store, and
  * what they pull with in all is in the book of momentum. */
 #include "tank.h"
 
@@ -46,7 +46,7 @@ static void acceleration_is_the_slope_of_the_potential(void **state)
     tank_free(&t);
 }
 
-/* Momentum of everybody grows by what the book has of weight, walls and field. */
+/* The sum of momenta grows by what the book has of weight, walls and body force. */
 static void its_pull_is_in_the_book(void **state)
 {
     struct tank t;

@@ -188,7 +188,7 @@ static void throw_at_all(const struct blow *b)
 }
 
 /* With the sound speed that a scene should have, 10 times the largest speed and more. */
-static void nobody_gets_into_walls(void **state)
+static void no_particle_gets_into_walls(void **state)
 {
     (void)state;
     throw_at_all(&(struct blow){ .c0 = 30, .speed = 2, .most = 0, .walls = "own-density" });
@@ -211,7 +211,7 @@ static void adami_walls_let_nobody_past_the_first_row(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nobody_gets_into_walls),
+        cmocka_unit_test(no_particle_gets_into_walls),
         cmocka_unit_test(a_hard_blow_gets_no_further_than_the_first_row),
         cmocka_unit_test(adami_walls_let_nobody_past_the_first_row),
     };

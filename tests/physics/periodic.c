@@ -97,7 +97,7 @@ static struct copy copies_of(const struct tank *tank, const struct tank *one)
         int j = 0;
         while (j < small->n && !stands(big, i, small, j, c.away[i]))
             j++;
-        check(j < small->n, "nobody stands like particle %d", i);
+        check(j < small->n, "no particle stands like particle %d", i);
         c.of[i] = j;
     }
     return c;

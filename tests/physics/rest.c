@@ -96,7 +96,7 @@ static void water_without_pressure_falls(void **state)
     tank_free(&t);
 }
 
-/* sum_b m W = rho0 within the error of the sum, in the middle of everybody. */
+/* sum_b m W = rho0 within the error of the sum, in the middle of the particles. */
 static void lattice_has_the_density_of_water(void **state)
 {
     struct tank t;

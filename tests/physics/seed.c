@@ -1,4 +1,4 @@
-/* seed.c -- Toth's dam-break method, equation by equation as his thesis has it, against
+/* seed.c -- the dam-break method of Toth (2012), equation by equation as printed, against
  * the accelerations of a scene that names its parts: as printed, and put right.  2D. */
 #include "tank.h"
 

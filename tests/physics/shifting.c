@@ -1,5 +1,5 @@
 /* shifting.c -- particles that drift from crowds to gaps, (D4), against a double loop with
- * the kernel typed anew; who is near a surface stays; the work is in the book. */
+ * the kernel typed anew; particles near a surface stay; the work is in the book. */
 #include "tank.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* summation.c -- a density that is a sum over everybody around, and its rate: against
+/* summation.c -- a density that is a sum over all particles around, and its rate: against
  * double loops over all pairs with the kernels typed anew. */
 #include "tank.h"
 
@@ -65,16 +65,16 @@ static const double *place(const struct view *v, int c, int *kind)
     return v->x[*kind] + (long)(c - v->p->from[*kind]) * DIM;
 }
 
-/* Of everybody, by creation number. */
-struct everybody {
+/* Of all particles, by creation number. */
+struct all {
     int n, *kind;
     double (*x)[DIM], (*u)[DIM], *p2; /* p/rho^2 */
 };
 
-static struct everybody look(struct tank *t, const struct view *v)
+static struct all look(struct tank *t, const struct view *v)
 {
     const int n = v->p->n;
-    struct everybody e = { n, test_malloc(n * sizeof *e.kind), test_malloc(n * sizeof *e.x),
+    struct all e = { n, test_malloc(n * sizeof *e.kind), test_malloc(n * sizeof *e.x),
                            test_malloc(n * sizeof *e.u), test_malloc(n * sizeof *e.p2) };
 
     for (int k = 0; k < KINDS; k++)
@@ -89,7 +89,7 @@ static struct everybody look(struct tank *t, const struct view *v)
     return e;
 }
 
-static void forget(struct everybody *e)
+static void forget(struct all *e)
 {
     test_free(e->kind);
     test_free(e->x);
@@ -97,7 +97,7 @@ static void forget(struct everybody *e)
     test_free(e->p2);
 }
 
-/* (D3) sum_b m_b W_ab over everybody, a itself included. */
+/* (D3) sum_b m_b W_ab over all, a itself included. */
 static double sum_over_all(const struct view *v, int a, shape *w)
 {
     const double H = v->p->scales->support;
@@ -130,7 +130,7 @@ static void check_sums(struct tank *t, bool solids, shape *w)
 }
 
 /* Also after rebuilds of the list, and when nothing was rebuilt. */
-static void density_is_the_sum_over_everybody(void **state)
+static void density_is_the_sum_over_all(void **state)
 {
     static const struct {
         const char *kernels, *effects;
@@ -174,7 +174,7 @@ static void state_has_no_density(void **state)
     tank_free(&t);
 }
 
-/* Density of everybody a little later (earlier), all moving on as they move now. */
+/* Density of all particles a little later (earlier), all moving on as they move now. */
 static double *densities(struct tank *t, double h)
 {
     const struct particles *p = plan_particles(t->plan);
@@ -237,7 +237,7 @@ struct powers {
 };
 
 /* Sums over all pairs: pressure acts where there is water, density is summed over all. */
-static struct powers powers_of(const struct everybody *e, const struct particles *p,
+static struct powers powers_of(const struct all *e, const struct particles *p,
                                shape *pressure, shape *density)
 {
     struct powers s = { 0 };
@@ -299,7 +299,7 @@ static void defect_is_the_difference_of_both_sums(void **state)
     (void)state;
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++)
         for (int beam = 0; beam < (DIM == 2 ? 2 : 1); beam++) {
-            struct everybody e;
+            struct all e;
             struct powers s;
             struct tank t;
             struct view v;
@@ -323,8 +323,8 @@ static void defect_is_the_difference_of_both_sums(void **state)
         }
 }
 
-/* Who has left the domain meets nobody and has the density at rest. */
-static void who_has_left_has_the_density_at_rest(void **state)
+/* A particle outside the domain has no neighbours and the density at rest. */
+static void outside_is_the_density_at_rest(void **state)
 {
     struct tank t;
     struct view v;
@@ -337,7 +337,7 @@ static void who_has_left_has_the_density_at_rest(void **state)
         tank_rates(&t, 0, t.y, t.ydot);
         observe_view(t.moment, 0, t.y, &v);
         check(v.rho[KIND_FLUID][7] == 1000, "%.17g kg/m^3", v.rho[KIND_FLUID][7]);
-        check(v.rho[KIND_FLUID][8] != 1000, "everybody has the density at rest");
+        check(v.rho[KIND_FLUID][8] != 1000, "a particle inside has the density at rest");
     }
     tank_free(&t);
 }
@@ -345,11 +345,11 @@ static void who_has_left_has_the_density_at_rest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(density_is_the_sum_over_everybody),
+        cmocka_unit_test(density_is_the_sum_over_all),
         cmocka_unit_test(state_has_no_density),
         cmocka_unit_test(rate_is_that_of_the_sum),
         cmocka_unit_test(defect_is_the_difference_of_both_sums),
-        cmocka_unit_test(who_has_left_has_the_density_at_rest),
+        cmocka_unit_test(outside_is_the_density_at_rest),
     };
 
     return cmocka_run_group_tests_name("summation", tests, NULL, NULL);

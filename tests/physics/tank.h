@@ -17,7 +17,7 @@
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"  \
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };"
 
-/* Densities that are sums, between walls that are fluid otherwise. */
+/* Summed densities, between walls that are fluid otherwise. */
 #define TANK_SUMMED "walls = \"ghost\"; effects = { summation = { }; pressure = { }; };"
 
 /* A closed tank, 0.1 m wide and 0.08 m high, filled up to 0.06 m: 240 particles
@@ -25,7 +25,7 @@
 extern const char *const tank_water;
 
 /* The same without a word about kernels, to go with one of these: one for all, and
- * one for each use as the seed has them. */
+ * one for each use as Toth (2012) has them. */
 extern const char *const tank_bare_water;
 #define TANK_ONE_KERNEL "kernel = { support = 2.5; };"
 #define TANK_SEED_KERNELS                                                                \

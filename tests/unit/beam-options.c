@@ -1,4 +1,4 @@
-/* beam-options.c -- tests of src/bodies/beam: with (44) and (45) of the seed a run keeps its
+/* beam-options.c -- tests of src/bodies/beam: with (44) and (45) of Toth (2012) a run keeps its
  * books, a beam weighs what it moves, and no eigenvalue exceeds the limit. */
 #include "beam.h"
 

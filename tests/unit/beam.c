@@ -137,7 +137,7 @@ static void held_degrees_of_freedom_never_move(void **state)
         bench_make(&b);
         bench_shake(&b, 8);
         for (int k = 0; k < 4 && held[c][k] >= 0; k++)
-            b.y[bench_at(&b, held[c][k], true)] = 1; /* even if somebody wrote there */
+            b.y[bench_at(&b, held[c][k], true)] = 1; /* even if something is written there */
         bench_rates(&b, 0);
         for (int i = 0, k = 0; i < bench_dofs(&b); i++) {
             const bool is_held = held[c][k] == i;
@@ -257,7 +257,7 @@ static void refuses_what_cannot_stand(void **state)
     bench_refuses(&b, "load_until");
 }
 
-/* The mass of the seed: 0.165 kg, EI 2.667 N m: omega_1 = 624.7 rad/s. */
+/* The mass of Toth (2012): 0.165 kg, EI 2.667 N m: omega_1 = 624.7 rad/s. */
 static void mass_may_be_given_instead_of_density(void **state)
 {
     struct bench b;

@@ -173,7 +173,7 @@ static void decay_bounds_what_damping_takes(void **state)
             }
 }
 
-/* The beam of the seed with d of its table 2. */
+/* The beam of Toth (2012) with d of its table 2. */
 static struct bending *of_seed(int elements, enum bending_inertia inertia)
 {
     return bending_of((struct bending_def){ .elements = elements, .length = 0.08,

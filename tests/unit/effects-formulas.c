@@ -127,7 +127,7 @@ static void artificial_stress(const struct pair_particle *a, const struct pair_p
         to->f[d] = -a->m * b->m * R * pow(W / effects_scales.nearby, 4) * p.g * p.x[d];
 }
 
-/* The seed's (24) is a force density; by (33), with a = F/rho, the force on a is
+/* (24) of Toth (2012) is a force density; by (33), with a = F/rho, the force on a is
  * m_a/rho_a times
  *   -rho_a (p_a/rho_a + p_b/rho_b) m_b gradW                             (24) */
 static void pressure_printed(const struct pair_particle *a, const struct pair_particle *b,

@@ -23,7 +23,7 @@ struct pair_law {
 enum { PAIR_MOST = 24 };
 
 /* What n <= PAIR_MOST particles b do to a by the law, gathered as in a run;
- * `padding` rows without anybody follow.  Rows that the part did not ask for are
+ * `padding` rows without a particle follow.  Rows that the part did not ask for are
  * NaN.  One function a lane width. */
 typedef void pair_ask(const struct pair_law *law, const struct pair_particle *a, int n,
                       const struct pair_particle *b, int padding, struct pair_answer *to);

@@ -95,7 +95,7 @@ static struct pair_law law_make(const struct part *part, const struct scales *sc
     return law;
 }
 
-/* One formula the seed prints for the plane only. */
+/* One formula that Toth (2012) prints for the plane only. */
 static bool is_law(const struct part *part)
 {
     return part->as.law && (DIM == 2 || strcmp(part->name, "viscosity-printed") != 0);

@@ -274,7 +274,7 @@ static void held_degrees_of_freedom_never_move(void **state)
         bench_make(&b);
         bench_shake(&b, 8);
         const double energy = bench_energy(&b, b.y);
-        for (int k = 0; held[c][k] >= 0; k++) /* even if somebody wrote there */
+        for (int k = 0; held[c][k] >= 0; k++) /* even if something is written there */
             b.y[bench_at(&b, held[c][k], false)] = b.y[bench_at(&b, held[c][k], true)] = 1;
         check_close(bench_energy(&b, b.y), energy, 0, "energy");
         bench_rates(&b, 0);

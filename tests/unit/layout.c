@@ -25,7 +25,7 @@ static struct layout three_blocks(void)
     assert_int_equal(layout_add(&l, LAYOUT_POSITION, "fluid.x", "m", 4, 2, 0.01), 2);
     assert_int_equal(layout_add(&l, LAYOUT_OTHER, "book", "J", 3, 1, 0), 3);
     assert_int_equal(layout_add(&l, LAYOUT_POSITION, "beam.q", "m", 5, 1, 0.1), 4);
-    assert_int_equal(layout_add(&l, LAYOUT_OTHER, "nobody.rho", "kg/m^3", 0, 1, 1), 5);
+    assert_int_equal(layout_add(&l, LAYOUT_OTHER, "nothing.rho", "kg/m^3", 0, 1, 1), 5);
     layout_done(&l);
     return l;
 }

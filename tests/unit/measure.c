@@ -204,8 +204,8 @@ static void test_large_domain(void **state)
     assert_near(front_now().x, 7.5 * scales.dx);
 }
 
-/* Counting in cells finds whom a look at all pairs finds, on points in disorder. */
-static void test_cells_miss_nobody(void **state)
+/* Counting in cells finds what a look at all pairs finds, on points in disorder. */
+static void test_cells_miss_no_particle(void **state)
 {
     struct crowd *c;
     int water = 0;
@@ -382,7 +382,7 @@ static void test_a_lattice_has_no_pairs(void **state)
     assert_near(found.mean, 1.5);
 }
 
-/* Everybody twice, 0.2 dx apart: twice the density. */
+/* Each particle twice, 0.2 dx apart: twice the density. */
 static void test_pairs_are_pairs(void **state)
 {
     struct pairing_index found;
@@ -399,7 +399,7 @@ static void test_pairs_are_pairs(void **state)
     assert_near(found.least, 0.2 * pow(2, 1.0 / DIM));
 }
 
-/* A quarter of the fluid is paired; who has left, and solids, pair with nobody. */
+/* A quarter of the fluid is paired; fluid outside, and solids, are in no pairs. */
 static void test_pairs_are_counted(void **state)
 {
     const int layer = DIM == 3 ? 80 : 8; /* 8 x 10 sites of the depth, or 8 */
@@ -475,7 +475,7 @@ static void test_nearest_of_all(void **state)
 }
 
 /* Where directions repeat: neighbours are found beyond the sides, and nothing depends
- * on where the sides lie nor on how many lengths away somebody is. */
+ * on where the sides lie nor on how many lengths away a particle is. */
 static void test_where_directions_repeat(void **state)
 {
     struct pairing_index first, found;
@@ -540,7 +540,7 @@ int main(void)
         cmocka_unit_test(test_who_left_does_not_count),
         cmocka_unit_test(test_no_water),
         cmocka_unit_test(test_large_domain),
-        cmocka_unit_test(test_cells_miss_nobody),
+        cmocka_unit_test(test_cells_miss_no_particle),
         cmocka_unit_test(test_probe_on_a_linear_field),
         cmocka_unit_test(test_probe_weighs),
         cmocka_unit_test(test_a_drop_is_no_impact),

@@ -41,7 +41,7 @@ static double nearest2(const struct space_cloud *c, int i, int j)
     return r2;
 }
 
-/* Of two slots, where offsets put them. */
+/* Of two places, where offsets put them. */
 static double between2(const struct list *list, const struct space_cloud *c, int a, int b)
 {
     double r2 = 0;
@@ -73,7 +73,7 @@ static void mark(const struct list *list, const struct space_cloud *c, double ra
                           || (j >= list->image[part->partner]
                               && j < list->image[part->partner + 1]),
                       "the segment is of one kind and its images");
-                check(j != owner, "nobody is his own neighbour");
+                check(j != owner, "no particle is its own neighbour");
                 listed[list->order[owner] * c->n + list->order[j]]
                     += between2(list, c, owner, j) < radius * radius;
             }
@@ -91,7 +91,7 @@ static void check_pairs(const struct space_cloud *c, const char *listed, double 
         }
 }
 
-static void check_slots(const struct list *list, const struct space_cloud *c)
+static void check_places(const struct list *list, const struct space_cloud *c)
 {
     for (int s = 0; s < list->listed; s++)
         for (int d = 0; d < DIM; d++) {
@@ -99,7 +99,7 @@ static void check_slots(const struct list *list, const struct space_cloud *c)
             const double length = c->def.period[d], over = s < list->image[0] ? 1e-9 : 0.5;
             check(!(length > 0) || (place >= -0.3 - over * length && place <= -0.3
                                                                      + (1 + over) * length),
-                  "slot %d stands at %g along %d", s, place, d);
+                  "place %d is at %g along %d", s, place, d);
             check(length > 0 || list->offset[s][d] == 0, "only what repeats is moved");
         }
     assert_int_equal(list->image[0], list->start[KINDS]);
@@ -124,7 +124,7 @@ void images_find_all(void **state)
             listed = test_malloc((size_t)c->n * (size_t)c->n);
             assert_int_equal(engine->create(&list, &c->def), 0);
             assert_int_equal(engine->update(list, &c->cloud), 0);
-            check_slots(list, c);
+            check_places(list, c);
             mark(list, c, c->def.support + c->def.skin, listed);
             check_pairs(c, listed, c->def.support + c->def.skin);
             test_free(listed);
@@ -186,7 +186,7 @@ void images_miss_nobody_moving(void **state)
             check_pairs(c, listed, c->def.support);
         }
         check(list->builds > MOVES / 50 && list->builds < MOVES / 2,
-              "%ld rebuilds: the skin does its work", list->builds);
+              "%ld rebuilds: the margin does its work", list->builds);
         test_free(listed);
         engine->free(&list);
         space_cloud_free(c);

@@ -33,12 +33,12 @@ static void mark(const struct list *list, const struct space_cloud *c, char *lis
                 for (int k = 0; k < part->rows; k++) {
                     const int j = part->j[k * list->lanes + l];
 
-                    check(j > last || j == list->listed, "slots ascend, padding last");
-                    check(j == list->listed || owner < end, "nobody owns these rows");
+                    check(j > last || j == list->listed, "places ascend, padding last");
+                    check(j == list->listed || owner < end, "these rows have no owner");
                     last = j;
                     if (j == list->listed)
                         continue;
-                    check(j != owner, "nobody is his own neighbour");
+                    check(j != owner, "no particle is its own neighbour");
                     check(j >= list->start[part->partner] && j < list->start[part->partner + 1],
                           "the segment is of one kind");
                     listed[list->order[owner] * c->n + list->order[j]] = 1;
@@ -78,12 +78,12 @@ static void check_orders(const struct list *list, const struct space_cloud *c)
     for (int i = 0; i < c->n; i++) {
         const int s = list->slot[i], k = space_kind(c, i);
 
-        check((s >= 0) == list_inside(&c->def, c->x + i * DIM), "outsiders have no slot");
+        check((s >= 0) == list_inside(&c->def, c->x + i * DIM), "particles outside have no place");
         if (s < 0)
             continue;
         inside++;
         check(list->order[s] == i && s >= list->start[k] && s < list->start[k + 1],
-              "slot and order are inverse, kinds are ranges");
+              "place and row are inverse, kinds are ranges");
     }
     assert_int_equal(inside, list->listed);
 }
@@ -124,7 +124,7 @@ void list_finds_all(void **state)
     }
 }
 
-/* None, one, everybody in one place, a lattice that meets the cells' borders. */
+/* None, one, all in one point, a lattice that meets the cells' borders. */
 void list_takes_odd_clouds(void **state)
 {
     static const int none[KINDS] = { 0 }, one[KINDS] = { 1 }, some[KINDS] = { 37, 5, 0, 0, 3 };
@@ -174,15 +174,15 @@ void list_sorts_the_same(void **state)
     space_cloud_free(c);
 }
 
-/* Everybody moves along by this. */
+/* All but the first move along by this. */
 static void shift(struct space_cloud *c, double by)
 {
     for (int i = DIM; i < c->n * DIM; i++)
         c->x[i] += by;
 }
 
-/* A rebuild happens when a pair is missing, somebody moved further than two skins,
- * or came in. */
+/* A rebuild happens when a pair is missing, a particle moved further than two
+ * margins, or came in. */
 void list_knows_when_stale(void **state)
 {
     (void)state;
@@ -294,7 +294,7 @@ void list_misses_nobody_moving(void **state)
             builds = list->builds;
             check_pairs(c, listed, c->def.support, 2);
         }
-        check(builds > MOVES / 50 && builds < MOVES, "%ld rebuilds: the skin does its work",
+        check(builds > MOVES / 50 && builds < MOVES, "%ld rebuilds: the margin does its work",
               builds);
         test_free(listed);
         engine->free(&list);

@@ -106,7 +106,7 @@ static void same_lists(const struct shuffled *s, const struct list *a, const str
     assert_memory_equal(a->start, b->start, sizeof a->start);
     assert_memory_equal(a->image, b->image, sizeof a->image);
     for (int i = 0; i < a->listed; i++)
-        check(b->order[i] == row_of(s, a->order[i]), "slot %d holds row %d instead of %d", i,
+        check(b->order[i] == row_of(s, a->order[i]), "place %d holds row %d instead of %d", i,
               b->order[i], row_of(s, a->order[i]));
     for (int id = 0; id < a->n; id++)
         assert_int_equal(a->slot[id], b->slot[row_of(s, id)]);

@@ -12,7 +12,7 @@
 #include <omp.h>
 #endif
 
-enum { SLOTS = 3 };
+enum { COLUMNS = 3 };
 
 static const int mixed[KINDS] = { 400, 161, 30, 53, 10 };
 static const int uniform[KINDS] = { 700 };
@@ -23,7 +23,7 @@ extern const struct kernel kernel_wendland_c2_lanes2, kernel_cubic_spline_lanes2
 extern const struct kernel kernel_wendland_c2_lanes4, kernel_cubic_spline_lanes4;
 extern const struct kernel kernel_wendland_c2_lanes8, kernel_cubic_spline_lanes8;
 
-/* A particle's fields, creation order. */
+/* What a particle has, creation order. */
 struct fields {
     double v[DIM], rho, p2, m;
 };
@@ -34,7 +34,7 @@ struct work {
     struct list *list;
     struct kernel_use kernel[2];
     struct pairs_table table[KINDS * KINDS];
-    double *record, *f, *drho, power[SLOTS];
+    double *record, *f, *drho, power[COLUMNS];
     struct sum_rates rates;
 };
 
@@ -75,7 +75,7 @@ static struct wide wide_of(const struct sum_engine *engine)
                           &kernel_cubic_spline_lanes2 };
 }
 
-/* Slot 0: nothing; slot 1: first law, everybody; slot 2: second law, shorter
+/* Column 0: nothing; column 1: first law, all; column 2: second law, shorter
  * kernel, for fluid and walls only. */
 static void make_tables(struct work *w, double support)
 {
@@ -130,7 +130,7 @@ static void add_up(struct work *w, const struct list *list)
 {
     struct sum_scratch scratch = { 0 };
     const struct sum_job job = {
-        .list = list, .record = w->record, .table = w->table, .slots = SLOTS,
+        .list = list, .record = w->record, .table = w->table, .slots = COLUMNS,
         .f = w->f, .drho = w->drho, .power = w->power, .rates = w->rates,
     };
 
@@ -168,12 +168,12 @@ static void work_free(struct work *w)
 }
 
 /* What both laws give particle i, straight from their definitions: force and
- * mass times rate of density by slot. */
+ * mass times rate of density by column of the book. */
 static void brute_force(const struct space_cloud *c, const struct fields *of,
-                        const struct work *w, int i, double f[SLOTS][DIM], double rate[SLOTS])
+                        const struct work *w, int i, double f[COLUMNS][DIM], double rate[COLUMNS])
 {
-    memset(f, 0, SLOTS * sizeof *f);
-    memset(rate, 0, SLOTS * sizeof *rate);
+    memset(f, 0, COLUMNS * sizeof *f);
+    memset(rate, 0, COLUMNS * sizeof *rate);
     for (int j = 0; j < c->n; j++) {
         const double r2 = space_distance2(c, i, j), r = sqrt(r2), mm = of[i].m * of[j].m;
         const double w2 = mm * kernel_w(&w->kernel[1], r);
@@ -197,14 +197,14 @@ static void brute_force(const struct space_cloud *c, const struct fields *of,
 
 static void compare(const struct space_cloud *c, const struct fields *of, const struct work *w)
 {
-    double power[SLOTS] = { 0 }, most[2] = { 0 }, worst[2] = { 0 }, size = 0;
+    double power[COLUMNS] = { 0 }, most[2] = { 0 }, worst[2] = { 0 }, size = 0;
 
     for (int i = 0; i < c->n; i++) {
-        double f[SLOTS][DIM], rate[SLOTS];
+        double f[COLUMNS][DIM], rate[COLUMNS];
         const int s = w->list->slot[i];
 
         brute_force(c, of, w, i, f, rate);
-        for (int k = 0; k < SLOTS; k++) {
+        for (int k = 0; k < COLUMNS; k++) {
             double p = of[i].p2 * rate[k];
 
             for (int d = 0; d < DIM; d++)
@@ -225,10 +225,10 @@ static void compare(const struct space_cloud *c, const struct fields *of, const 
     for (int k = 0; k < 2; k++)
         check(most[k] > 0 && worst[k] <= 1e-13 * most[k], "%s: off by %g of %g",
               k ? "rate" : "force", worst[k], most[k]);
-    for (int k = 0; k < SLOTS; k++)
+    for (int k = 0; k < COLUMNS; k++)
         check(fabs(power[k] - w->power[k]) <= 1e-13 * size, "power %d: %g, not %g", k, w->power[k],
               power[k]);
-    check(w->power[0] == 0 && w->power[1] != 0 && w->power[2] != 0, "powers by slot");
+    check(w->power[0] == 0 && w->power[1] != 0 && w->power[2] != 0, "powers by column");
 }
 
 void sum_agrees_with_brute_force(void **state)
@@ -253,7 +253,7 @@ static void check_same(const struct work *a, const struct work *b, const char *w
 {
     const size_t n = (size_t)a->list->listed;
 
-    check(n == (size_t)b->list->listed, "%s: as many slots", what);
+    check(n == (size_t)b->list->listed, "%s: as many places", what);
     check(memcmp(a->f, b->f, n * DIM * sizeof(double)) == 0, "%s: the same bits of force", what);
     check(memcmp(a->drho, b->drho, n * sizeof(double)) == 0, "%s: the same bits of rate", what);
     check(memcmp(a->power, b->power, sizeof a->power) == 0, "%s: the same bits of power", what);
@@ -328,7 +328,7 @@ static struct list prune(const struct list *list, const struct space_cloud *c, i
     return thin;
 }
 
-/* Padding and pairs in the skin add exact zeros: a pruned list has equal bits. */
+/* Padding and pairs in the margin add exact zeros: a pruned list has equal bits. */
 void sum_padding_adds_nothing(void **state)
 {
     struct space_cloud *c = space_cloud(mixed, 0.2, 0.1);
@@ -359,7 +359,7 @@ void sum_padding_adds_nothing(void **state)
 }
 
 /* Owners without neighbours and kinds that own nothing get exact zeros. */
-void sum_writes_every_slot(void **state)
+void sum_writes_every_place(void **state)
 {
     static const int few[KINDS] = { 7, 3, 0, 0, 5 };
 
@@ -370,9 +370,9 @@ void sum_writes_every_slot(void **state)
         struct work *w = work(e, c, of);
 
         for (int s = 0; s < w->list->listed; s++) {
-            check(w->drho[s] == 0, "rate of slot %d", s);
+            check(w->drho[s] == 0, "rate of place %d", s);
             for (int d = 0; d < DIM; d++)
-                check(w->f[s * DIM + d] == 0, "force on slot %d", s);
+                check(w->f[s * DIM + d] == 0, "force on place %d", s);
         }
         work_free(w);
         test_free(of);
@@ -380,7 +380,7 @@ void sum_writes_every_slot(void **state)
     }
 }
 
-/* Rates of the fluid go where they are wanted, those of others to their slots. */
+/* Rates of the fluid go where they are wanted, those of others to their places. */
 void sum_writes_rates_in_place(void **state)
 {
     struct space_cloud *c = space_cloud(mixed, 0.2, 0.1);
@@ -403,10 +403,10 @@ void sum_writes_rates_in_place(void **state)
             const double rho = i < n ? placed.rates.rho[i] : placed.drho[s];
             const double per = i < n ? 1 / of[i].m : 1;
 
-            check(rho == w->drho[s], "rate of %d: %g, %g in its slot", i, rho, w->drho[s]);
+            check(rho == w->drho[s], "rate of %d: %g, %g in its place", i, rho, w->drho[s]);
             for (int d = 0; d < DIM; d++)
-                check(u[d] == w->f[s * DIM + d] * per, "%d is accelerated by %g, in its slot %g", i,
-                      u[d], w->f[s * DIM + d] * per);
+                check(u[d] == w->f[s * DIM + d] * per, "%d is accelerated by %g, in its place %g",
+                      i, u[d], w->f[s * DIM + d] * per);
         }
         check(memcmp(w->power, placed.power, sizeof w->power) == 0, "the same book");
         test_free(placed.f);

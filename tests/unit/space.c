@@ -46,7 +46,7 @@ double space_random(void)
     return (double)(seed >> 11) / (double)(UINT64_C(1) << 53);
 }
 
-struct space_cloud *space_cloud(const int count[KINDS], double support, double skin)
+struct space_cloud *space_cloud(const int count[KINDS], double support, double margin)
 {
     struct space_cloud *c = test_calloc(1, sizeof *c);
 
@@ -55,7 +55,7 @@ struct space_cloud *space_cloud(const int count[KINDS], double support, double s
         c->def.acts[k] = k == KIND_SKIN_SLIP ? 0 : KIND_BIT(KIND_FLUID) | KIND_SOLIDS;
     }
     c->def.support = support;
-    c->def.skin = skin;
+    c->def.skin = margin;
     for (int d = 0; d < DIM; d++)
         c->def.high[d] = 1;
     c->n = c->def.from[KINDS];
@@ -127,7 +127,7 @@ int main(void)
         cmocka_unit_test(sum_agrees_with_brute_force),
         cmocka_unit_test(sum_same_bits_lanes_and_threads),
         cmocka_unit_test(sum_padding_adds_nothing),
-        cmocka_unit_test(sum_writes_every_slot),
+        cmocka_unit_test(sum_writes_every_place),
         cmocka_unit_test(sum_writes_rates_in_place),
         cmocka_unit_test(sum_keeps_momentum),
     };

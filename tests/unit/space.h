@@ -17,7 +17,7 @@ enum { SPACE_ENGINES = 2 };
 enum { SPACE_ENGINES = 1 };
 #endif
 
-/* Everybody in creation order. */
+/* Particles in creation order. */
 struct space_cloud {
     struct list_def def;
     struct cloud cloud;
@@ -34,8 +34,8 @@ double space_random(void);
 void space_seed(unsigned seed);
 
 /* count[k] particles of kind k at random in the unit box, radius H = support;
- * everybody acts on everybody, but skins that slip own nothing. */
-struct space_cloud *space_cloud(const int count[KINDS], double support, double skin);
+ * all kinds act on all, but skins that slip own nothing. */
+struct space_cloud *space_cloud(const int count[KINDS], double support, double margin);
 void space_cloud_free(struct space_cloud *c);
 
 int space_kind(const struct space_cloud *c, int i);
@@ -83,7 +83,7 @@ void images_miss_nobody_moving(void **state);
 void sum_agrees_with_brute_force(void **state);
 void sum_same_bits_lanes_and_threads(void **state);
 void sum_padding_adds_nothing(void **state);
-void sum_writes_every_slot(void **state);
+void sum_writes_every_place(void **state);
 void sum_writes_rates_in_place(void **state);
 void sum_keeps_momentum(void **state);
 

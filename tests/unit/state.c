@@ -458,7 +458,7 @@ static void fluid_in_a_slope_is_refused(void **state)
 }
 #endif
 
-/* Kinds in their order, items in theirs; the table says who is who. */
+/* Kinds in their order, items in theirs; the table says which object each belongs to. */
 static void particles_stand_in_creation_order(void **state)
 {
     const struct scales s = scales_of(0.1);

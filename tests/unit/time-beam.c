@@ -1,4 +1,4 @@
-/* time-beam.c -- the seed's coupling, the implicit bodies of "dv" and the methods for
+/* time-beam.c -- the coupling of Toth (2012), the implicit bodies of "dv" and the methods for
  * beams alone on the program's own beam, without water: the first vibration of a
  * cantilever under a step load. */
 #include "eval/observe.h"

@@ -60,7 +60,7 @@ void dv_starts_carefully(void **state)
     assert_string_equal(step.where, "pressure, particle 1");
     toy_dv_free(x);
     toy_make(&p, 4, 0.5);
-    p.wave = 0; /* nobody knows a bound: no entry changes by more than tol */
+    p.wave = 0; /* no bound is known: no entry changes by more than tol */
     x = toy_dv(&p, 1e-2, 0);
     assert_int_equal(toy_found()->step(x, 10, &step), STATUS_DONE);
     assert_true(step.h < 0.0101 && step.h > 0.002);

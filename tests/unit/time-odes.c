@@ -383,7 +383,7 @@ static void rates_that_are_not_finite_are_refused(void **state)
     }
 }
 
-/* A tolerance that nobody meets: the message names the entry. */
+/* A tolerance that no step meets: the message names the entry. */
 static void the_largest_error_is_named(void **state)
 {
     (void)state;

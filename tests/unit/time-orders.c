@@ -1,6 +1,6 @@
 /* time-orders.c -- the order of every method, measured on the program's own water and
  * beams, beside the one it claims: a row of method_table that is added later is measured
- * here without anybody's doing.
+ * here without a change to this file.
  *
  * Four problems, smooth while they run: no pair of particles crosses the edge of the
  * kernel (its support lies between two distances of the lattice), no walls, no switches,
@@ -251,7 +251,7 @@ static void others_follow_the_tolerance(void **state)
     end(&p);
 }
 
-static void nobody_is_left_out(void **state)
+static void no_method_is_left_out(void **state)
 {
     (void)state;
     for (int i = 0; method_table[i]; i++)
@@ -293,7 +293,7 @@ int main(void)
         cmocka_unit_test(on_a_beam),
         cmocka_unit_test(on_water_with_a_beam),
         cmocka_unit_test(others_follow_the_tolerance),
-        cmocka_unit_test(nobody_is_left_out),
+        cmocka_unit_test(no_method_is_left_out),
         cmocka_unit_test(too_long_a_step_says_so),
     };
 

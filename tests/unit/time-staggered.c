@@ -1,4 +1,4 @@
-/* time-staggered.c -- the seed's partitioned coupling, (46)-(49). */
+/* time-staggered.c -- the partitioned coupling of Toth (2012), (46)-(49). */
 #include "time-tests.h"
 
 static const struct method *method;
@@ -132,7 +132,7 @@ void staggered_bodies_alone_set_their_step(void **state)
 
     (void)state;
     toy_make(&p, 1e4, 0);
-    strcpy(p.layout.row[p.row_u].name, "nobody"); /* (38) looks at "velocity of ..." */
+    strcpy(p.layout.row[p.row_u].name, "nothing"); /* (38) looks at "velocity of ..." */
     p.wave = 0;
     void *self = staggered(&p, "staggered", 1e-3);
     for (int k = 1; k <= 20; k++)

@@ -117,7 +117,7 @@ void halves_of_a_pair_go_together(void **state)
     assert_true(tableau_first_same_as_last(i)); /* stiffly accurate */
 }
 
-/* |R(z)| of the weights w; stages solve for nobody but themselves. */
+/* |R(z)| of the weights w; stages solve for themselves only. */
 static double growth(const struct tableau *t, const double *w, double complex z)
 {
     double complex s[TABLEAU_STAGES], sum = 1;

@@ -258,7 +258,7 @@ static void interpolants_reproduce_polynomials(void **state)
     assert_int_equal(dense_nodes(3, (const double[]){ 1, 0.5, 0.4 }), 2);
 }
 
-/* The same bits, however often somebody looks. */
+/* The same bits, however often one looks. */
 static void looking_does_not_change_the_run(void **state)
 {
     static const char *const names[] = { "imex3", "ark436", "bs54", "leapfrog", "euler-cfl",
@@ -395,7 +395,7 @@ static void steps_say_what_limited_them(void **state)
     toy_method_free(&self);
 
     toy_make(&p, 0, 0);
-    p.wave = 0; /* nobody knows a limit */
+    p.wave = 0; /* no limit is known */
     self = toy_method(&p, "cks43", 1e-6, 0);
     for (int k = 0; k < 60; k++)
         assert_int_equal(found->step(self, 1e3, &step), STATUS_DONE);

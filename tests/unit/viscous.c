@@ -218,11 +218,11 @@ static void books_close_when_the_solve_is_loose(void **state)
         for (int d = 0; d < DIM; d++)
             check(fabs(given[d] + taken[d]) < 1e-12 && fabs(taken[d]) > 1e-5,
                   "solids get %g of momentum, water %g", given[d], taken[d]);
-        /* work of the viscosity on everybody, less that of walls on the water */
-        const int slots = 4; /* continuity, pressure, laminar-viscosity, density-diffusion */
-        check(fabs(book(&s, 2) + book(&s, slots) - work) < 1e-11 * fabs(work) && work != 0,
-              "viscosity %g, walls %g, water %g", book(&s, 2), book(&s, slots), work);
-        check(book(&s, 2) < 0 && (k == 0) == (book(&s, slots) == 0), "work %g", book(&s, 2));
+        /* work of the viscosity on all particles, less that of walls on the water */
+        const int columns = 4; /* continuity, pressure, laminar-viscosity, density-diffusion */
+        check(fabs(book(&s, 2) + book(&s, columns) - work) < 1e-11 * fabs(work) && work != 0,
+              "viscosity %g, walls %g, water %g", book(&s, 2), book(&s, columns), work);
+        check(book(&s, 2) < 0 && (k == 0) == (book(&s, columns) == 0), "work %g", book(&s, 2));
         forget(&s);
         tank_free(&s.t);
     }
@@ -263,7 +263,7 @@ static void check_sides(const char *walls)
         check(fabs(f[i] + g[i] - t.ydot[i]) <= 1e-10 * (fabs(f[i]) + fabs(g[i]) + 1),
               "%s: %g + %g is not %g", moment_entry(t.moment, i), f[i], g[i], t.ydot[i]);
     check_one_pass(&t, f, g);
-    check(strcmp(plan_viscous(t.plan), "effects.laminar-viscosity") == 0, "who is implicit?");
+    check(strcmp(plan_viscous(t.plan), "effects.laminar-viscosity") == 0, "the implicit part");
     check(plan_halves(t.plan) != NULL, "two halves");
     test_free(f);
     test_free(g);

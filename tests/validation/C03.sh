@@ -3,7 +3,7 @@
 #
 # The main case: water and a beam that bends far, in one right-hand side
 # (`data/scenes/elastic-obstacle.scene`, dx = 4.06 mm, obstacle 3 dx thick). Six codes computed it and
-# nobody measured it: `data/reference/C03_dambreak_elastic_obstacle_tip.csv`, digitised from Idelsohn
+# it was never measured: `data/reference/C03_dambreak_elastic_obstacle_tip.csv`, digitised from Idelsohn
 # (2008), Sun (2019), Ryzhakov (2010), Bogaers (2016), Liu (2013), Meduri (2018). They agree on the
 # push, 41 to 49 mm at 0.217 to 0.260 s, and part ways later, when the
 # sheet has closed over the air behind the obstacle.
