@@ -96,8 +96,11 @@ LANES_INLINE void fetch_values(const double *value, const int *j, int width, lan
     for (int l = 0; l < LANES; l++)
         of[l] = value + (size_t)(unsigned)j[l] * (size_t)fetch_stride(width);
     if (width == 1) {
+        lanes one = { 0 };
+
         for (int l = 0; l < LANES; l++)
-            v[0][l] = *of[l];
+            one[l] = *of[l];
+        v[0] = one;
         return;
     }
     fetch_two(of, 0, &v[0], &v[1]);
