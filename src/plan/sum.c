@@ -1,15 +1,13 @@
-/* sum.c -- the traversal of pairs; lanes are particles.
+/* sum.c -- sums of laws over pairs, and their powers; lanes are particles.
  *
- * A thread takes a stretch of chunks with its share of rows; a chunk is
- * SUM_CHUNK slots of one kind.  Every number is added in an order that chunks
- * and slots alone decide: a lane its own neighbours, laws in table order,
- * powers in four sums a chunk, chunks one after the other. */
-#include "plan/sum-chunks.h"
+ * Every number is added in an order that chunks and slots alone decide: a lane its own
+ * neighbours, laws in table order, powers in four sums a chunk, chunks one after the
+ * other. */
+#include "plan/sum.h"
 
 #include "base/status.h"
 #include "effects/fused.h"
-#include "space/gather.h"
-#include "base/threads.h"
+#include "space/visit.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -44,22 +42,6 @@ static void arrange(struct pairs_table *table, bool fuse)
     pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
 
     table->laws = fused ? fused : laws_in_turn;
-}
-
-/* Laws of one table on the rows of one segment. */
-static void sum_segment(const struct sum_job *job, const struct pairs_table *table,
-                        const struct list_segment *segment, const struct side *a,
-                        struct block *b, struct sum *part)
-{
-    gather_rows *const gather = gather_choose(table->needs);
-
-    for (int row = 0; row < segment->rows; row += PAIRS_ROWS) {
-        const int left = segment->rows - row;
-
-        b->n = left < PAIRS_ROWS ? left : PAIRS_ROWS;
-        gather(job->record, segment->j + (size_t)row * LANES, b->n, a, b);
-        table->laws(table, a, b, part);
-    }
 }
 
 /* rho dp/drho [Pa] of owners. */
@@ -186,28 +168,27 @@ static void clear_slots(const struct sum_job *job, int kind, int first, int owne
 static void sum_group(const struct sum_job *job, int g, int turn, struct block *b,
                       struct chunk_power *book)
 {
-    const struct list *list = job->list;
-    const int first = list->group_slot[g], kind = list->group_kind[g];
-    const int end = list->start[kind + 1], owners = end - first < LANES ? end - first : LANES;
+    struct visit v = visit_group(job->list, g);
+    const struct pairs_table *tables = job->table + (size_t)v.kind * KINDS;
+    const int owners = visit_owners(&v);
     struct sum part[SUM_SLOTS];
     struct side a;
 
-    if (list->segment_from[g] == list->segment_from[g + 1]) {
-        clear_slots(job, kind, first, owners);
+    if (v.next == v.last) {
+        clear_slots(job, v.kind, v.first, owners);
         return;
     }
-    expect_rates(job, kind, first, owners);
-    gather_side(job->record, first, end, list->listed, &a);
+    expect_rates(job, v.kind, v.first, owners);
+    gather_side(job->record, v.first, v.end, job->list->listed, &a);
     memset(part, 0, (size_t)job->slots * sizeof *part);
-    for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++) {
-        const struct list_segment *segment = &list->segment[s];
+    while (visit_segment(&v, VISIT_ALL)) {
+        const struct pairs_table *table = &tables[v.segment->partner];
 
-        const struct pairs_table *table = &job->table[kind * KINDS + segment->partner];
-
-        if (table->n > 0) /* the list also serves fields */
-            sum_segment(job, table, segment, &a, b, part);
+        while (table->n > 0 /* the list also serves fields */
+               && visit_rows(&v, job->record, table->needs, NULL, &a, b))
+            table->laws(table, &a, b, part);
     }
-    finish_group(job, kind, first, owners, turn, &a, part, book);
+    finish_group(job, v.kind, v.first, owners, turn, &a, part, book);
 }
 
 /* The parts of one sum of power in one order for every lane width. */
@@ -219,19 +200,23 @@ static double total(const parts *part)
     return (p[0] + p[1]) + (p[2] + p[3]);
 }
 
-static void sum_chunk(const struct sum_job *job, int chunk, struct block *b, double *power)
+/* A pass over all chunks. */
+struct pass {
+    const struct sum_job *job;
+    double *power; /* [chunks][slots] */
+};
+
+static void sum_chunk(const void *of, int chunk, int from, int to, struct block *b)
 {
-    const struct list *list = job->list;
-    const int from = sum_first_group(list, chunk);
-    const int kind_end = list->group_from[list->group_kind[from] + 1];
-    const int to = from + CHUNK_GROUPS < kind_end ? from + CHUNK_GROUPS : kind_end;
+    const struct pass *pass = of;
+    const size_t slots = (size_t)pass->job->slots;
     struct chunk_power book;
 
-    memset(book.part, 0, (size_t)job->slots * sizeof *book.part);
+    memset(book.part, 0, slots * sizeof *book.part);
     for (int g = from; g < to; g++)
-        sum_group(job, g, (g - from) % TURNS, b, &book);
-    for (int s = 0; s < job->slots; s++)
-        power[s] = total(book.part[s]);
+        sum_group(pass->job, g, (g - from) % TURNS, b, &book);
+    for (size_t s = 0; s < slots; s++)
+        pass->power[(size_t)chunk * slots + s] = total(book.part[s]);
 }
 
 /* Kinds that own nothing have rates of exactly 0. */
@@ -260,27 +245,20 @@ static int make_room(struct sum_scratch *scratch, int n, int slots)
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 {
-    const int n = sum_chunks(job->list), slots = job->slots;
+    const int n = visit_count(job->list, VISIT_ALL), slots = job->slots;
 
     if (slots > SUM_SLOTS)
         return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
                            SUM_SLOTS);
     TRY(make_room(scratch, n, slots));
-    double *power = scratch->power;
-    clear_idle(job);
-#pragma omp parallel if (job->list->listed > SUM_WORTH_THREADS)
-    {
-        const int t = threads_me(), of = threads_all();
-        const int to = sum_share(job->list, n, t + 1, of);
-        struct block b;
+    const struct pass pass = { job, scratch->power };
 
-        for (int c = sum_share(job->list, n, t, of); c < to; c++)
-            sum_chunk(job, c, &b, power + (size_t)c * (size_t)slots);
-    }
+    clear_idle(job);
+    visit_chunks(job->list, VISIT_ALL, sum_chunk, &pass);
     memset(job->power, 0, (size_t)slots * sizeof *job->power);
     for (int c = 0; c < n; c++)
         for (int s = 0; s < slots; s++)
-            job->power[s] += power[(size_t)c * (size_t)slots + (size_t)s];
+            job->power[s] += pass.power[(size_t)c * (size_t)slots + (size_t)s];
     return STATUS_DONE;
 }
 

@@ -1,7 +1,6 @@
-/* sum.h -- the traversal: visits every pair from both sides, calls the laws of
- * the plan on rows of neighbours, adds their sums in table order and keeps the
- * book of power by slot.  Threads own ranges of owners; no bit depends on their
- * number nor on the lane width. */
+/* sum.h -- sums over pairs: calls the laws of the plan on rows of neighbours, for each
+ * pair from both sides, adds their sums in table order and keeps the book of power by
+ * slot.  No bit depends on the number of threads nor on the lane width. */
 #ifndef PLAN_SUM_H
 #define PLAN_SUM_H
 
@@ -12,8 +11,7 @@ struct pairs_table;
 struct kernel_use;
 
 enum {
-    SUM_CHUNK = 128, /* slots of one kind whose powers are added first        */
-    SUM_SLOTS = 16   /* rows of the book at most                              */
+    SUM_SLOTS = 16 /* rows of the book at most                                */
 };
 
 /* Where rates of the fluid go, by creation index: instead of to their slots, so that

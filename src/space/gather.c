@@ -1,84 +1,11 @@
-/* gather.c -- fetches records two fields at a time and forms the rows.
- *
- * Loads of 16 bytes put together with inserts and unpacks beat the generic
- * shuffles of the compiler (15 against 23 ns per particle with 20 neighbours)
- * and the machine's own gather instruction. */
+/* gather.c -- fetches records and forms the rows. */
 #include "space/gather.h"
+
+#include "space/fetch.h"
 #include "space/record.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <string.h>
-#if LANES > 2
-#include <immintrin.h>
-#endif
-
-#if LANES == 8
-/* Two fields of four records. */
-LANES_INLINE __m512d join_two(const double *a, const double *b, const double *c,
-                              const double *d)
-{
-    const __m256d ab = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(a)),
-                                            _mm_load_pd(b), 1);
-    const __m256d cd = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(c)),
-                                            _mm_load_pd(d), 1);
-
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(ab), cd, 1);
-}
-
-/* Four fields of two records. */
-LANES_INLINE __m512d join_four(const double *a, const double *b)
-{
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(a)), _mm256_loadu_pd(b),
-                              1);
-}
-#endif
-
-/* Two fields of the LANES records `of`.  Integer unpacks have twice as many
- * ports as those of doubles. */
-LANES_INLINE void pair_of_fields(const double *const of[LANES], int at, lanes *first,
-                                 lanes *second)
-{
-#if LANES == 8
-    const __m512d e = join_two(of[0] + at, of[2] + at, of[4] + at, of[6] + at);
-    const __m512d o = join_two(of[1] + at, of[3] + at, of[5] + at, of[7] + at);
-    *first = _mm512_unpacklo_pd(e, o);
-    *second = _mm512_unpackhi_pd(e, o);
-#elif LANES == 4
-    const __m256d e = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + at)),
-                                           _mm_load_pd(of[2] + at), 1);
-    const __m256d o = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[1] + at)),
-                                           _mm_load_pd(of[3] + at), 1);
-    *first = (lanes)_mm256_unpacklo_epi64((__m256i)e, (__m256i)o);
-    *second = (lanes)_mm256_unpackhi_epi64((__m256i)e, (__m256i)o);
-#else
-    lanes a, b;
-
-    memcpy(&a, of[0] + at, sizeof a);
-    memcpy(&b, of[1] + at, sizeof b);
-    *first = __builtin_shufflevector(a, b, 0, 2);
-    *second = __builtin_shufflevector(a, b, 1, 3);
-#endif
-}
-
-/* Four fields that stand together. */
-LANES_INLINE void four_fields(const double *const of[LANES], int at, lanes *first,
-                              lanes *second, lanes *third, lanes *fourth)
-{
-#if LANES == 8
-    const __m512d a = join_four(of[0] + at, of[2] + at), b = join_four(of[1] + at, of[3] + at);
-    const __m512d c = join_four(of[4] + at, of[6] + at), d = join_four(of[5] + at, of[7] + at);
-    const __m512d ab = _mm512_unpacklo_pd(a, b), ab2 = _mm512_unpackhi_pd(a, b);
-    const __m512d cd = _mm512_unpacklo_pd(c, d), cd2 = _mm512_unpackhi_pd(c, d);
-    *first = _mm512_shuffle_f64x2(ab, cd, 0x88);
-    *second = _mm512_shuffle_f64x2(ab2, cd2, 0x88);
-    *third = _mm512_shuffle_f64x2(ab, cd, 0xdd);
-    *fourth = _mm512_shuffle_f64x2(ab2, cd2, 0xdd);
-#else
-    pair_of_fields(of, at, first, second);
-    pair_of_fields(of, at + 2, third, fourth);
-#endif
-}
 
 /* Everything that the records of LANES slots hold. */
 LANES_INLINE void whole(const double *record, const int *j, struct side *s)
@@ -88,12 +15,12 @@ LANES_INLINE void whole(const double *record, const int *j, struct side *s)
     for (int l = 0; l < LANES; l++)
         of[l] = record + (size_t)(unsigned)j[l] * RECORD;
 #if DIM == 2
-    four_fields(of, RECORD_X, &s->x[0], &s->x[1], &s->v[0], &s->v[1]);
-    four_fields(of, RECORD_RHO, &s->rho, &s->p2, &s->m, &s->irho);
+    fetch_four(of, RECORD_X, &s->x[0], &s->x[1], &s->v[0], &s->v[1]);
+    fetch_four(of, RECORD_RHO, &s->rho, &s->p2, &s->m, &s->irho);
 #else
-    four_fields(of, RECORD_X, &s->x[0], &s->x[1], &s->x[2], &s->rho);
-    four_fields(of, RECORD_V, &s->v[0], &s->v[1], &s->v[2], &s->p2);
-    pair_of_fields(of, RECORD_M, &s->m, &s->irho);
+    fetch_four(of, RECORD_X, &s->x[0], &s->x[1], &s->x[2], &s->rho);
+    fetch_four(of, RECORD_V, &s->v[0], &s->v[1], &s->v[2], &s->p2);
+    fetch_two(of, RECORD_M, &s->m, &s->irho);
 #endif
 }
 

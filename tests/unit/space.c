@@ -1,4 +1,4 @@
-/* space.c -- kernels, pair list and sums: the tests of space/ and plan/sum.c. */
+/* space.c -- kernels, pair list, sums, divergence: the tests of space/ and plan/sum.c. */
 #include "space.h"
 
 #include <stdlib.h>
@@ -130,6 +130,11 @@ int main(void)
         cmocka_unit_test(sum_writes_every_place),
         cmocka_unit_test(sum_writes_rates_in_place),
         cmocka_unit_test(sum_keeps_momentum),
+        cmocka_unit_test(nabla_agrees_with_brute_force),
+        cmocka_unit_test(nabla_is_its_transpose),
+        cmocka_unit_test(nabla_gives_a_diagonal),
+        cmocka_unit_test(nabla_of_linear_fields),
+        cmocka_unit_test(nabla_same_bits_lanes_and_threads),
     };
 
     return cmocka_run_group_tests_name(DIM == 2 ? "space in 2D" : "space in 3D", tests, NULL, NULL);

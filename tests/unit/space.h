@@ -87,4 +87,10 @@ void sum_writes_every_place(void **state);
 void sum_writes_rates_in_place(void **state);
 void sum_keeps_momentum(void **state);
 
+void nabla_agrees_with_brute_force(void **state);
+void nabla_is_its_transpose(void **state);
+void nabla_gives_a_diagonal(void **state);
+void nabla_of_linear_fields(void **state);
+void nabla_same_bits_lanes_and_threads(void **state);
+
 #endif

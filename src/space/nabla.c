@@ -1,0 +1,96 @@
+/* nabla.c -- divergence and gradient over pairs; lanes are particles. */
+#include "space/nabla.h"
+
+#include "space/visit.h"
+
+/* What a pass over pairs works with. */
+struct pass {
+    const struct nabla_job *job;
+    const double *from; /* values by slot  */
+    double *to;
+};
+
+/* Adds what row k of b gives; own: values of the owners, of: those of their neighbours. */
+typedef void row_term(const lanes *own, const lanes *of, const struct block *b, int k,
+                      lanes *sum);
+
+LANES_INLINE void diverge(const lanes *own, const lanes *of, const struct block *b, int k,
+                          lanes *sum)
+{
+    lanes approach = (own[0] - of[0]) * b->x[0][k];
+
+    for (int d = 1; d < DIM; d++)
+        approach += (own[d] - of[d]) * b->x[d][k];
+    *sum += b->gw[k] * approach;
+}
+
+LANES_INLINE void ascend(const lanes *own, const lanes *of, const struct block *b, int k,
+                         lanes *sum)
+{
+    const lanes both = b->gw[k] * (*own + *of);
+
+    for (int d = 0; d < DIM; d++)
+        sum[d] += both * b->x[d][k];
+}
+
+LANES_INLINE void square(const lanes *own, const lanes *of, const struct block *b, int k,
+                         lanes *sum)
+{
+    (void)own;
+    *sum += *of * (b->gw[k] * b->gw[k] * b->r2[k]);
+}
+
+/* Values have width `in`, sums `out`; all but pass, g and b are constants. */
+LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int in, int out,
+                            row_term *term)
+{
+    const struct nabla_job *job = pass->job;
+    const int dummy = job->list->listed;
+    struct visit v = visit_group(job->list, g);
+    lanes own[DIM], of[DIM], sum[DIM] = { { 0 } };
+    struct side a;
+
+    gather_side(job->record, v.first, v.end, dummy, &a);
+    visit_own(&v, dummy, pass->from, in, own);
+    while (visit_segment(&v, job->meets[v.kind]))
+        while (visit_rows(&v, job->record, NEED_X | NEED_R2 | NEED_GRADW, job->kernel, &a, b))
+            for (int k = 0; k < b->n; k++) {
+                fetch_values(pass->from, v.j + (size_t)k * LANES, in, of);
+                term(own, of, b, k, sum);
+            }
+    visit_write(&v, out, sum, pass->to);
+}
+
+#define GROUPS(name, in, out, term)                                                         \
+    static void name(const void *pass, int chunk, int from, int to, struct block *b)        \
+    {                                                                                       \
+        (void)chunk;                                                                        \
+        for (int g = from; g < to; g++)                                                     \
+            add_group(pass, g, b, in, out, term);                                           \
+    }
+
+GROUPS(diverge_groups, DIM, 1, diverge)
+GROUPS(ascend_groups, 1, DIM, ascend)
+GROUPS(square_groups, 1, 1, square)
+
+static void divergence(const struct nabla_job *job, unsigned kinds, const double *a, double *to)
+{
+    visit_clear(job->list, kinds, 1, to);
+    visit_chunks(job->list, kinds, diverge_groups, &(struct pass){ job, a, to });
+}
+
+static void gradient(const struct nabla_job *job, unsigned kinds, const double *p, double *to)
+{
+    visit_clear(job->list, kinds, DIM, to);
+    visit_chunks(job->list, kinds, ascend_groups, &(struct pass){ job, p, to });
+}
+
+static void squares(const struct nabla_job *job, unsigned kinds, const double *q, double *to)
+{
+    visit_clear(job->list, kinds, 1, to);
+    visit_chunks(job->list, kinds, square_groups, &(struct pass){ job, q, to });
+}
+
+const struct nabla_engine LANE_NAME(nabla_engine) = {
+    .divergence = divergence, .gradient = gradient, .squares = squares,
+};

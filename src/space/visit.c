@@ -1,0 +1,104 @@
+/* visit.c -- how the traversal is cut: chunks of VISIT_CHUNK slots of one kind, in groups
+ * of LANES owners, and the chunks that each thread takes. */
+#include "space/visit.h"
+
+#include "base/threads.h"
+
+#include <string.h>
+
+enum { WORTH_THREADS = 500 }; /* slots whose sums repay waking the threads */
+
+static int groups_of(const struct list *list, unsigned kinds, int kind)
+{
+    return kinds & KIND_BIT(kind) ? list->group_from[kind + 1] - list->group_from[kind] : 0;
+}
+
+static int chunks_of(const struct list *list, unsigned kinds, int kind)
+{
+    return (groups_of(list, kinds, kind) + VISIT_GROUPS - 1) / VISIT_GROUPS;
+}
+
+int visit_count(const struct list *list, unsigned kinds)
+{
+    int n = 0;
+
+    for (int kind = 0; kind < KINDS; kind++)
+        n += chunks_of(list, kinds, kind);
+    return n;
+}
+
+/* Rows before a chunk, and some for the work that each group is anyway. */
+static long work_before(const struct list *list, unsigned kinds, int chunk)
+{
+    long work = 0;
+
+    for (int kind = 0; kind < KINDS && chunk > 0; kind++) {
+        const int n = chunks_of(list, kinds, kind), from = list->group_from[kind];
+        const int groups = chunk < n ? chunk * VISIT_GROUPS : groups_of(list, kinds, kind);
+
+        work += list->rows_before[from + groups] - list->rows_before[from] + 4L * groups;
+        chunk -= n;
+    }
+    return work;
+}
+
+/* First chunk of thread t of `of`: equal work, found by halving. */
+static int share(const struct list *list, unsigned kinds, int t, int of)
+{
+    const int n = visit_count(list, kinds);
+    const long want = work_before(list, kinds, n) / of * t;
+    int low = 0, high = n;
+
+    if (t == of)
+        return n;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+
+        if (work_before(list, kinds, middle) < want)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The groups of one chunk. */
+static void run(const struct list *list, unsigned kinds, int chunk, visit_chunk *function,
+                const void *job, struct block *b)
+{
+    int kind = 0, before = 0;
+
+    while (chunk - before >= chunks_of(list, kinds, kind))
+        before += chunks_of(list, kinds, kind++);
+    const int from = list->group_from[kind] + (chunk - before) * VISIT_GROUPS;
+    const int left = list->group_from[kind + 1] - from;
+
+    function(job, chunk, from, from + (left < VISIT_GROUPS ? left : VISIT_GROUPS), b);
+}
+
+void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,
+                  const void *job)
+{
+    const int chunks = visit_count(list, kinds);
+
+#pragma omp parallel if (chunks > WORTH_THREADS / VISIT_CHUNK)
+    {
+        const int t = threads_me(), of = threads_all();
+        const int to = share(list, kinds, t + 1, of);
+        struct block b;
+
+        for (int c = share(list, kinds, t, of); c < to; c++)
+            run(list, kinds, c, function, job, &b);
+    }
+}
+
+void visit_clear(const struct list *list, unsigned kinds, int width, double *to)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        const size_t from = (size_t)list->start[kind];
+        const size_t n = (size_t)list->start[kind + 1] - from;
+
+        if ((kinds & KIND_BIT(kind)) && list->group_from[kind] == list->group_from[kind + 1])
+            memset(to + from * (size_t)width, 0, n * (size_t)width * sizeof *to);
+    }
+}
