@@ -26,10 +26,10 @@ static int take(struct arkode *a, N_Vector *v)
                                            "use fewer particles (a larger spacing)", a->n);
 }
 
-int arkode_take_vectors(struct arkode *a, enum vector_norm norm)
+int arkode_take_vectors(struct arkode *a)
 {
     a->nodes = a->row->order > 4 ? ARKODE_NODES : 2;
-    a->node[0].y = vector_create(a->n, norm, a->context);
+    a->node[0].y = vector_create(a->n, a->def.norm, a->context);
     if (!a->node[0].y)
         return STATUS_FAILED;
     TRY(vector_ranges(a->node[0].y, a->stiff.ranges, (const long (*)[2])a->stiff.range));

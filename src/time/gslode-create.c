@@ -30,12 +30,8 @@ static const gsl_odeiv2_control_type levels = { .name = "weights of a plan", .er
 
 static int take_vectors(struct gslode *x)
 {
-    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
-                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
-                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
-
     TRY(sundials_open(&x->context));
-    x->weight = vector_create(x->n, norms[x->def.norm], x->context);
+    x->weight = vector_create(x->n, x->def.norm, x->context);
     if (!x->weight)
         return STATUS_FAILED;
     x->error = N_VClone(x->weight);
