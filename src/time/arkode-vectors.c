@@ -2,6 +2,7 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 
 /* Of SUNDIALS' own, counted in 6.4.1: y now and at the last step, weights of both
  * tests, the interpolant's, the stage's data, what is summed. */
@@ -21,9 +22,7 @@ int arkode_vectors(const struct method *m, const struct plan *plan)
 static int take(struct arkode *a, N_Vector *v)
 {
     *v = N_VClone(a->node[0].y);
-    return *v ? STATUS_DONE
-              : status_fail(STATUS_FAILED, "out of memory: a vector of %ld numbers cannot be had; "
-                                           "use fewer particles (a larger spacing)", a->n);
+    return *v ? STATUS_DONE : failure_memory(a->row->method.name, a->n);
 }
 
 int arkode_take_vectors(struct arkode *a)

@@ -3,6 +3,7 @@
 #include "time/cvode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include <math.h>
 #include <stdlib.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
@@ -126,9 +127,7 @@ static int take_memory(struct cvode *c)
     c->weight = N_VClone(c->y);
     c->spare = N_VClone(c->y);
     if (!c->weight || !c->spare)
-        return status_fail(STATUS_FAILED, "out of memory: %s needs many vectors of %ld numbers; "
-                                          "use fewer particles (a larger spacing)",
-                           c->row->method.name, c->n);
+        return failure_memory(c->row->method.name, c->n);
     moment_weights(c->rates.moment, c->def.tol, vector_data(c->weight));
     return STATUS_DONE;
 }

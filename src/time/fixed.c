@@ -88,17 +88,18 @@ static double length(struct fixed *x)
 static int collapse(struct fixed *x, double h)
 {
     const char *refusal = moment_refusal(x->moment);
+    char remedy[160];
 
     if (x->seconds > 0 && h > 0) {
         const double bound = x->kind->length(x);
         return constant_fail(x->kind->method.name, x->seconds, x->t, refusal, bound, &x->limit);
     }
-    return status_fail(STATUS_FAILED,
-                       "%s has no answer at t = %.9g s, not even after a step of %.3g s: %s. It "
-                       "does not control its error: try %s@%g, or a method that does (imex3, "
-                       "ark436)", x->kind->method.name, x->t_old, h,
-                       refusal[0] ? refusal : "the state is not finite",
-                       x->kind->method.name, x->number / 2);
+    snprintf(remedy, sizeof remedy, "It does not control its error: try %s@%g, or a method that "
+             "does (imex3, ark436)", x->kind->method.name, x->number / 2);
+    return status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = remedy },
+                            "%s has no answer at t = %.9g s, not even after a step of %.3g s: %s",
+                            x->kind->method.name, x->t_old, h,
+                            refusal[0] ? refusal : "the state is not finite");
 }
 
 static void swap(double **a, double **b)
