@@ -18,10 +18,9 @@
 #ifndef ALGEBRA_VECTOR_H
 #define ALGEBRA_VECTOR_H
 
+#include "algebra/norm.h"
 #include "algebra/sundials.h"
 #include <stdbool.h>
-
-enum vector_norm { VECTOR_NORM_MAX, VECTOR_NORM_P8, VECTOR_NORM_WRMS };
 
 #define VECTOR_NOT_FINITE 1e30
 

@@ -1,6 +1,7 @@
-/* status.c -- keeps the sentence of the first failure until somebody prints it. */
+/* status.c -- keeps the texts of the first failure until somebody prints them. */
 #include "base/status.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -8,38 +9,103 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char message[4096];
+enum { WHAT = 4096, ADVICE = 1024 };
+
+static struct {
+    char what[WHAT], cause[ADVICE], remedy[ADVICE]; /* what happened; "" or advice */
+    char message[WHAT + 2 * ADVICE + 4];            /* all of them                 */
+} kept;
 static atomic_flag taken = ATOMIC_FLAG_INIT; /* threads may fail together: one writes */
 
-/* A sentence that did not fit ends in dots, so that nobody takes it for whole. */
-static void print_cut(char *to, size_t room, const char *format, va_list arguments)
+/* A text that did not fit ends in dots, so that nobody takes it for whole. */
+static void mark_cut(char *to, size_t room, int n)
 {
-    const int n = vsnprintf(to, room, format, arguments);
-
     if (n < 0 || (size_t)n >= room)
         memcpy(to + room - 4, "...", 4);
+}
+
+static void print_cut(char *to, size_t room, const char *format, va_list arguments)
+{
+    mark_cut(to, room, vsnprintf(to, room, format, arguments));
+}
+
+/* Puts a text behind another one, which may be empty. */
+static void append(char *to, size_t room, const char *text)
+{
+    const size_t n = strlen(to);
+    const char *joint = n == 0 ? "" : isupper((unsigned char)text[0]) ? ". " : "; ";
+
+    if (text[0] && n + 4 < room)
+        mark_cut(to + n, room - n, snprintf(to + n, room - n, "%s%s", joint, text));
+}
+
+static void compose(void)
+{
+    kept.message[0] = '\0';
+    append(kept.message, sizeof kept.message, kept.what);
+    append(kept.message, sizeof kept.message, kept.cause);
+    append(kept.message, sizeof kept.message, kept.remedy);
+}
+
+static void add(struct status_advice advice)
+{
+    append(kept.cause, sizeof kept.cause, advice.cause ? advice.cause : "");
+    append(kept.remedy, sizeof kept.remedy, advice.remedy ? advice.remedy : "");
+    compose();
+}
+
+static void keep(struct status_advice advice, const char *format, va_list arguments)
+{
+    if (atomic_flag_test_and_set(&taken))
+        return;
+    print_cut(kept.what, sizeof kept.what, format, arguments);
+    add(advice);
 }
 
 int status_fail(int code, const char *format, ...)
 {
     va_list arguments;
 
-    if (atomic_flag_test_and_set(&taken))
-        return code;
     va_start(arguments, format);
-    print_cut(message, sizeof message, format, arguments);
+    keep((struct status_advice){ 0 }, format, arguments);
     va_end(arguments);
     return code;
 }
 
+int status_fail_with(int code, struct status_advice advice, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    keep(advice, format, arguments);
+    va_end(arguments);
+    return code;
+}
+
+void status_advise(struct status_advice advice)
+{
+    if (kept.what[0])
+        add(advice);
+}
+
+bool status_has_cause(void)
+{
+    return kept.cause[0];
+}
+
+bool status_has_remedy(void)
+{
+    return kept.remedy[0];
+}
+
 const char *status_message(void)
 {
-    return message;
+    return kept.message;
 }
 
 void status_clear(void)
 {
-    message[0] = '\0';
+    kept.what[0] = kept.cause[0] = kept.remedy[0] = kept.message[0] = '\0';
     atomic_flag_clear(&taken);
 }
 
@@ -61,8 +127,9 @@ void *status_alloc(unsigned long count, unsigned long size)
     if (size == 0 || count <= SIZE_MAX / size)
         memory = calloc(count > 0 ? count : 1, size > 0 ? size : 1);
     if (!memory)
-        status_fail(STATUS_FAILED,
-                    "out of memory: %lu pieces of %lu bytes cannot be had; use fewer particles "
-                    "(a larger spacing) or a machine with more memory", count, size);
+        status_fail_with(STATUS_FAILED,
+                         (struct status_advice){ .remedy = "use fewer particles (a larger "
+                                                 "spacing) or a machine with more memory" },
+                         "out of memory: %lu pieces of %lu bytes cannot be had", count, size);
     return memory;
 }

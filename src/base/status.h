@@ -3,9 +3,15 @@
  * A function that can fail returns 0 or one of the codes below, which are
  * also the exit status of the program.  The sentence for the user is kept by
  * status_fail() until somebody prints it; the first failure wins, so callers
- * add nothing and simply hand the code up with TRY(). */
+ * add nothing and simply hand the code up with TRY().
+ *
+ * What happened, where, and with which value is one text; the likely cause and what to
+ * change are two more.  They become one sentence only in status_message(): code that
+ * wants to know whether there is advice asks status_has_remedy(). */
 #ifndef BASE_STATUS_H
 #define BASE_STATUS_H
+
+#include <stdbool.h>
 
 enum status {
     STATUS_DONE = 0,      /* all is well                                    */
@@ -26,7 +32,27 @@ enum status {
 int status_fail(int code, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The sentence of the last failure ("" if none); valid until the next one. */
+/* What there is to say beside what happened; NULL or "": nothing.  A text that begins with
+ * a capital letter is printed as a sentence, another one goes on behind a semicolon. */
+struct status_advice {
+    const char *cause;  /* why, most likely: "The step is longer than is stable" */
+    const char *remedy; /* what to change: "take a higher eos.c0"                */
+};
+
+/* The same, with advice, which is copied: a failure that is not kept adds none. */
+int status_fail_with(int code, struct status_advice advice, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Adds advice to the failure that is kept, behind what it has already; nothing if there
+ * is no failure. */
+void status_advise(struct status_advice advice);
+
+/* Does the failure that is kept say why, or what to change? */
+bool status_has_cause(void);
+bool status_has_remedy(void);
+
+/* What happened, the cause and the remedy of the failure that is kept, in this order ("" if
+ * there is none); valid until the next one. */
 const char *status_message(void);
 
 /* Forgets the last failure: for callers that handled it. */

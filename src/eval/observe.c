@@ -4,7 +4,6 @@
 #include "base/status.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* The first look makes the moment to look through: a run takes at its start what it may
@@ -104,9 +103,8 @@ static int fastest(const struct view *v, double *speed)
     return who;
 }
 
-const char *observe_runaway(struct moment *m, double t, const double *y)
+int observe_runaway(struct moment *m, double t, const double *y)
 {
-    static char text[400];
     char place[PLAN_PLACE];
     const struct plan *p = m->plan;
     struct view v;
@@ -116,15 +114,16 @@ const char *observe_runaway(struct moment *m, double t, const double *y)
     moment_view(m, t, y, &v);
     i = fastest(&v, &speed);
     if (!(speed > p->in.eos.fastest * p->scales.c0))
-        return NULL;
+        return STATUS_DONE;
     moment_place(m, &v, i, place);
     moment_note(m, MOMENT_TOO_FAST, i, t);
-    snprintf(text, sizeof text, "the fluid has run away: at t = %g s particle %d (%s) at %s m "
-             "moves at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g); take a "
-             "higher eos.c0 if that speed is real", t, i,
-             v.p->object[v.p->object_of[i]].name, place, speed,
-             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
-    return text;
+    return status_fail_with(STATUS_FAILED,
+                            (struct status_advice){
+                                .remedy = "take a higher eos.c0 if that speed is real" },
+                            "the fluid has run away: at t = %g s particle %d (%s) at %s m moves "
+                            "at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g)",
+                            t, i, v.p->object[v.p->object_of[i]].name, place, speed,
+                            speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
 }
 
 void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)

@@ -33,9 +33,9 @@ void observe_body(const struct moment *run, int body, double t, const double *y,
  * part does most to it there; "" when there are no particles. */
 void observe_blame(struct moment *run, double t, const double *y, char *text, size_t room);
 
-/* NULL, or why no run should go on from here: fluid that moves faster than
- * eos.fastest times the sound speed.  Static buffer. */
-const char *observe_runaway(struct moment *run, double t, const double *y);
+/* STATUS_FAILED when no run should go on from here: fluid moves faster than eos.fastest
+ * times the sound speed. */
+int observe_runaway(struct moment *run, double t, const double *y);
 
 int observe_escaped(struct moment *run, double t, const double *y); /* fluid outside the box */
 

@@ -13,6 +13,8 @@
 struct plan;
 struct scene;
 
+#define PLAN_TOL 1e-2 /* error allowed in a step where nothing else is said */
+
 /* Reads and checks the scene, fills its shapes, orders its parts. */
 int plan_create(struct scene *scene, const struct plan **out);
 void plan_free(const struct plan **plan); /* NULL is welcome */

@@ -1,6 +1,9 @@
 /* settings.c -- rows of the keys that belong to no part. */
 #include "plan/settings.h"
 
+#include "algebra/norm.h"
+#include "plan/plan.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -10,7 +13,6 @@ enum { WORDS = 32 };
 static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS],
                   *wall_words[WORDS];
 
-static const char *const norm_words[] = { "max", "p8", "wrms", NULL };
 static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
 static const char *const axis_words[] = { "x", "y", DIM == 3 ? "z" : NULL, NULL };
 static const char *const probe_words[] = { "pressure", "height", "velocity", NULL };
@@ -34,9 +36,9 @@ const struct param settings_params[] = {
                "presses the fluid together or pulls it apart at the start" },
     { .key = "method", .unit = "", .type = PARAM_TEXT, AT(settings, method),
       .about = "time integration (see `list methods`); empty: the default for the scene" },
-    { .key = "tol", .unit = "1", AT(settings, tol), .fallback = 1e-2, .min = 1e-12, .max = 10,
+    { .key = "tol", .unit = "1", AT(settings, tol), .fallback = PLAN_TOL, .min = 1e-12, .max = 10,
       .about = "error allowed in a step, in units of the scales of each block" },
-    { .key = "norm", .unit = "", .type = PARAM_WORD, AT(settings, norm), .words = norm_words,
+    { .key = "norm", .unit = "", .type = PARAM_WORD, AT(settings, norm), .words = vector_norm_words,
       .about = "how the errors of all entries become one: largest, mean 8th power, rms" },
     { .key = "substep", .unit = "s", AT(settings, substep), .fallback = NAN, .min = 1e-9,
       .max = 1e6, .about = "largest step of bodies in the methods staggered and mri; computed: no "

@@ -16,7 +16,7 @@ struct settings {
     double particle_mass; /* [kg, 2D: kg/m]                                   */
     const char *method; /* "" : by whether there is a stiff side              */
     double tol;
-    const char *norm;   /* "max", "p8", "wrms"                                */
+    const char *norm;   /* one of vector_norm_words                            */
     double substep;     /* largest one of bodies in staggered and mri [s]     */
     const char *walls;  /* wall model                                         */
 };

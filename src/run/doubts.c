@@ -135,12 +135,12 @@ int run_doubt_scene(const struct run *r)
 static void advise_step(const struct run *r, char *to, size_t room)
 {
     if (r->def.seconds > 0)
-        snprintf(to, room, "steps shorter than %g s", r->def.seconds);
+        snprintf(to, room, "take steps shorter than %g s", r->def.seconds);
     else if (r->method->adaptive)
-        snprintf(to, room, "a tol below %g", r->def.tol);
+        snprintf(to, room, "take a tol below %g", r->def.tol);
     else
-        snprintf(to, room, "a smaller CFL number (%s@...), or a method that controls its error",
-                 r->method->name);
+        snprintf(to, room, "take a smaller CFL number (%s@...), or a method that controls its "
+                 "error", r->method->name);
 }
 
 /* The defect of the book is the error of time integration; energy made so may drive what
@@ -148,19 +148,20 @@ static void advise_step(const struct run *r, char *to, size_t room)
 static int doubt_energy(const struct run *r)
 {
     const double defect = outputs_defect_max(r->outputs), there = outputs_energy_most(r->outputs);
-    char advice[120];
+    char advice[128];
 
     if (!(defect > energy_share * there))
         return STATUS_DONE;
     advise_step(r, advice, sizeof advice);
     if (outputs_energy_made(r->outputs) > energy_made * there)
-        return status_fail(STATUS_FAILED, "energy out of nothing: by t = %g s time integration "
-                           "made %.3g J, %.3g %% of the %.3g J there were, and nothing in this run "
-                           "can be trusted, though it came to its end; take %s", r->tally.t,
-                           outputs_energy_made(r->outputs),
-                           100 * outputs_energy_made(r->outputs) / there, there, advice);
+        return status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = advice },
+                                "energy out of nothing: by t = %g s time integration made %.3g J, "
+                                "%.3g %% of the %.3g J there were, and nothing in this run can be "
+                                "trusted, though it came to its end", r->tally.t,
+                                outputs_energy_made(r->outputs),
+                                100 * outputs_energy_made(r->outputs) / there, there);
     status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "
-                "that is the error of time integration, so take %s", defect,
+                "that is the error of time integration, so %s", defect,
                 100 * defect / there, there, advice);
     return STATUS_DONE;
 }

@@ -53,13 +53,6 @@ static int choose_directory(struct run *r, const struct run_order *order)
     return STATUS_DONE;
 }
 
-static enum method_norm norm_of(const char *word)
-{
-    return strcmp(word, "p8") == 0 ? METHOD_NORM_P8
-         : strcmp(word, "wrms") == 0 ? METHOD_NORM_WRMS
-                                     : METHOD_NORM_MAX;
-}
-
 /* The time room knows the names, the scene where one was written. */
 static int refuse_method(const struct run *r)
 {
@@ -79,7 +72,7 @@ static int find_method(struct run *r)
 
     r->def = method_def_default();
     r->def.tol = s->tol;
-    r->def.norm = norm_of(s->norm);
+    r->def.norm = vector_norm_of(s->norm);
     r->def.substep = isnan(s->substep) ? 0 : s->substep;
     if (method_find(name, &r->def, &r->method) != STATUS_DONE)
         return refuse_method(r);

@@ -21,7 +21,7 @@ struct ticks {
     int (*write)(struct outputs *o, struct moment *moment, double t, const double *y);
 };
 
-enum { TICKS = 3, MESSAGE = 2048 };
+enum { TICKS = 3, MESSAGE = 3072 };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
@@ -90,13 +90,6 @@ static void keep_density(struct run *r, double t, const double *y)
     }
 }
 
-static int check_runaway(struct run *r)
-{
-    const char *why = observe_runaway(r->moment, r->tally.t, r->method->state(r->self));
-
-    return why ? status_fail(STATUS_FAILED, "%s", why) : STATUS_DONE;
-}
-
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
@@ -109,7 +102,7 @@ static int one_step(struct run *r, struct progress *progress)
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, &step));
-    return check_runaway(r);
+    return observe_runaway(r->moment, step.t, r->method->state(r->self));
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -176,48 +169,46 @@ static void write_end(struct run *r)
 }
 
 /* A constant step is the choice of the user alone. */
-static void doubt_step(struct run *r, char message[MESSAGE])
+static void doubt_step(const struct run *r)
 {
-    const size_t n = strlen(message);
     struct limit limit[2];
+    char cause[160];
     double rate;
 
-    if (!(r->def.seconds > 0) || strstr(message, "constant step"))
+    if (!(r->def.seconds > 0) || status_has_cause())
         return;
     moment_limit(r->moment, r->tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
     rate = fmax(limit[0].rate, limit[1].rate);
-    snprintf(message + n, MESSAGE - n, ". The constant step of %g s is %.3g times 1/(fastest rate) "
-             "there; bounds of stability lie between 1 and 5: try a shorter one", r->def.seconds,
-             r->def.seconds * rate);
+    snprintf(cause, sizeof cause, "The constant step of %g s is %.3g times 1/(fastest rate) there; "
+             "bounds of stability lie between 1 and 5", r->def.seconds, r->def.seconds * rate);
+    status_advise((struct status_advice){ cause, "try a shorter step" });
 }
 
-/* What to try, unless the message says it. */
-static void advise(const struct run *r, char message[MESSAGE])
+/* What to try, unless the failure says it. */
+static void advise(const struct run *r)
 {
-    const size_t n = strlen(message);
-
-    if (strstr(message, " try") || strstr(message, "Try ") || strstr(message, "take "))
+    if (status_has_remedy())
         return;
-    if (r->tally.steps == 0)
-        snprintf(message + n, MESSAGE - n, ". That is the start itself: try a higher eos.c0 or "
-                 "wider eos.lowest and eos.highest, or look at what the scene starts with");
-    else
-        snprintf(message + n, MESSAGE - n, ". Things to try: shorter steps (a smaller tol or CFL "
-                 "number), a higher eos.c0, more viscosity or density diffusion, a smaller "
-                 "spacing");
+    status_advise((struct status_advice){
+        .remedy = r->tally.steps == 0
+            ? "That is the start itself: try a higher eos.c0 or wider eos.lowest and eos.highest, "
+              "or look at what the scene starts with"
+            : "Things to try: shorter steps (a smaller tol or CFL number), a higher eos.c0, more "
+              "viscosity or density diffusion, a smaller spacing" });
 }
 
 /* The message of a run that ended early; for one that failed, with the cause. */
-static void explain(struct run *r, int status, char message[MESSAGE])
+static void explain(const struct run *r, int status, char message[MESSAGE])
 {
-    char why[MESSAGE / 2] = "";
+    char why[MESSAGE / 3] = "";
 
-    snprintf(message, MESSAGE / 2, "%s", status_message());
     if (status == STATUS_FAILED) {
-        doubt_step(r, message);
-        advise(r, message);
-        observe_blame(r->moment, r->tally.t, r->method->state(r->self), why, sizeof why);
+        doubt_step(r);
+        advise(r);
     }
+    snprintf(message, MESSAGE, "%.*s", MESSAGE / 2, status_message());
+    if (status == STATUS_FAILED)
+        observe_blame(r->moment, r->tally.t, r->method->state(r->self), why, sizeof why);
     if (why[0])
         snprintf(message + strlen(message), MESSAGE - strlen(message), ". Cause: %s", why);
 }

@@ -1,75 +1,10 @@
 /* lex.c -- goes through a scene token by token and says what is wrong while it is still
- * known where and why.
- *
- * parse->last is the token before: k a name before =, = or : itself, v a value,
- * t a text, ( an open list, { an open group, ',' ';', and 0 at the start. */
+ * known where and why. */
 #include "base/status.h"
 #include "scene/parse.h"
 
 #include <ctype.h>
 #include <string.h>
-
-bool scene_lex_in_list(const struct scene_parse *parse)
-{
-    const char open = parse->level[parse->depth].open;
-
-    return open == '(' || open == '[';
-}
-
-bool scene_lex_awaits_value(const struct scene_parse *parse)
-{
-    return parse->last == '=' || parse->last == ':';
-}
-
-/* Characters of s that a message may quote. */
-int scene_lex_quotable(const char *s)
-{
-    int n = 0;
-
-    while (n < 40 && s[n] && !isspace((unsigned char)s[n]) && !strchr(";,=)]}", s[n]))
-        n++;
-    return n;
-}
-
-int scene_lex_lacks_value(const struct scene_lex *l)
-{
-    return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
-                       scene_place_text(l->at), l->parse->key, l->parse->key);
-}
-
-int scene_lex_expect_value(const struct scene_lex *l, char token)
-{
-    struct scene_parse *parse = l->parse;
-    const int n = scene_lex_quotable(l->s);
-
-    if (scene_lex_awaits_value(parse) || (token == 't' && parse->last == 't'))
-        return STATUS_DONE;
-    if (scene_lex_in_list(parse) && strchr("(,", parse->last))
-        return STATUS_DONE;
-    if (scene_lex_in_list(parse))
-        return status_fail(STATUS_BAD_SCENE, "%s: a comma is missing before %.*s",
-                           scene_place_text(l->at), n, l->s);
-    return status_fail(STATUS_BAD_SCENE, "%s: %.*s stands where a name is expected; settings "
-                       "are written NAME = VALUE;", scene_place_text(l->at), n, l->s);
-}
-
-struct scene_node *scene_lex_value(const struct scene_lex *l, enum scene_kind kind)
-{
-    struct scene_parse *parse = l->parse;
-    const bool named = scene_lex_awaits_value(parse);
-    struct scene_node *node = scene_node_create(parse->keep, named ? parse->key : "", kind,
-                                                named ? parse->key_at : l->at);
-
-    if (!node || scene_node_add(parse->keep, parse->level[parse->depth].node, node) != STATUS_DONE)
-        return NULL;
-    return node;
-}
-
-void scene_lex_take(struct scene_lex *l, int n, char token)
-{
-    l->parse->last = token;
-    l->s += n;
-}
 
 static int lex_open(struct scene_lex *l)
 {
@@ -77,15 +12,15 @@ static int lex_open(struct scene_lex *l)
     const char open = *l->s;
     struct scene_node *node;
 
-    TRY(scene_lex_expect_value(l, 'v'));
+    TRY(scene_parse_expect_value(l, 'v'));
     if (parse->depth == SCENE_DEPTH_MAX)
         return status_fail(STATUS_BAD_SCENE, "%s: more than %d brackets inside each other",
                            scene_place_text(l->at), SCENE_DEPTH_MAX);
-    node = scene_lex_value(l, open == '{' ? SCENE_GROUP : SCENE_LIST);
+    node = scene_parse_value(l, open == '{' ? SCENE_GROUP : SCENE_LIST);
     if (!node)
         return STATUS_FAILED;
     parse->level[++parse->depth] = (struct scene_level){ open, l->at, node };
-    scene_lex_take(l, 1, open == '{' ? '{' : '(');
+    scene_parse_take(l, 1, open == '{' ? '{' : '(');
     return STATUS_DONE;
 }
 
@@ -102,13 +37,13 @@ static int lex_close(struct scene_lex *l)
     if (level->open != fits)
         return status_fail(STATUS_BAD_SCENE, "%s: this %c does not close the %c of %s", where,
                            close, level->open, scene_place_text(level->at));
-    if (scene_lex_awaits_value(parse))
-        return scene_lex_lacks_value(l);
+    if (scene_parse_awaits_value(parse))
+        return scene_parse_lacks_value(l);
     if (parse->last == ',' && fits != '{')
         return status_fail(STATUS_BAD_SCENE, "%s: a value is missing between , and %c; leave the "
                            "comma out", where, close);
     parse->depth--;
-    scene_lex_take(l, 1, 'v');
+    scene_parse_take(l, 1, 'v');
     return STATUS_DONE;
 }
 
@@ -121,18 +56,18 @@ static int lex_separator(struct scene_lex *l)
         if (parse->last != 'k')
             return status_fail(STATUS_BAD_SCENE, "%s: this %c has no name before it",
                                scene_place_text(l->at), c);
-        scene_lex_take(l, 1, c);
+        scene_parse_take(l, 1, c);
         return STATUS_DONE;
     }
-    if (scene_lex_awaits_value(parse))
-        return scene_lex_lacks_value(l);
-    if (scene_lex_in_list(parse) && c == ';')
+    if (scene_parse_awaits_value(parse))
+        return scene_parse_lacks_value(l);
+    if (scene_parse_in_list(parse) && c == ';')
         return status_fail(STATUS_BAD_SCENE, "%s: values in a list are separated by commas, not "
                            "by ;", scene_place_text(l->at));
     if (parse->last != 'v' && parse->last != 't')
         return status_fail(STATUS_BAD_SCENE, "%s: nothing stands before this %c; leave it out",
                            scene_place_text(l->at), c);
-    scene_lex_take(l, 1, c);
+    scene_parse_take(l, 1, c);
     return STATUS_DONE;
 }
 
@@ -223,7 +158,7 @@ int scene_lex_end(const struct scene_parse *parse)
         return status_fail(STATUS_BAD_SCENE, "%s: the %c that stands here%s%s is never closed",
                            scene_place_text(level->at), level->open,
                            level->node->name[0] ? " after " : "", level->node->name);
-    if (scene_lex_awaits_value(parse))
+    if (scene_parse_awaits_value(parse))
         return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
                            scene_place_text(parse->at), parse->key, parse->key);
     return STATUS_DONE;

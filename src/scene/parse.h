@@ -1,7 +1,8 @@
 /* parse.h -- from the lines of a scene file and its includes to nodes, in one pass.
  *
  * source.c finds the lines, lex.c parts them into tokens and brackets, token.c knows names,
- * numbers and texts; each value becomes a node as soon as its first token is there. */
+ * numbers and texts, and both ask parse.c where they stand; each value becomes a node as soon
+ * as its first token is there. */
 #ifndef SCENE_PARSE_H
 #define SCENE_PARSE_H
 
@@ -26,7 +27,7 @@ struct scene_parse { /* begins as 0 but for pool, keep and level[0].node, the ro
     int read;                    /* bytes of all files so far                  */
     struct scene_level level[SCENE_DEPTH_MAX + 1];
     int depth;
-    char last;                   /* token before: see lex.c                    */
+    char last;                   /* token before: see parse.c                   */
     const char *key;             /* the last name followed by =                */
     struct scene_place key_at;
     struct scene_node *text;     /* the last text, which the next may continue */
@@ -53,18 +54,19 @@ struct scene_lex { /* a line on its way */
     const char *s;     /* what is left of it */
 };
 
-/* Questions of lex.c and value tokens of token.c to each other. */
-bool scene_lex_in_list(const struct scene_parse *parse);
-bool scene_lex_awaits_value(const struct scene_parse *parse); /* stands behind an = */
-int scene_lex_quotable(const char *s);                        /* length to quote in a message */
-int scene_lex_lacks_value(const struct scene_lex *l);
+/* parse.c */
+bool scene_parse_in_list(const struct scene_parse *parse);
+bool scene_parse_awaits_value(const struct scene_parse *parse); /* stands behind an = */
+int scene_parse_quotable(const char *s);                        /* length to quote in a message */
+int scene_parse_lacks_value(const struct scene_lex *l);
 /* Refuses a value that stands where none is expected. */
-int scene_lex_expect_value(const struct scene_lex *l, char token);
+int scene_parse_expect_value(const struct scene_lex *l, char token);
 /* A new value of the open group or list; NULL if there is no memory. */
-struct scene_node *scene_lex_value(const struct scene_lex *l, enum scene_kind kind);
+struct scene_node *scene_parse_value(const struct scene_lex *l, enum scene_kind kind);
 /* Goes on behind the next n characters, a token of the given sort. */
-void scene_lex_take(struct scene_lex *l, int n, char token);
+void scene_parse_take(struct scene_lex *l, int n, char token);
 
+/* token.c */
 int scene_token_text(struct scene_lex *l);
 bool scene_token_is_number(const char *s);
 int scene_token_number(struct scene_lex *l);

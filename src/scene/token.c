@@ -73,7 +73,7 @@ static int open_text(const struct scene_lex *l)
 
     parse->bytes = NULL;
     parse->n = parse->room = 0;
-    parse->text = scene_lex_value(l, SCENE_TEXT);
+    parse->text = scene_parse_value(l, SCENE_TEXT);
     return parse->text ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -82,7 +82,7 @@ int scene_token_text(struct scene_lex *l)
 {
     const char *end = l->s + 1;
 
-    TRY(scene_lex_expect_value(l, 't'));
+    TRY(scene_parse_expect_value(l, 't'));
     for (; *end != '"'; end++) {
         if (*end == '\\' && end[1])
             end++;
@@ -93,7 +93,7 @@ int scene_token_text(struct scene_lex *l)
     if (l->parse->last != 't')
         TRY(open_text(l));
     TRY(add_text(l->parse, l->s + 1, end));
-    scene_lex_take(l, (int)(end + 1 - l->s), 't');
+    scene_parse_take(l, (int)(end + 1 - l->s), 't');
     return STATUS_DONE;
 }
 
@@ -122,7 +122,7 @@ int scene_token_number(struct scene_lex *l)
     char token[256], *end;
     double number;
 
-    TRY(scene_lex_expect_value(l, 'v'));
+    TRY(scene_parse_expect_value(l, 'v'));
     snprintf(token, sizeof token, "%.*s", n, l->s);
     number = strtod(token, &end);
     end += strspn(end, "L"); /* how libconfig marks long integers */
@@ -130,11 +130,11 @@ int scene_token_number(struct scene_lex *l)
         return status_fail(STATUS_BAD_SCENE, "%s: %.40s is not a number (values are SI without "
                            "a unit, names start with a letter, there is no arithmetic)",
                            scene_place_text(l->at), token);
-    node = scene_lex_value(l, SCENE_NUMBER);
+    node = scene_parse_value(l, SCENE_NUMBER);
     if (!node)
         return STATUS_FAILED;
     node->number = number;
-    scene_lex_take(l, n, 'v');
+    scene_parse_take(l, n, 'v');
     return STATUS_DONE;
 }
 
@@ -190,18 +190,18 @@ static int lex_key(struct scene_lex *l, int n)
         return STATUS_FAILED;
     l->parse->key_at = l->at;
     TRY(check_key(l, l->parse->key));
-    scene_lex_take(l, n, 'k');
+    scene_parse_take(l, n, 'k');
     return STATUS_DONE;
 }
 
 static int lex_flag(struct scene_lex *l, int n)
 {
-    struct scene_node *node = scene_lex_value(l, SCENE_FLAG);
+    struct scene_node *node = scene_parse_value(l, SCENE_FLAG);
 
     if (!node)
         return STATUS_FAILED;
     node->flag = is_word(l->s, n, "true");
-    scene_lex_take(l, n, 'v');
+    scene_parse_take(l, n, 'v');
     return STATUS_DONE;
 }
 
@@ -209,11 +209,11 @@ static int lex_flag(struct scene_lex *l, int n)
 static int lex_word(struct scene_lex *l, int n, const char *next)
 {
     const char *where = scene_place_text(l->at);
-    const int all = scene_lex_quotable(l->s);
+    const int all = scene_parse_quotable(l->s);
 
-    if (*next == '=' && scene_lex_awaits_value(l->parse))
-        return scene_lex_lacks_value(l);
-    TRY(scene_lex_expect_value(l, 'v'));
+    if (*next == '=' && scene_parse_awaits_value(l->parse))
+        return scene_parse_lacks_value(l);
+    TRY(scene_parse_expect_value(l, 'v'));
     if (*next == '=')
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s = ... stands in a list, which holds values "
                            "only; settings with names stand in { }", where, n, l->s);
@@ -232,7 +232,7 @@ int scene_token_name(struct scene_lex *l)
     const int n = name_length(l->s);
     const char *next = after_blanks(l->s + n);
 
-    if (scene_lex_awaits_value(l->parse) || scene_lex_in_list(l->parse))
+    if (scene_parse_awaits_value(l->parse) || scene_parse_in_list(l->parse))
         return lex_word(l, n, next);
     if (l->s[n] & 0x80) { /* lex.c knows what is wrong with the letter that follows */
         l->s += n;
@@ -243,7 +243,7 @@ int scene_token_name(struct scene_lex *l)
     if (*next == '.')
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s: dots are for the command line; in a file "
                            "groups stand inside each other, as %.*s = { ... }",
-                           scene_place_text(l->at), scene_lex_quotable(l->s), l->s, n, l->s);
+                           scene_place_text(l->at), scene_parse_quotable(l->s), l->s, n, l->s);
     return status_fail(STATUS_BAD_SCENE, "%s: %.*s has no = after it; settings are written "
-                       "NAME = VALUE;", scene_place_text(l->at), scene_lex_quotable(l->s), l->s);
+                       "NAME = VALUE;", scene_place_text(l->at), scene_parse_quotable(l->s), l->s);
 }

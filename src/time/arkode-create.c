@@ -93,15 +93,6 @@ static double *numbers(long n)
     return status_alloc((unsigned long)n, sizeof(double));
 }
 
-static enum vector_norm norm_of(const struct arkode *a)
-{
-    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
-                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
-                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
-
-    return norms[a->def.norm];
-}
-
 static int take_stiff(struct arkode *a)
 {
     if (!a->imex)
@@ -126,7 +117,7 @@ static int take_memory(struct arkode *a)
     moment_weights(a->moment, a->def.tol * a->row->control->accept, a->error.weight);
     moment_solve_tolerance(a->moment, a->def.tol * a->row->control->accept);
     TRY(take_stiff(a));
-    return arkode_take_vectors(a, norm_of(a));
+    return arkode_take_vectors(a);
 }
 
 static int build(struct arkode *a, double t, const double *y)

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "time/constant.h"
+#include "time/failure.h"
 #include "time/stability.h"
 #include <math.h>
 #include <stdio.h>
@@ -78,10 +79,7 @@ static int cautious(struct arkode *a, double t_stop, double *h)
     const double *f;
 
     if (arkode_rates(a) != STATUS_DONE)
-        return status_fail(STATUS_FAILED,
-                           "%s cannot start at t = %g s: the right-hand side has no answer there "
-                           "(%s); look for particles that overlap or start outside the domain",
-                           a->row->method.name, now->t, a->refusal);
+        return failure_start(a->row->method.name, now->t, a->refusal);
     f = vector_read(now->f);
     for (long i = 0; i < a->n; i++)
         most = fmax(most, fabs(f[i] * a->error.weight[i]));

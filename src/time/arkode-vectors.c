@@ -2,6 +2,7 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 
 /* Of SUNDIALS' own, counted in 6.4.1: y now and at the last step, weights of both
  * tests, the interpolant's, the stage's data, what is summed. */
@@ -21,15 +22,13 @@ int arkode_vectors(const struct method *m, const struct plan *plan)
 static int take(struct arkode *a, N_Vector *v)
 {
     *v = N_VClone(a->node[0].y);
-    return *v ? STATUS_DONE
-              : status_fail(STATUS_FAILED, "out of memory: a vector of %ld numbers cannot be had; "
-                                           "use fewer particles (a larger spacing)", a->n);
+    return *v ? STATUS_DONE : failure_memory(a->row->method.name, a->n);
 }
 
-int arkode_take_vectors(struct arkode *a, enum vector_norm norm)
+int arkode_take_vectors(struct arkode *a)
 {
     a->nodes = a->row->order > 4 ? ARKODE_NODES : 2;
-    a->node[0].y = vector_create(a->n, norm, a->context);
+    a->node[0].y = vector_create(a->n, a->def.norm, a->context);
     if (!a->node[0].y)
         return STATUS_FAILED;
     TRY(vector_ranges(a->node[0].y, a->stiff.ranges, (const long (*)[2])a->stiff.range));

@@ -6,6 +6,7 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -56,22 +57,12 @@ static int collapse(struct arkode *a, int flag)
     char where[96] = "";
 
     choice_where(c, a->moment, where);
-    return status_fail(STATUS_FAILED,
-                       "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s. Things to "
-                       "try: a smaller tol, the norm \"max\", more viscosity or density "
-                       "diffusion, a smaller spacing, a higher sound speed",
-                       a->row->method.name, a->node[0].t, c->h, reason(flag),
-                       c->refusal[0] ? "the right-hand side has no answer: "
-                                     : "the largest error, or what is not finite, is in ",
-                       c->refusal[0] ? c->refusal : where);
-}
-
-static int refuse_not_finite(const struct arkode *a, double t, long entry)
-{
-    return status_fail(STATUS_FAILED,
-                       "%s accepted a step to t = %.9g s after which %s is not finite: this is a "
-                       "bug, please report it with the scene", a->row->method.name, t,
-                       moment_entry(a->moment, entry));
+    return status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = FAILURE_REMEDY },
+                            "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s",
+                            a->row->method.name, a->node[0].t, c->h, reason(flag),
+                            c->refusal[0] ? "the right-hand side has no answer: "
+                                          : "the largest error, or what is not finite, is in ",
+                            c->refusal[0] ? c->refusal : where);
 }
 
 /* The slot that the step wrote to becomes the newest node. */
@@ -137,7 +128,7 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
     if (flag < 0)
         return collapse(a, flag);
     if (bad >= 0)
-        return refuse_not_finite(a, t, bad);
+        return failure_not_finite(a->row->method.name, t, moment_entry(a->moment, bad));
     rotate(a, t);
     report(a, flag == ARK_TSTOP_RETURN, out);
     a->launched = flag != ARK_TSTOP_RETURN;

@@ -116,7 +116,7 @@ int arkode_tables_stages(const struct arkode_row *row);
 void arkode_tables_read(const ARKodeButcherTable from, struct tableau *t);
 
 /* arkode-vectors.c */
-int arkode_take_vectors(struct arkode *a, enum vector_norm norm);
+int arkode_take_vectors(struct arkode *a);
 int arkode_take_last(struct arkode *a); /* stage, of tables with first same as last */
 void arkode_free_vectors(struct arkode *a);
 int arkode_vectors(const struct method *m, const struct plan *plan);

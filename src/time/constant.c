@@ -22,12 +22,13 @@ static void weigh(double seconds, double bound, const struct limit *limit, char 
 int constant_fail(const char *name, double seconds, double t, const char *why, double bound,
                   const struct limit *limit)
 {
-    char text[256];
+    char cause[256], remedy[256];
 
-    weigh(seconds, bound, limit, text, sizeof text);
-    return status_fail(STATUS_FAILED,
-                       "%s@%gs has no answer after its constant step from t = %.9g s: %s. %s. Try "
-                       "%s@%.2gs, or %s without a step, which then chooses its own", name, seconds,
-                       t, why[0] ? why : "the state is not finite", text, name,
-                       seconds > bound ? bound / 2 : seconds / 2, name);
+    weigh(seconds, bound, limit, cause, sizeof cause);
+    snprintf(remedy, sizeof remedy,
+             "Try %s@%.2gs, or %s without a step, which then chooses its own", name,
+             seconds > bound ? bound / 2 : seconds / 2, name);
+    return status_fail_with(STATUS_FAILED, (struct status_advice){ cause, remedy },
+                            "%s@%gs has no answer after its constant step from t = %.9g s: %s",
+                            name, seconds, t, why[0] ? why : "the state is not finite");
 }

@@ -3,6 +3,7 @@
 #include "time/cvode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include <math.h>
 #include <stdlib.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
@@ -56,9 +57,9 @@ static double squares_per_norm(const struct cvode *c)
     const double n = (double)c->n;
 
     switch (c->def.norm) {
-    case METHOD_NORM_P8:
+    case VECTOR_NORM_P8:
         return pow(n, 0.125);
-    case METHOD_NORM_WRMS:
+    case VECTOR_NORM_WRMS:
         return sqrt(n);
     default:
         return 1;
@@ -120,19 +121,13 @@ static int set_up(struct cvode *c)
 
 static int take_memory(struct cvode *c)
 {
-    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
-                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
-                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
-
-    c->y = vector_create(c->n, norms[c->def.norm], c->context);
+    c->y = vector_create(c->n, c->def.norm, c->context);
     if (!c->y)
         return STATUS_FAILED;
     c->weight = N_VClone(c->y);
     c->spare = N_VClone(c->y);
     if (!c->weight || !c->spare)
-        return status_fail(STATUS_FAILED, "out of memory: %s needs many vectors of %ld numbers; "
-                                          "use fewer particles (a larger spacing)",
-                           c->row->method.name, c->n);
+        return failure_memory(c->row->method.name, c->n);
     moment_weights(c->rates.moment, c->def.tol, vector_data(c->weight));
     return STATUS_DONE;
 }

@@ -5,6 +5,7 @@
 #include "time/cvode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -18,14 +19,6 @@ int cvode_refuse(const struct cvode *c, const char *what)
 static const char *name(const struct cvode *c)
 {
     return c->row->method.name;
-}
-
-static int refuse_start(const struct cvode *c)
-{
-    return status_fail(STATUS_FAILED,
-                       "%s cannot start at t = %.9g s: the right-hand side has no answer there "
-                       "(%s); look for particles that overlap or start outside the domain",
-                       name(c), c->t, c->rates.refusal);
 }
 
 /* Steps that had to be repeated, of the error test and of the solver. */
@@ -85,25 +78,17 @@ static int collapse(const struct cvode *c, int flag)
     sunrealtype h = 0;
 
     if (flag == CV_FIRST_RHSFUNC_ERR)
-        return refuse_start(c);
+        return failure_start(name(c), c->t, c->rates.refusal);
     CVodeGetCurrentStep(c->cvode, &h);
-    return status_fail(STATUS_FAILED,
-                       "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s. Things to "
-                       "try: a smaller tol, the norm \"max\", more viscosity or density "
-                       "diffusion, a smaller spacing, a higher sound speed, or another method "
-                       "(imex3, cks43)", name(c), c->t, h, reason(flag),
-                       refused ? "the right-hand side has no answer: "
-                               : "the largest error, or what is not finite, is in ",
-                       refused      ? c->rates.refusal
-                       : entry >= 0 ? moment_entry(c->rates.moment, entry) : "no entry known");
-}
-
-static int refuse_not_finite(const struct cvode *c, double t, long entry)
-{
-    return status_fail(STATUS_FAILED,
-                       "%s accepted a step to t = %.9g s after which %s is not finite: this is a "
-                       "bug, please report it with the scene", name(c), t,
-                       moment_entry(c->rates.moment, entry));
+    return status_fail_with(STATUS_FAILED,
+                            (struct status_advice){ .remedy = FAILURE_REMEDY_METHODS },
+                            "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s",
+                            name(c), c->t, h, reason(flag),
+                            refused ? "the right-hand side has no answer: "
+                                    : "the largest error, or what is not finite, is in ",
+                            refused      ? c->rates.refusal
+                            : entry >= 0 ? moment_entry(c->rates.moment, entry)
+                                         : "no entry known");
 }
 
 /* The entry whose error was largest in the step just made. */
@@ -159,7 +144,7 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
         return collapse(c, flag);
     bad = vector_first_bad(c->n, vector_data(c->spare));
     if (bad >= 0)
-        return refuse_not_finite(c, t, bad);
+        return failure_not_finite(name(c), t, moment_entry(c->rates.moment, bad));
     vector_copy(c->n, vector_data(c->spare), vector_data(c->y));
     c->t = t;
     c->h = t - t_old;

@@ -46,13 +46,15 @@ struct fixed_kind {
 };
 extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered;
 
-int fixed_create(const struct method *m, const struct method_def *def, struct moment *moment,
-                 double t, const double *y, void **out);
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);
 const double *fixed_state(const void *self);
 int fixed_restart(void *self, double t, const double *y);
 const char *fixed_table(const void *self);
+
+/* fixed-create.c */
+int fixed_create(const struct method *m, const struct method_def *def, struct moment *moment,
+                 double t, const double *y, void **out);
 void fixed_free(void **self);
 int fixed_vectors(const struct method *m, const struct plan *plan);
 

@@ -2,6 +2,7 @@
 #include "time/gslode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 
@@ -30,17 +31,13 @@ static const gsl_odeiv2_control_type levels = { .name = "weights of a plan", .er
 
 static int take_vectors(struct gslode *x)
 {
-    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
-                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
-                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
-
     TRY(sundials_open(&x->context));
-    x->weight = vector_create(x->n, norms[x->def.norm], x->context);
+    x->weight = vector_create(x->n, x->def.norm, x->context);
     if (!x->weight)
         return STATUS_FAILED;
     x->error = N_VClone(x->weight);
     if (!x->error)
-        return status_fail(STATUS_FAILED, "out of memory: use fewer particles (a larger spacing)");
+        return failure_memory(x->row->method.name, x->n);
     moment_weights(x->rates.moment, x->def.tol, vector_data(x->weight));
     for (int k = 0; k < GSLODE_NODES; k++) {
         x->node[k].y = status_alloc((unsigned long)x->n, sizeof(double));
@@ -59,9 +56,7 @@ static int take_stepper(struct gslode *x)
     x->stepper = gsl_odeiv2_step_alloc(*x->row->type, (size_t)x->n);
     gsl_set_error_handler(before);
     if (!x->stepper)
-        return status_fail(STATUS_FAILED, "out of memory: %s needs many vectors of %ld numbers; "
-                                          "use fewer particles (a larger spacing)",
-                           x->row->method.name, x->n);
+        return failure_memory(x->row->method.name, x->n);
     x->system = (gsl_odeiv2_system){ .function = rates, .dimension = (size_t)x->n, .params = x };
     x->levels = (gsl_odeiv2_control){ .type = &levels, .state = x };
     x->driver = (gsl_odeiv2_driver){ .sys = &x->system, .s = x->stepper, .c = &x->levels };

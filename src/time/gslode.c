@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "time/constant.h"
 #include "time/dense.h"
+#include "time/failure.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -23,14 +24,6 @@ static const char *culprit(const struct gslode *x)
     if (x->def.seconds > 0)
         return CONSTANT_PART;
     return x->entry >= 0 ? moment_entry(x->rates.moment, x->entry) : "the first step";
-}
-
-static int refuse_start(const struct gslode *x)
-{
-    return status_fail(STATUS_FAILED,
-                       "%s cannot start at t = %.9g s: the right-hand side has no answer there "
-                       "(%s); look for particles that overlap or start outside the domain",
-                       name(x), x->node[0].t, x->rates.refusal);
 }
 
 /* Fastest rate where the next step starts [1/s]. */
@@ -57,15 +50,14 @@ static int collapse(const struct gslode *x, double h)
 
     if (x->def.seconds > 0)
         return constant_failed(x);
-    return status_fail(STATUS_FAILED,
-                       "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
-                       "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
-                       "smaller spacing, a higher sound speed, or another method (imex3, cks43)",
-                       name(x), x->node[0].t, h,
-                       refused ? "the right-hand side has no answer: "
-                               : "no step, however short, passes the error test; the largest "
-                                 "error, or what is not finite, is in ",
-                       refused ? x->rates.refusal : culprit(x));
+    return status_fail_with(STATUS_FAILED,
+                            (struct status_advice){ .remedy = FAILURE_REMEDY_METHODS },
+                            "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s", name(x),
+                            x->node[0].t, h,
+                            refused ? "the right-hand side has no answer: "
+                                    : "no step, however short, passes the error test; the "
+                                      "largest error, or what is not finite, is in ",
+                            refused ? x->rates.refusal : culprit(x));
 }
 
 /* --- lengths --------------------------------------------------------------- */
@@ -94,7 +86,7 @@ static int begin(struct gslode *x, double t_stop)
     struct gslode_node *now = &x->node[0];
 
     if (rates_ask(&x->rates, now->t, now->y, now->f) != STATUS_DONE)
-        return refuse_start(x);
+        return failure_start(name(x), now->t, x->rates.refusal);
     x->h = first_step(x, t_stop - now->t);
     x->h_min = x->def.h_min > 0 ? x->def.h_min : 1e-6 * x->h;
     x->entry = -1;

@@ -65,7 +65,7 @@ const struct method *const method_table[] = {
 
 struct method_def method_def_default(void)
 {
-    return (struct method_def){ .tol = 1e-2, .norm = METHOD_NORM_MAX };
+    return (struct method_def){ .tol = PLAN_TOL, .norm = VECTOR_NORM_MAX };
 }
 
 const char *method_bodies_alone(const struct plan *plan)

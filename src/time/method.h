@@ -3,16 +3,15 @@
 #ifndef TIME_METHOD_H
 #define TIME_METHOD_H
 
+#include "algebra/norm.h"
 #include "eval/moment.h"
 #include <stdbool.h>
-
-enum method_norm { METHOD_NORM_MAX, METHOD_NORM_P8, METHOD_NORM_WRMS };
 
 /* How a method is to run; method_def_default() first. */
 struct method_def {
     double tol;           /* error per step in units of the layout's scales:
                              what the controller aims at                      */
-    enum method_norm norm;
+    enum vector_norm norm;
     double step;          /* CFL number of methods without error control
                              (name@0.25); 0: the method's default             */
     double seconds;       /* every step is that long (name@1e-4s) but for the one

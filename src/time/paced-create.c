@@ -12,14 +12,10 @@ int paced_numbers(const struct paced *x, double **to)
 
 static int take_memory(struct paced *x)
 {
-    static const enum vector_norm norms[] = { [METHOD_NORM_MAX] = VECTOR_NORM_MAX,
-                                              [METHOD_NORM_P8] = VECTOR_NORM_P8,
-                                              [METHOD_NORM_WRMS] = VECTOR_NORM_WRMS };
-
     TRY(paced_numbers(x, &x->y));
     TRY(paced_numbers(x, &x->y_old));
     TRY(sundials_open(&x->context));
-    x->error = vector_create(x->n, norms[x->def.norm], x->context);
+    x->error = vector_create(x->n, x->def.norm, x->context);
     x->weight = x->error ? N_VClone(x->error) : NULL;
     if (!x->weight)
         return STATUS_FAILED;

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "time/constant.h"
+#include "time/failure.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -20,15 +21,14 @@ static int collapse(const struct paced *x, double h)
     if (x->def.seconds > 0)
         return paced_constant_failed(x);
     choice_where(c, x->moment, where);
-    return status_fail(STATUS_FAILED,
-                       "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s. Things to try: "
-                       "a smaller tol, the norm \"max\", more viscosity or density diffusion, a "
-                       "smaller spacing, a higher sound speed, or another method (imex3, cks43)",
-                       name(x), x->t, h,
-                       c->refusal[0] ? "the right-hand side has no answer: "
-                                     : "no step, however short, passes the error test; the "
-                                       "largest error, or what is not finite, is in ",
-                       c->refusal[0] ? c->refusal : where);
+    return status_fail_with(STATUS_FAILED,
+                            (struct status_advice){ .remedy = FAILURE_REMEDY_METHODS },
+                            "%s collapsed at t = %.9g s, below a step of %.3g s: %s%s", name(x),
+                            x->t, h,
+                            c->refusal[0] ? "the right-hand side has no answer: "
+                                          : "no step, however short, passes the error test; the "
+                                            "largest error, or what is not finite, is in ",
+                            c->refusal[0] ? c->refusal : where);
 }
 
 /* The failure stays in choice.refusal alone, as a shorter step may do. */
@@ -42,10 +42,7 @@ static int begin(struct paced *x, double t_stop)
 {
     if (x->kind->begin(x) != STATUS_DONE) {
         keep_refusal(x);
-        return status_fail(STATUS_FAILED,
-                           "%s cannot start at t = %.9g s: the right-hand side has no answer there "
-                           "(%s); look for particles that overlap or start outside the domain",
-                           name(x), x->t, x->choice.refusal);
+        return failure_start(name(x), x->t, x->choice.refusal);
     }
     x->ready = true;
     paced_first(x, t_stop);

@@ -50,6 +50,59 @@ static void a_sentence_that_is_too_long_ends_in_dots(void **state)
     free(lengthy);
 }
 
+static void advice_is_kept_apart_and_printed_behind(void **state)
+{
+    (void)state;
+    assert_false(status_has_cause() || status_has_remedy());
+    assert_int_equal(status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = "take 2" },
+                                      "c0 = %d m/s", 1), STATUS_FAILED);
+    assert_false(status_has_cause());
+    assert_true(status_has_remedy());
+    assert_string_equal(status_message(), "c0 = 1 m/s; take 2");
+    status_advise((struct status_advice){ "It is slow", "or 3" });
+    assert_true(status_has_cause() && status_has_remedy());
+    assert_string_equal(status_message(), "c0 = 1 m/s. It is slow; take 2; or 3");
+}
+
+static void words_are_no_advice(void **state)
+{
+    (void)state;
+    status_fail(STATUS_FAILED, "the constant step; try another, or take a rest. Try it");
+    assert_false(status_has_cause() || status_has_remedy());
+}
+
+static void advice_of_a_failure_that_is_not_kept_is_dropped(void **state)
+{
+    (void)state;
+    status_advise((struct status_advice){ "why", "what" });
+    assert_string_equal(status_message(), "");
+    status_fail(STATUS_FAILED, "one");
+    assert_int_equal(status_fail_with(STATUS_IO, (struct status_advice){ "a", "b" }, "two"),
+                     STATUS_IO);
+    assert_string_equal(status_message(), "one");
+    assert_false(status_has_cause() || status_has_remedy());
+    status_advise((struct status_advice){ "why", "Take it" });
+    assert_string_equal(status_message(), "one; why. Take it");
+    status_clear();
+    assert_false(status_has_cause() || status_has_remedy());
+    assert_string_equal(status_message(), "");
+}
+
+static void advice_that_is_too_long_ends_in_dots(void **state)
+{
+    char lengthy[3001];
+
+    (void)state;
+    memset(lengthy, 'x', 3000);
+    lengthy[3000] = '\0';
+    status_fail_with(STATUS_FAILED, (struct status_advice){ lengthy, "do" }, "one");
+    assert_true(strlen(status_message()) > 500);
+    assert_string_equal(status_message() + strlen(status_message()) - 8, "x...; do");
+    for (int i = 0; i < 4; i++)
+        status_advise((struct status_advice){ .remedy = lengthy });
+    assert_string_equal(status_message() + strlen(status_message()) - 4, "x...");
+}
+
 static int second(int *calls)
 {
     (*calls)++;
@@ -91,6 +144,7 @@ static void memory_that_cannot_be_had_is_a_failure_with_its_size(void **state)
     (void)state;
     assert_null(status_alloc(ULONG_MAX / 2, 16)); /* the product does not fit */
     assert_non_null(strstr(status_message(), "16 bytes"));
+    assert_true(status_has_remedy());
 }
 
 /* What a call of status_warn() leaves on standard error. */
@@ -129,6 +183,10 @@ int main(void)
         cmocka_unit_test_setup(the_first_failure_wins, clean),
         cmocka_unit_test_setup(a_cleared_failure_makes_room_for_the_next, clean),
         cmocka_unit_test_setup(a_sentence_that_is_too_long_ends_in_dots, clean),
+        cmocka_unit_test_setup(advice_is_kept_apart_and_printed_behind, clean),
+        cmocka_unit_test_setup(words_are_no_advice, clean),
+        cmocka_unit_test_setup(advice_of_a_failure_that_is_not_kept_is_dropped, clean),
+        cmocka_unit_test_setup(advice_that_is_too_long_ends_in_dots, clean),
         cmocka_unit_test_setup(try_hands_the_code_up_and_stops, clean),
         cmocka_unit_test_setup(memory_is_zeroed_and_never_null_for_nothing, clean),
         cmocka_unit_test_setup(memory_that_cannot_be_had_is_a_failure_with_its_size, clean),

@@ -88,6 +88,16 @@ static void norms_are_what_they_say(void **state)
     }
 }
 
+static void norms_have_names(void **state)
+{
+    (void)state;
+    assert_int_equal(vector_norm_of("max"), VECTOR_NORM_MAX);
+    assert_int_equal(vector_norm_of("p8"), VECTOR_NORM_P8);
+    assert_int_equal(vector_norm_of("wrms"), VECTOR_NORM_WRMS);
+    assert_int_equal(vector_norm_of("none of them"), VECTOR_NORM_MAX);
+    assert_string_equal(vector_norm_words[0], "max"); /* a scene's first word is its default */
+}
+
 /* One such entry, whatever its weight: no error test lets it pass.  All weights are 1. */
 static void sees(N_Vector v, N_Vector w, long at, double bad)
 {
@@ -403,6 +413,7 @@ static int close_context(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(norms_have_names),
         cmocka_unit_test(new_vectors_are_zero_and_clones_keep_the_norm),
         cmocka_unit_test(norms_are_what_they_say),
         cmocka_unit_test(norms_see_what_is_not_finite),
