@@ -6,7 +6,7 @@
  * the right-hand side may not depend on what it has not worked out yet).  rho_w
  * follows from p_w by the equation of state.  No state, no gap at the wall; but its
  * pressure work is no change of any energy, so the book shows a pressure_defect.
- * Their velocity of walls for the viscous force is a thing of its own, plan/face-forces.c.
+ * Their velocity of walls for the viscous force is a thing of its own, eval/face-forces.c.
  * Adami, Hu, Adams, J. Comput. Phys. 231 (2012) 7057-7075, eq. 27.  Checked in
  * tests/physics/walls.c. */
 #include "matter/eos.h"
