@@ -43,7 +43,7 @@ const char *const added_lattice =
 const double added_wave = 0.4;
 #endif
 
-const struct part *added_find(enum added_table table, const char *name)
+static const struct part *find(enum added_table table, const char *name)
 {
     const struct part *found = NULL;
 
@@ -69,7 +69,7 @@ static void check_text(int (*tell)(const char *, FILE *), const char *of, const 
 
 void added_is_told(enum added_table table, const char *name)
 {
-    const struct part *part = added_find(table, name);
+    const struct part *part = find(table, name);
 
     check_text(catalogue_list, table == ADDED_EFFECTS ? "effects" : "walls", part->about);
     check_text(catalogue_explain, name, part->equation);

@@ -3,13 +3,11 @@
 #define TESTS_PARTS_ADDED_H
 
 #include "../physics/tank.h"
-#include "plan/engine.h"
 
-/* The part of that name, in the tables of all widths that the build has. */
 enum added_table { ADDED_EFFECTS, ADDED_WALLS };
-const struct part *added_find(enum added_table table, const char *name);
 
-/* `list` has its line, `explain` its equation and its keys. */
+/* It stands in the tables of all widths that the build has; `list` has its line, `explain` its
+ * equation, source and keys. */
 void added_is_told(enum added_table table, const char *name);
 
 /* A plan of water in a tank that does not name it has none of it: no part, no law, no field,

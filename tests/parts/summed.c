@@ -75,23 +75,27 @@ static void it_is_the_sum_over_neighbours(void **state)
     added_at_all_widths(check_density);
 }
 
-static void check_refused(const char *effects, const char *why)
+static void check_refused(const char *water, const char *effects, const char *why)
 {
     char text[2048] = "";
     struct tank t;
 
-    strcat(strcat(strcat(text, tank_water), tank_frame), effects);
+    strcat(strcat(text, water), effects);
     assert_int_equal(tank_try(&t, text), STATUS_BAD_SCENE);
     check(strstr(status_message(), why), "refused, but: %s", status_message());
     tank_free(&t);
 }
 
-/* What it stands for may not be there, and no wall model knows it. */
+/* What it stands for may not be there, nor another density; and no wall model knows it. */
 static void what_does_not_go_together_is_refused(void **state)
 {
     (void)state;
-    check_refused("effects = { continuity = { }; number-density = { }; };", "stands for");
-    check_refused(NUMBER, "does not go with effects.number-density");
+    check_refused(added_lattice, "effects = { continuity = { }; number-density = { }; };",
+                  "stands for");
+    check_refused(added_lattice, "effects = { summation = { }; number-density = { }; };",
+                  "both give the fluid its density");
+    check_refused(tank_water, "wall = { tank = { type = \"frame\"; }; };" NUMBER,
+                  "does not go with effects.number-density");
 }
 
 int main(void)
