@@ -1,8 +1,8 @@
 #!/bin/sh
 # manual.sh -- the manual says what the program does: every label of an equation in the
 # sources stands in doc/equations.md, every key that `explain' prints and every file that
-# a run leaves stand in the man page, what a page names is there, and the effect that
-# doc/adding-a-part.md adds compiles.
+# a run leaves stand in the man page, what a page names is there, and the code that
+# doc/adding-a-part.md shows is that of files that are compiled and tested.
 #
 # Run by `make check'.
 top=${top_srcdir:-.}
@@ -114,18 +114,35 @@ for name in $(grep -h -o -E '`[a-z0-9]+_[a-z0-9]+_[a-z0-9_]+`' $pages | tr -d '`
     grep -r -q -w -e "$name" "$top/src" "$top/tests" || complain "$name is named but is not there"
 done
 
-# --- the example of an effect -----------------------------------------------------------------
-awk -v name="$effect" '/^```/ { inside = 0 } inside { print }
-    /^```c/ && !done { getline; if (index($0, name ".c -- ")) { inside = done = 1; print } }' \
-    "$top/doc/adding-a-part.md" >"$out/$effect.c"
-[ -s "$out/$effect.c" ] || complain "doc/adding-a-part.md holds no file"
-if command -v "${CC:-gcc}" >/dev/null; then
-    for dimension in 2 3; do
-        "${CC:-gcc}" -std=gnu17 -fsyntax-only -Wall -Wextra -Werror -Wno-psabi -DLANES=2 \
-            -DDIM=$dimension -I"$top/src" "$out/$effect.c" ||
-            complain "the effect of doc/adding-a-part.md does not compile in ${dimension}D"
+# --- the code of doc/adding-a-part.md -------------------------------------------------------
+# Each block of C stands, line for line, in a file that is compiled and tested; one that begins
+# with the head of a file is all of it.
+mkdir "$out/blocks"
+awk -v to="$out/blocks/" '/^```/ { file = ""; if (/^```c$/) file = to (++n) ".c"; next }
+    file { print >file }' "$top/doc/adding-a-part.md"
+# holds FILE BLOCK
+holds()
+{
+    awk 'NR == FNR { block = block "\n" $0; next } { text = text "\n" $0 }
+        END { exit !index(text "\n", block "\n") }' "$2" "$1"
+}
+blocks=0
+for block in "$out"/blocks/*.c; do
+    [ -f "$block" ] || break
+    blocks=$((blocks + 1))
+    head=$(sed -n '1s,^/\* \([a-z-]*\.c\) -- .*,\1,p' "$block")
+    if [ -n "$head" ]; then
+        cmp -s "$block" "$top/tests/parts/$head" ||
+            complain "tests/parts/$head is not as doc/adding-a-part.md shows it"
+        continue
+    fi
+    found=
+    for file in "$top"/tests/parts/*.c "$top/tests/unit/float.c" "$top/tests/unit/effects.c"; do
+        holds "$file" "$block" && found=$file
     done
-fi
+    [ -n "$found" ] || complain "doc/adding-a-part.md shows code that is in no file: $(head -n 2 "$block")"
+done
+[ $blocks -gt 10 ] || complain "doc/adding-a-part.md holds only $blocks blocks of code"
 
-tried=$((count + keys))
+tried=$((count + keys + blocks))
 finish

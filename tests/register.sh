@@ -50,6 +50,16 @@ flags()
     done
 }
 
+# brought DIMENSION WORD...: libraries that come before the house's, of with=NAME
+brought()
+{
+    dimension=$1
+    shift
+    for word; do
+        case $word in with=*) printf '$(%s%s_libs) ' "${word#with=}" "$dimension" ;; esac
+    done
+}
+
 # sources DIRECTORY WORD...: the others
 sources()
 {
@@ -57,7 +67,7 @@ sources()
     shift
     for word; do
         case $word in
-        wrap=*) ;;
+        wrap=* | with=*) ;;
         *)
             for file in "$directory"/$word; do
                 [ -f "$file" ] || refuse "there is no $file"
@@ -67,11 +77,11 @@ sources()
     done
 }
 
-# one NAME DIMENSION FLAGS SOURCE...: a program
+# one NAME DIMENSION FLAGS WORDS SOURCE...: a program
 one()
 {
-    name=$1 dimension=$2 flags=$3
-    shift 3
+    name=$1 dimension=$2 flags=$3 words=$4
+    shift 4
     canonical=$(echo "$name" | tr -c 'a-zA-Z0-9\n' _)
     echo "check_PROGRAMS += $name"
     echo "${canonical}_SOURCES =" "$@"
@@ -79,7 +89,9 @@ one()
     [ -z "$flags" ] || echo "${canonical}_LDFLAGS = \$(AM_LDFLAGS)$flags"
     case $dimension in
     -) echo "${canonical}_LDADD = \$(common_libs) \$(test_libs)" ;;
-    *) echo "${canonical}_LDADD = \$(dim${dimension}_test_libs)" ;;
+    *)
+        # shellcheck disable=SC2086 # words
+        echo "${canonical}_LDADD = $(brought "$dimension" $words)\$(dim${dimension}_test_libs)" ;;
     esac
 }
 
@@ -90,15 +102,15 @@ program()
     shift 2
     [ -f "$name.c" ] || refuse "there is no $name.c"
     files="$name.c $(sources "$(dirname "$name")" "$@")" || exit 1
-    flags=$(flags "$@")
+    flags=$(flags "$@") words=$*
     # shellcheck disable=SC2086 # names of files have no blanks
     set -- $files $(headers $files)
     case $dimensions in
-    - | 2 | 3) one "$name" "$dimensions" "$flags" "$@" ;;
+    - | 2 | 3) one "$name" "$dimensions" "$flags" "$words" "$@" ;;
     23)
         plain=$name
-        one "${plain}2" 2 "$flags" "$@"
-        one "${plain}3" 3 "$flags" "$@" ;;
+        one "${plain}2" 2 "$flags" "$words" "$@"
+        one "${plain}3" 3 "$flags" "$words" "$@" ;;
     *) refuse "$name: dimensions are -, 2, 3 or 23, not $dimensions" ;;
     esac
 }

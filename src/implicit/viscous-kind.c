@@ -11,10 +11,10 @@ static int agree(const struct plan *p)
 {
     for (int i = 0; i < p->bodies && p->stiff; i++)
         if (!p->body[i].kind->coupled)
-            return status_fail(STATUS_BAD_SCENE, "%s: theory = \"elastica\" is not linear, but %s "
-                               "with side = \"implicit\" and the beams are solved as one linear "
-                               "system; set side = \"explicit\", or theory = \"linear\"",
-                               p->body[i].path, p->stiff->path);
+            return status_fail(STATUS_BAD_SCENE, "%s: a body of kind \"%s\" cannot be solved for "
+                               "in one linear system with %s, which has side = \"implicit\"; set "
+                               "side = \"explicit\", or take a beam with theory = \"linear\"",
+                               p->body[i].path, p->body[i].kind->identity.name, p->stiff->path);
     return STATUS_DONE;
 }
 

@@ -90,6 +90,23 @@ static int check_needs(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* Which density would the fluid have? */
+static int check_density(const struct plan *p, const struct scene *scene)
+{
+    const struct plan_part *first = NULL;
+
+    for (int i = 0; i < p->parts; i++) {
+        if (!(p->part[i].part->provides & FIELD_DENSITY))
+            continue;
+        if (first)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s and %s both give the fluid its density; "
+                               "leave one of them out", scene_path(scene), first->path,
+                               p->part[i].path);
+        first = &p->part[i];
+    }
+    return STATUS_DONE;
+}
+
 /* Which wall models the density of the fluid goes with, for the message. */
 static void list_walls(const struct plan *p, const char *density, char *text, size_t room)
 {
@@ -162,6 +179,7 @@ static void advise_side(const struct plan *p)
 int plan_agree(const struct plan *p, const struct scene *scene)
 {
     TRY(check_needs(p, scene));
+    TRY(check_density(p, scene));
     TRY(check_walls(p, scene));
     TRY(check_drift(p, scene));
     doubt_tension(p);

@@ -113,6 +113,21 @@ static void a_plan_of_it_is_not_stiff(void **state)
     tank_free(&t);
 }
 
+/* It has no part in a solve for fluid and bodies together. */
+static void an_implicit_viscosity_refuses_it(void **state)
+{
+    char text[4096] = "";
+    struct tank t;
+
+    (void)state;
+    strcat(strcat(strcat(text, tank_parted_water), tank_frame), FLOAT);
+    strcat(text, "effects = { continuity = { }; pressure = { }; laminar-viscosity = { mu = 0.7;"
+                 " side = \"implicit\"; }; };");
+    assert_int_equal(tank_try(&t, text), STATUS_BAD_SCENE);
+    assert_non_null(strstr(status_message(), "beam.it: a body of kind \"float\" cannot"));
+    tank_free(&t);
+}
+
 static void all_its_rates_are_explicit(void **state)
 {
     struct tank t;
@@ -206,6 +221,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(members_agree),
         cmocka_unit_test(a_plan_of_it_is_not_stiff),
+        cmocka_unit_test(an_implicit_viscosity_refuses_it),
         cmocka_unit_test(all_its_rates_are_explicit),
         cmocka_unit_test(it_swings_by_every_method),
         cmocka_unit_test(books_close_in_water),

@@ -80,6 +80,7 @@ static void set(const struct pair_law *law, const char *key, double value)
     }
 }
 
+/* With keys of the effects of tests/parts/, too. */
 static struct pair_law law_make(const struct part *part, const struct scales *scales,
                                 bool only_approaching)
 {
@@ -89,6 +90,7 @@ static struct pair_law law_make(const struct part *part, const struct scales *sc
     set(&law, "mu", EFFECTS_MU);
     set(&law, "delta", EFFECTS_DELTA);
     set(&law, "strength", EFFECTS_STRENGTH);
+    set(&law, "k", 2.3);
     set(&law, "only_approaching", only_approaching);
     if (part->prepare)
         assert_int_equal(part->prepare(law.self, scales), 0);

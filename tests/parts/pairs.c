@@ -1,0 +1,2 @@
+/* pairs.c -- tests/unit/effects.c for a table with the effects of doc/adding-a-part.md. */
+#include "../unit/effects.c"
