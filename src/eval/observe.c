@@ -26,7 +26,7 @@ static void choose_list(struct moment *o, const struct view *v)
         return;
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
-    o->list = o->own->builds > 0 && !lists->stale(o->beside->list, &cloud) ? o->beside->list
+    o->list = o->own->stands && !lists->stale(o->beside->list, &cloud) ? o->beside->list
                                                                            : o->own;
 }
 
