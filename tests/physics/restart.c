@@ -43,11 +43,15 @@ static const struct scene_of {
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
-/* Steps of one length besides; the last ones are too long for beams that are explicit. */
-static const char *const constant[] = { "imex3@1e-4s", "dv@1e-4s", "mri@1e-4s", "staggered@1e-4s",
-                                        "cks43@1e-4s", "ab3@1e-4s", "gsl-rkf45@1e-4s",
-                                        "leapfrog@1e-4s" };
-enum { FOR_BEAMS = 4, CONSTANTS = sizeof constant / sizeof constant[0] };
+/* Besides those of the table: steps of one length, the last of them too long for beams that
+ * are explicit, and so small a tol that beams in "mri" are limited by it. */
+static const struct variant {
+    const char *name;
+    double tol;
+} variants[] = { { "mri", 1e-6 }, { "imex3@1e-4s", 0 }, { "dv@1e-4s", 0 }, { "mri@1e-4s", 0 },
+                 { "staggered@1e-4s", 0 }, { "cks43@1e-4s", 0 }, { "ab3@1e-4s", 0 },
+                 { "gsl-rkf45@1e-4s", 0 }, { "leapfrog@1e-4s", 0 } };
+enum { FOR_BEAMS = 5, VARIANTS = sizeof variants / sizeof variants[0] };
 
 static void make(struct tank *t, const struct scene_of *of)
 {
@@ -257,12 +261,15 @@ static void unseen(const struct scene_of *of, const struct tank *t, const struct
     stop(&c);
 }
 
-static void one_method(const struct scene_of *of, const struct tank *t, const char *name)
+static void one_method(const struct scene_of *of, const struct tank *t, const char *name,
+                       double tol)
 {
     struct runner a = { .def = method_def_default(), .plan = t->plan, .looks = true };
     struct mark before[BEFORE];
 
     assert_int_equal(method_find(name, &a.def, &a.method), STATUS_DONE);
+    if (tol > 0)
+        a.def.tol = tol;
     if (a.method->serves(t->plan))
         return;
     start(&a, 0, t->y);
@@ -278,9 +285,9 @@ static void every_method(const struct scene_of *of)
 
     make(&t, of);
     for (int i = 0; method_table[i]; i++)
-        one_method(of, &t, method_table[i]->name);
-    for (int i = 0; i < (of->water ? FOR_BEAMS : CONSTANTS); i++)
-        one_method(of, &t, constant[i]);
+        one_method(of, &t, method_table[i]->name, 0);
+    for (int i = 0; i < (of->water ? FOR_BEAMS : VARIANTS); i++)
+        one_method(of, &t, variants[i].name, variants[i].tol);
     tank_free(&t);
 }
 
