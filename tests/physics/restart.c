@@ -17,7 +17,7 @@
 #include <omp.h>
 #endif
 
-enum { BEFORE = 30, AFTER = 7, CUT = 3, INSIDE = 3, PLACES = 60 };
+enum { BEFORE = 20, AFTER = 7, CUT = 3, INSIDE = 3, PLACES = 60 };
 
 #define VISCOUS                                                                          \
     "effects = { continuity = { }; pressure = { }; density-diffusion = { };"             \
@@ -76,8 +76,8 @@ struct runner {
     const struct plan *plan;
     struct moment *moment;
     void *self;
-    struct moment_counts counted; /* and rejected: when the watch began */
-    long rejected;
+    struct moment_counts counted; /* when the watch began                     */
+    long rejected;                /* likewise                                   */
     bool looks;
     double *y;
 };
