@@ -2,6 +2,7 @@
 #include "eval/face.h"
 #include "eval/inside.h"
 #include "plan/solver.h"
+#include "space/list.h"
 
 #include "base/status.h"
 #include "state/particles-private.h"
@@ -116,6 +117,35 @@ void moment_free(struct moment **moment)
     *moment = NULL;
 }
 
+/* --- anew ------------------------------------------------------------------------ */
+
+static void forget_forces(struct moment *m)
+{
+    memset(m->force, 0, (size_t)m->particles->objects * sizeof *m->force);
+    memset(m->pull, 0, sizeof m->pull);
+    m->wall_power = 0;
+    for (int i = 0; i < m->plan->bodies; i++) {
+        struct moment_body *b = &m->body[i];
+        memset(b->force, 0, (size_t)m->plan->body[i].points * sizeof *b->force);
+        b->load = (struct body_load){ 0 };
+    }
+}
+
+/* Factors that bodies keep are functions of their gamma alone: they change no bit. */
+void moment_restart(struct moment *m)
+{
+    if (m->observer)
+        moment_restart(m->observer);
+    if (m->own)
+        list_forget(m->own);
+    m->list = m->own;
+    forget_forces(m);
+    if (m->solver)
+        m->plan->solver->forget(m->solver);
+    m->refusal[0] = '\0';
+    memset(m->culprit, 0, sizeof m->culprit);
+}
+
 /* --- what is asked of it --------------------------------------------------------- */
 
 const struct plan *moment_plan(const struct moment *m)
@@ -178,5 +208,5 @@ const double *moment_force(const struct moment *m, int object)
 
 double moment_pairs(const struct moment *m)
 {
-    return m->own && m->own->builds > 0 ? list_entries(m->own) : 0;
+    return m->own && m->own->stands ? list_entries(m->own) : 0;
 }

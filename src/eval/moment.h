@@ -51,6 +51,12 @@ struct ask {
 /* Takes all memory that a run's evaluations need; the plan must outlive it. */
 int moment_create(const struct plan *plan, struct moment **out);
 void moment_free(struct moment **moment); /* NULL is welcome */
+
+/* A checkpoint: forgets all that is no function of (t, y), so that what follows has the bits
+ * of a new moment's.  The list of pairs is made at the next evaluation, guesses of solves are
+ * gone, the observer is as before its first look.  What a run has counted stays. */
+void moment_restart(struct moment *moment);
+
 const struct plan *moment_plan(const struct moment *moment);
 
 /* Sizes belong to the segment that the moment is in. */

@@ -15,7 +15,8 @@ static struct moment *observer(struct moment *run)
     return run->observer;
 }
 
-/* It sums over the run's list if that fits, else over its own. */
+/* It sums over the run's list if that fits, else over its own, made where it looks: what
+ * was looked at before says nothing. */
 static void choose_list(struct moment *o, const struct view *v)
 {
     const struct list_engine *lists = o->plan->engine->sum->list;
@@ -25,8 +26,10 @@ static void choose_list(struct moment *o, const struct view *v)
         return;
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
-    o->list = o->own->builds > 0 && !lists->stale(o->beside->list, &cloud) ? o->beside->list
+    o->list = o->own->stands && !lists->stale(o->beside->list, &cloud) ? o->beside->list
                                                                            : o->own;
+    if (o->list == o->own)
+        list_forget(o->own);
 }
 
 /* Densities out of bounds are looked at all the same: a view shows what is there. */

@@ -59,6 +59,13 @@ void viscous_keep(struct viscous *u, double t, const double *v)
     memcpy(to->v, v, (size_t)u->unknowns * sizeof *v);
 }
 
+void viscous_forget(void *self)
+{
+    struct viscous *u = self;
+
+    u->known.starts = u->known.stages = 0;
+}
+
 /* Takes a node unless it stands too close to another: such weights grow large. */
 static int take(const struct viscous_past *one, double apart, const struct viscous_past **node,
                 int n)

@@ -97,5 +97,6 @@ void viscous_read(struct moment *m, const double *y, double *v);
 void viscous_begin(struct moment *m, double t, const double *y); /* a step starts at t   */
 void viscous_keep(struct viscous *u, double t, const double *v); /* a stage was solved */
 void viscous_guess(struct moment *m, double t, const double *z, double *v);
+void viscous_forget(void *self); /* a member of implicit_viscous */
 
 #endif

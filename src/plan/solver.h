@@ -17,6 +17,9 @@ struct plan_solver {
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
 
+    /* What earlier solves have left behind, guesses above all: solves begin as a first one. */
+    void (*forget)(void *self);
+
     /* f_I of the law at (t, y) alone; or both sides of f in one pass over pairs, but for
      * the stiff side of bodies.  STATUS_FAILED: a refusal. */
     int (*rates)(struct moment *m, double t, const double *y, double *ydot);

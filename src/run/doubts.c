@@ -157,7 +157,7 @@ static int doubt_energy(const struct run *r)
         return status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = advice },
                                 "energy out of nothing: by t = %g s time integration made %.3g J, "
                                 "%.3g %% of the %.3g J there were, and nothing in this run can be "
-                                "trusted, though it came to its end", r->tally.t,
+                                "trusted, though it came to its end", r->past.tally.t,
                                 outputs_energy_made(r->outputs),
                                 100 * outputs_energy_made(r->outputs) / there, there);
     status_warn("energy: the book missed by %.3g J at its worst, %.3g %% of the %.3g J there were; "
@@ -181,15 +181,15 @@ static void doubt_solids(const struct run *r)
 int run_doubt_end(const struct run *r)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
-    const int out = observe_escaped(r->moment, r->tally.t, r->method->state(r->self));
+    const int out = observe_escaped(r->moment, r->past.tally.t, r->method->state(r->self));
 
     if (out > 0)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
                     "the book count them", out);
     doubt_solids(r);
-    if (r->tally.density[1] > 1.2 * rho0)
+    if (r->past.tally.density[1] > 1.2 * rho0)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
-                    "the largest speed)", r->tally.density[1],
-                    100 * (r->tally.density[1] / rho0 - 1));
+                    "the largest speed)", r->past.tally.density[1],
+                    100 * (r->past.tally.density[1] / rho0 - 1));
     return doubt_energy(r);
 }

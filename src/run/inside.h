@@ -4,18 +4,11 @@
 
 #include "eval/observe.h"
 #include "run/outputs.h"
+#include "run/past.h"
 #include "run/run.h"
 #include "time/method.h"
 
 enum { RUN_PATH = 3900 };
-
-/* What is counted while it goes. */
-struct run_tally {
-    long steps, limited[3];  /* by enum method_limiter                        */
-    long rejected;
-    double density[2];       /* least and largest of the fluid [kg/m^3]       */
-    double t;                /* reached [s]                                   */
-};
 
 struct run {
     char directory[RUN_PATH];
@@ -27,7 +20,7 @@ struct run {
     void *self;              /* of the method                                 */
     double *y;               /* [size] interpolated state                     */
     struct outputs *outputs;
-    struct run_tally tally;
+    struct run_past past;
     double until, event;     /* end of the run, of the segment [s]            */
     double clock_start;      /* [s]                                           */
     double cpu_start;        /* [s], spent by then: libraries take some       */

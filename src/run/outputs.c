@@ -23,10 +23,7 @@ struct outputs {
     struct tables *tables;
     struct fields *fields;
     struct snapshot *snapshot;
-    struct book_sheet first, last;
-    bool begun;
-    double defect_max, made, most; /* of energy, see the header [J] */
-    struct observe_sunk sunk;   /* at its worst */
+    struct run_balance *balance; /* the run's */
     double *rho, *p, *x, *u; /* of all particles, for particle files */
     unsigned char *kind;
 };
@@ -71,29 +68,30 @@ static int open_all(struct outputs *o, const struct plan *plan, const char *dir)
     return open_particles(o, plan, dir);
 }
 
-int outputs_open(struct outputs **out, const struct plan *plan, const char *dir)
+int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
+                 struct run_balance *balance)
 {
     *out = status_alloc(1, sizeof **out);
     if (!*out)
         return STATUS_FAILED;
     (*out)->lock = -1;
+    (*out)->balance = balance;
     return open_all(*out, plan, dir);
 }
 
-/* Energy of the last row that the book explains [J]: that above all fluid in the lowest
+/* Energy of a row that the book explains [J]: that above all fluid in the lowest
  * corner of the domain, or of what moves and is bent, where beams sink or are loaded; no
  * less than that of fluid at U/100. */
-static double energy_there(const struct outputs *o, const struct plan *plan)
+static double energy_there(const struct book_sheet *last, const struct plan *plan)
 {
     const struct scales *s = plan_scales(plan);
-    const double defect = outputs_defect(o);
     double lowest = 0, most; /* gravity's potential [J/kg] */
 
     for (int d = 0; d < DIM; d++)
         lowest += fmin(-s->g[d] * s->low[d], -s->g[d] * s->high[d]);
-    most = fmax(o->last.total - o->last.mass * lowest,
-                o->last.energy.kinetic + o->last.energy.elastic) - defect;
-    return fmax(most, 0.5 * o->last.mass * 1e-4 * s->speed * s->speed);
+    most = fmax(last->total - last->mass * lowest, last->energy.kinetic + last->energy.elastic)
+         - last->defect;
+    return fmax(most, 0.5 * last->mass * 1e-4 * s->speed * s->speed);
 }
 
 static void look_for_sunk(struct outputs *o, struct moment *moment, double t, const double *y)
@@ -101,22 +99,24 @@ static void look_for_sunk(struct outputs *o, struct moment *moment, double t, co
     struct observe_sunk now;
 
     observe_sunk(moment, t, y, &now);
-    if (now.n > o->sunk.n)
-        o->sunk = now;
+    if (now.n > o->balance->sunk.n)
+        o->balance->sunk = now;
 }
 
 int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    observe_sheet(moment, t, y, &o->last);
-    if (!o->begun)
-        o->first = o->last;
-    o->begun = true;
-    o->last.defect = book_defect(&o->first, &o->last);
-    o->defect_max = fmax(o->defect_max, fabs(outputs_defect(o)));
-    o->made = fmax(o->made, outputs_defect(o));
-    o->most = fmax(o->most, energy_there(o, moment_plan(moment)));
+    struct run_balance *b = o->balance;
+
+    observe_sheet(moment, t, y, &b->last);
+    if (!b->begun)
+        b->first = b->last;
+    b->begun = true;
+    b->last.defect = book_defect(&b->first, &b->last);
+    b->defect_max = fmax(b->defect_max, fabs(b->last.defect));
+    b->made = fmax(b->made, b->last.defect);
+    b->most = fmax(b->most, energy_there(&b->last, moment_plan(moment)));
     look_for_sunk(o, moment, t, y);
-    return tables_rows(o->tables, moment, t, y, &o->last);
+    return tables_rows(o->tables, moment, t, y, &b->last);
 }
 
 int outputs_step(struct outputs *o, const struct method_step *step)
@@ -171,42 +171,42 @@ int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const d
 
 const struct book_sheet *outputs_sheet(const struct outputs *o)
 {
-    return &o->last;
+    return &o->balance->last;
 }
 
 double outputs_energy_initial(const struct outputs *o)
 {
-    return o->first.total;
+    return o->balance->first.total;
 }
 
 double outputs_defect(const struct outputs *o)
 {
-    return o->last.defect;
+    return o->balance->last.defect;
 }
 
 double outputs_defect_max(const struct outputs *o)
 {
-    return o->defect_max;
+    return o->balance->defect_max;
 }
 
 double outputs_energy_made(const struct outputs *o)
 {
-    return o->made;
+    return o->balance->made;
 }
 
 double outputs_energy_most(const struct outputs *o)
 {
-    return o->most;
+    return o->balance->most;
 }
 
 const struct observe_sunk *outputs_sunk(const struct outputs *o)
 {
-    return &o->sunk;
+    return &o->balance->sunk;
 }
 
 double outputs_momentum_defect(const struct outputs *o)
 {
-    return book_momentum_defect(&o->first, &o->last);
+    return book_momentum_defect(&o->balance->first, &o->balance->last);
 }
 
 int outputs_close(struct outputs **outputs)

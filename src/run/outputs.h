@@ -2,13 +2,14 @@
 #ifndef RUN_OUTPUTS_H
 #define RUN_OUTPUTS_H
 
-#include "eval/observe.h"
+#include "run/past.h"
 #include "time/method.h"
 
 struct outputs;
 
-/* Makes DIR (and its files with their header lines). */
-int outputs_open(struct outputs **out, const struct plan *plan, const char *dir);
+/* Makes DIR (and its files with their header lines).  What rows show is kept in *balance. */
+int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
+                 struct run_balance *balance);
 
 /* A row in every table for this moment. */
 int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y);

@@ -109,7 +109,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     TRY(moment_create(r->plan, &r->moment));
     TRY(find_method(r));
     compute_defaults(r);
-    r->tally.density[0] = HUGE_VAL;
+    r->past.tally.density[0] = HUGE_VAL;
     r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
     return r->y ? STATUS_DONE : STATUS_FAILED;
 }

@@ -42,7 +42,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     json_text(j, "norm", s->norm);
     json_number(j, "tol", s->tol);
     json_integer(j, "threads", threads());
-    json_number(j, "t_end", r->tally.t);
+    json_number(j, "t_end", r->past.tally.t);
 }
 
 static void write_sizes(struct json *j, const struct run *r)
@@ -61,8 +61,8 @@ static void write_work(struct json *j, const struct run *r)
 {
     const struct moment_counts *c = moment_counts(r->moment);
 
-    json_integer(j, "steps", r->tally.steps);
-    json_integer(j, "rejected", r->tally.rejected);
+    json_integer(j, "steps", r->past.tally.steps);
+    json_integer(j, "rejected", r->past.tally.rejected);
     json_integer(j, "rhs_explicit", c->rhs_explicit);
     json_integer(j, "rhs_implicit", c->rhs_implicit);
     json_integer(j, "solves", c->solves);
@@ -72,11 +72,11 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
-    json_number(j, "mean_step", r->tally.steps ? r->tally.t / r->tally.steps : 0);
+    json_number(j, "mean_step", r->past.tally.steps ? r->past.tally.t / r->past.tally.steps : 0);
     json_object(j, "limited_by");
-    json_integer(j, "error", r->tally.limited[METHOD_ERROR]);
-    json_integer(j, "stability", r->tally.limited[METHOD_STABILITY]);
-    json_integer(j, "output", r->tally.limited[METHOD_OUTPUT]);
+    json_integer(j, "error", r->past.tally.limited[METHOD_ERROR]);
+    json_integer(j, "stability", r->past.tally.limited[METHOD_STABILITY]);
+    json_integer(j, "output", r->past.tally.limited[METHOD_OUTPUT]);
     json_end(j);
 }
 
@@ -85,16 +85,16 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     char hash[HASH_TEXT];
     struct observe_sunk sunk;
 
-    observe_sunk(r->moment, r->tally.t, y, &sunk);
-    json_integer(j, "escaped", observe_escaped(r->moment, r->tally.t, y));
+    observe_sunk(r->moment, r->past.tally.t, y, &sunk);
+    json_integer(j, "escaped", observe_escaped(r->moment, r->past.tally.t, y));
     json_integer(j, "in_solids", sunk.n);
     json_integer(j, "in_solids_max", outputs_sunk(r->outputs)->n);
     json_number(j, "energy_initial", outputs_energy_initial(r->outputs));
     json_number(j, "energy_defect", outputs_defect(r->outputs));
     json_number(j, "energy_defect_max", outputs_defect_max(r->outputs));
     json_number(j, "momentum_defect", outputs_momentum_defect(r->outputs));
-    json_number(j, "density_min", r->tally.density[1] > 0 ? r->tally.density[0] : NAN);
-    json_number(j, "density_max", r->tally.density[1] > 0 ? r->tally.density[1] : NAN);
+    json_number(j, "density_min", r->past.tally.density[1] > 0 ? r->past.tally.density[0] : NAN);
+    json_number(j, "density_max", r->past.tally.density[1] > 0 ? r->past.tally.density[1] : NAN);
     json_integer(j, "peak_rss_kb", (long)(memory_peak() / 1024));
     json_text(j, "state_hash",
               hash_text(hash_bytes(HASH_START, y, plan_size(r->plan) * sizeof *y), hash));

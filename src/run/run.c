@@ -14,35 +14,36 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Times k * every (k = 0, 1, ...) of one kind of output. */
+/* Times k * every (k = 0, 1, ...) of one kind of output; past.due has the next k. */
 struct ticks {
     double every; /* [s] */
-    long next;
     int (*write)(struct outputs *o, struct moment *moment, double t, const double *y);
 };
 
-enum { TICKS = 3, MESSAGE = 3072 };
+enum { MESSAGE = 3072 };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
 static const char *const limiters[] = { "error", "stability", "output" };
 
-static void make_ticks(const struct run *r, struct ticks tick[TICKS])
+static void make_ticks(struct run *r, struct ticks tick[RUN_DUES])
 {
     const struct settings_output *o = plan_output(r->plan);
 
-    tick[0] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval, 0, outputs_rows };
-    tick[1] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields, 0, outputs_field };
-    tick[2] = (struct ticks){ o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, 0,
-                              outputs_snapshot };
+    tick[RUN_ROWS] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval,
+                                     outputs_rows };
+    tick[RUN_FIELDS] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields,
+                                       outputs_field };
+    tick[RUN_SNAPSHOTS] = (struct ticks){
+        o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, outputs_snapshot };
     if (o->snapshots == 0)
-        tick[2].next = 1;
+        r->past.due[RUN_SNAPSHOTS] = 1;
 }
 
 static int stopped(const struct run *r, const char *files)
 {
     return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", stop_asked(),
-                       r->tally.t, r->until, files);
+                       r->past.tally.t, r->until, files);
 }
 
 /* A step may owe a million rows: too many to wait for. */
@@ -56,15 +57,15 @@ static bool is_impatient(struct run *r)
 }
 
 /* Every output that is due in (.., t]; at t itself the state is exact. */
-static int write_due(struct run *r, struct ticks tick[TICKS], double t)
+static int write_due(struct run *r, struct ticks tick[RUN_DUES], double t)
 {
     const double *end = r->method->state(r->self);
     const double slack = 1e-9 * r->until;
 
-    for (int i = 0; i < TICKS; i++)
-        for (; tick[i].next * tick[i].every <= t + slack
-               && tick[i].next * tick[i].every <= r->until + slack; tick[i].next++) {
-            const double due = fmin(tick[i].next * tick[i].every, t);
+    for (int i = 0; i < RUN_DUES; i++)
+        for (long *k = &r->past.due[i]; *k * tick[i].every <= t + slack
+                                        && *k * tick[i].every <= r->until + slack; ++*k) {
+            const double due = fmin(*k * tick[i].every, t);
             if (is_impatient(r))
                 return stopped(r, "outputs that were due in the last step are missing");
             if (due < t)
@@ -83,10 +84,10 @@ static void keep_density(struct run *r, double t, const double *y)
     n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
     for (int i = 0; i < n; i++) {
         const double rho = v.rho[KIND_FLUID][i];
-        if (rho < r->tally.density[0])
-            r->tally.density[0] = rho;
-        if (rho > r->tally.density[1])
-            r->tally.density[1] = rho;
+        if (rho < r->past.tally.density[0])
+            r->past.tally.density[0] = rho;
+        if (rho > r->past.tally.density[1])
+            r->past.tally.density[1] = rho;
     }
 }
 
@@ -95,10 +96,10 @@ static int one_step(struct run *r, struct progress *progress)
     struct method_step step;
 
     TRY(r->method->step(r->self, fmin(r->event, r->until), &step));
-    r->tally.t = step.t;
-    r->tally.steps++;
-    r->tally.limited[step.limiter]++;
-    r->tally.rejected = step.rejected;
+    r->past.tally.t = step.t;
+    r->past.tally.steps++;
+    r->past.tally.limited[step.limiter]++;
+    r->past.tally.rejected = step.rejected;
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, &step));
@@ -108,24 +109,24 @@ static int one_step(struct run *r, struct progress *progress)
 /* Where f jumps a segment ends, and the method starts anew. */
 static int next_segment(struct run *r)
 {
-    if (r->tally.t < r->event)
+    if (r->past.tally.t < r->event)
         return STATUS_DONE;
-    r->event = plan_event(r->plan, r->tally.t);
-    return r->method->restart(r->self, r->tally.t, r->method->state(r->self));
+    r->event = plan_event(r->plan, r->past.tally.t);
+    return r->method->restart(r->self, r->past.tally.t, r->method->state(r->self));
 }
 
 static int go(struct run *r, struct progress *progress)
 {
-    struct ticks tick[TICKS];
+    struct ticks tick[RUN_DUES];
 
     make_ticks(r, tick);
     r->event = plan_event(r->plan, 0);
     TRY(write_due(r, tick, 0));
-    while (r->tally.t < r->until) {
+    while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));
-        TRY(write_due(r, tick, r->tally.t));
+        TRY(write_due(r, tick, r->past.tally.t));
         TRY(next_segment(r));
-        if (stop_asked() && r->tally.t < r->until)
+        if (stop_asked() && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");
     }
     return STATUS_DONE;
@@ -154,7 +155,7 @@ static int start(struct run *r)
         snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
     snprintf(r->table, sizeof r->table, "%s%s",
              r->method->table ? r->method->table(r->self) : "", constant);
-    TRY(outputs_open(&r->outputs, r->plan, r->directory));
+    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past.balance));
     keep_density(r, 0, r->y);
     return write_used(r);
 }
@@ -164,8 +165,8 @@ static void write_end(struct run *r)
 {
     const double *y = r->method->state(r->self);
 
-    if (r->tally.t > outputs_sheet(r->outputs)->t)
-        outputs_rows(r->outputs, r->moment, r->tally.t, y);
+    if (r->past.tally.t > outputs_sheet(r->outputs)->t)
+        outputs_rows(r->outputs, r->moment, r->past.tally.t, y);
 }
 
 /* A constant step is the choice of the user alone. */
@@ -177,7 +178,7 @@ static void doubt_step(const struct run *r)
 
     if (!(r->def.seconds > 0) || status_has_cause())
         return;
-    moment_limit(r->moment, r->tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
+    moment_limit(r->moment, r->past.tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
     rate = fmax(limit[0].rate, limit[1].rate);
     snprintf(cause, sizeof cause, "The constant step of %g s is %.3g times 1/(fastest rate) there; "
              "bounds of stability lie between 1 and 5", r->def.seconds, r->def.seconds * rate);
@@ -190,7 +191,7 @@ static void advise(const struct run *r)
     if (status_has_remedy())
         return;
     status_advise((struct status_advice){
-        .remedy = r->tally.steps == 0
+        .remedy = r->past.tally.steps == 0
             ? "That is the start itself: try a higher eos.c0 or wider eos.lowest and eos.highest, "
               "or look at what the scene starts with"
             : "Things to try: shorter steps (a smaller tol or CFL number), a higher eos.c0, more "
@@ -208,7 +209,7 @@ static void explain(const struct run *r, int status, char message[MESSAGE])
     }
     snprintf(message, MESSAGE, "%.*s", MESSAGE / 2, status_message());
     if (status == STATUS_FAILED)
-        observe_blame(r->moment, r->tally.t, r->method->state(r->self), why, sizeof why);
+        observe_blame(r->moment, r->past.tally.t, r->method->state(r->self), why, sizeof why);
     if (why[0])
         snprintf(message + strlen(message), MESSAGE - strlen(message), ". Cause: %s", why);
 }
@@ -232,7 +233,7 @@ int run_scene(const struct run_order *order)
     stop_listen();
     progress_start(&progress, stderr, 0, r.until, order->quiet);
     status = go(&r, &progress);
-    progress_end(&progress, r.tally.t);
+    progress_end(&progress, r.past.tally.t);
     if (status != STATUS_DONE) {
         explain(&r, status, message);
         write_end(&r);

@@ -78,19 +78,24 @@ static struct check check(const struct list *list, const struct cloud *cloud)
 
 static bool outdated(const struct list *list, const struct cloud *cloud, const struct check *c)
 {
-    return list->builds == 0 || c->back || (c->moved && !drift_harmless(list, cloud));
+    return !list->stands || c->back || (c->moved && !drift_harmless(list, cloud));
 }
 
 bool list_stale(const struct list *list, const struct cloud *cloud)
 {
-    if (list->builds == 0)
+    if (!list->stands)
         return true;
     const struct check c = check(list, cloud);
     return c.bad < list->n || outdated(list, cloud, &c);
 }
 
+void list_forget(struct list *list)
+{
+    list->stands = false;
+}
+
 /* Before the first build everybody counts as left out. */
-static void forget(struct list *list)
+static void leave_out(struct list *list)
 {
     for (int i = 0; i < list->n; i++) {
         list->slot[i] = -1;
@@ -198,6 +203,7 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
     }
     TRY(join(list));
     list->builds++;
+    list->stands = true;
     return STATUS_DONE;
 }
 
@@ -227,8 +233,8 @@ static int note_bad(struct list *list, const struct cloud *cloud, int bad)
 
 int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
-    if (list->builds == 0)
-        forget(list);
+    if (!list->stands)
+        leave_out(list);
     const struct check c = check(list, cloud);
 
     list->bad = -1;

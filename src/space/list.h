@@ -73,6 +73,7 @@ struct list {
     const long *rows_before; /* [groups+1] rows of all groups before: the work */
     const struct list_segment *segment;
     long builds;           /* rebuilds so far                                */
+    bool stands;           /* there are rows, of the last rebuild            */
     int bad;               /* row of the particle whose position is not finite,
                               of several that with the smallest id, or -1    */
     struct list_private *own;
@@ -113,6 +114,10 @@ static inline bool list_inside(const struct list_def *def, const double *x)
 #endif
     return inside;
 }
+
+/* What positions it was last made at is forgotten: the next update() makes it as the first
+ * one did.  Memory and the count of rebuilds stay. */
+void list_forget(struct list *list);
 
 /* Entries in all rows, padding included. */
 double list_entries(const struct list *list);

@@ -24,7 +24,7 @@ int list_rearrange(struct list *list, const int *const from[KINDS],
     double *scratch;
     int status;
 
-    if (builds == 0)
+    if (!list->stands)
         return STATUS_DONE;
     scratch = malloc(((size_t)list->n + 1) * DIM * sizeof *scratch);
     if (!scratch)

@@ -63,7 +63,12 @@ struct method {
     int (*vectors)(const struct method *m, const struct plan *plan);
 
     const double *(*state)(const void *self);     /* y at the end of the last step */
-    int (*restart)(void *self, double t, const double *y); /* after an event  */
+
+    /* From (t, y) on all is as after create() there: steps begin with h_first or the
+     * method's own first one, errors, stages and states before are forgotten.  Only
+     * `rejected` counts on.  At a checkpoint moment_restart() goes with it. */
+    int (*restart)(void *self, double t, const double *y);
+
     const char *(*table)(const void *self);       /* for run.json             */
     void (*free)(void **self);
 };

@@ -1,0 +1,48 @@
+/* past.h -- what a run knows of its past that no y says.
+ *
+ * A checkpoint is the end of a segment: the method's restart() and moment_restart(), in the
+ * run that writes it and in the one that resumes.  Nothing of method or moment has to be kept
+ * then (tests/physics/restart.c).  It has to carry
+ *
+ *   - t and y, quadratures of the book among them: works, impulses of forces.csv, energies;
+ *   - the scene as it was used, the method by name, what the layout says of y;
+ *   - struct run_past;
+ *   - moment_counts(), and processor and wall time so far, for run.json;
+ *   - how long the files of tables were (whole lines), and how many particle files there are
+ *     (output/fields.h keeps their times for its index, output/snapshot.h their number).
+ *
+ * Columns with memory of rows before: `defect` of book.csv (the first sheet) and `rejected` of
+ * steps.csv, which the method counts from its creation.  All others follow from (t, y), but
+ * for the last bits: where it fits, looks sum over the run's list of pairs. */
+#ifndef RUN_PAST_H
+#define RUN_PAST_H
+
+#include "eval/observe.h"
+
+/* What is counted while it goes. */
+struct run_tally {
+    long steps, limited[3];  /* by enum method_limiter                        */
+    long rejected;
+    double density[2];       /* least and largest of the fluid [kg/m^3]       */
+    double t;                /* reached [s]                                   */
+};
+
+/* What rows of tables have shown so far. */
+struct run_balance {
+    struct book_sheet first, last;
+    bool begun;              /* there is a first one                          */
+    double defect_max;       /* largest defect of energy, without its sign [J] */
+    double made, most;       /* largest one above 0; see outputs_energy_most() [J] */
+    struct observe_sunk sunk; /* at its worst                                 */
+};
+
+enum run_due { RUN_ROWS, RUN_FIELDS, RUN_SNAPSHOTS, RUN_DUES };
+
+struct run_past {
+    struct run_tally tally;
+    struct run_balance balance;
+    long due[RUN_DUES];      /* outputs of each kind that were due so far: the next one is
+                                at so many times its interval                 */
+};
+
+#endif
