@@ -32,7 +32,8 @@ struct body_contacts {
     void (*start)(const struct contacts *c, const struct layout *l, double *y);
 
     /* Adds forces to bodies, equal and opposite ones, sets the rates of its rows of ydot, and
-     * says what it gives to bodies, power [columns] [W]. */
+     * says what it gives to bodies, power [columns] [W].  That is booked with velocities of y
+     * by all methods: by those that step halves (struct ask, `ahead`) to the first order. */
     void (*meet)(const struct contacts *c, const struct layout *l, double t, const double *y,
                  int bodies, const struct contacts_body *body, double *ydot, double *power);
 

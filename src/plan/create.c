@@ -163,7 +163,7 @@ static int make_contacts(struct plan *p)
     if (!bodies_contacts || p->bodies < 2)
         return STATUS_DONE;
     c->kind = bodies_contacts;
-    while (c->kind->column[c->columns])
+    while (c->columns < CONTACTS_COLUMNS && c->kind->column[c->columns])
         c->columns++;
     return c->kind->create(&p->scales, p->bodies, &c->self);
 }

@@ -31,10 +31,10 @@ double plan_speed_expected(const struct plan *plan);
 int plan_parts(const struct plan *plan);
 const struct part *plan_part(const struct plan *plan, int i, const char **path);
 
-/* Passes of an evaluation in order; which fields each provides, adds to, and reads of
- * neighbours. */
+/* Passes of an evaluation in order; what each goes over, which fields it provides, adds
+ * to, and reads of neighbours. */
 struct plan_pass_show {
-    const char *name;
+    const char *name, *over;
     char provides[200], adds[200], neighbours[200];
 };
 int plan_passes(const struct plan *plan);

@@ -165,9 +165,14 @@ static unsigned one_word(unsigned fields)
 
 void plan_pass_show(const struct plan *p, int i, struct plan_pass_show *out)
 {
+    static const char *const over[] = {
+        [PASS_POINTWISE] = "points", [PASS_OVER_PAIRS] = "pairs", [PASS_SOLVE] = "solve",
+        [PASS_BODIES] = "bodies", [PASS_EACH_SUM] = "pairs",
+    };
     const struct plan_pass *one = &p->passes.pass[i];
 
     out->name = one->name;
+    out->over = over[one->pass->kind];
     passes_names(one->provides & there(p), out->provides, sizeof out->provides);
     passes_names(one->adds & there(p), out->adds, sizeof out->adds);
     passes_names(one_word(one->neighbours) & there(p), out->neighbours, sizeof out->neighbours);

@@ -51,12 +51,13 @@ enum { /* what an evaluation may be asked for: struct ask of eval/moment.h */
     PASS_QUESTIONS = 7
 };
 
+/* What a pass goes over; a sum is over pairs, once for each struct plan_field. */
 enum pass_kind { PASS_POINTWISE, PASS_OVER_PAIRS, PASS_SOLVE, PASS_BODIES, PASS_EACH_SUM };
 
 /* A line of the table. */
 struct pass {
     const char *name;
-    enum pass_kind kind;   /* PASS_EACH_SUM: over pairs, once for each struct plan_field */
+    enum pass_kind kind;
     unsigned needs;        /* PASS_ bits that it reads of its owners                     */
     unsigned neighbours;   /* and of their neighbours: what a halo must carry            */
     unsigned provides;

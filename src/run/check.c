@@ -29,7 +29,7 @@ static void print_pass(const struct plan_pass_show *p)
 {
     const char *more = p->adds[0] ? "adds to " : "", *and = p->provides[0] && more[0] ? ", " : "";
 
-    printf("  %-32s %s%s%s%s", p->name, p->provides, and, more, p->adds);
+    printf("  %-30s %-7s %s%s%s%s", p->name, p->over, p->provides, and, more, p->adds);
     if (p->neighbours[0])
         printf("; of neighbours: %s", p->neighbours);
     putchar('\n');

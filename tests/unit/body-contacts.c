@@ -12,11 +12,11 @@
 #include <string.h>
 
 /* Water far from both, no weight: nothing but springs pushes the blocks. */
-#define SCENE                                                                            \
+#define SCENE(C0)                                                                          \
     "dimension = 2; until = 1.0; spacing = 0.005; gravity = [0.0, 0.0];"                       \
     "domain = { from = [0.0, 0.0]; to = [0.2, 0.2]; };"                                       \
     "fluid = { water = { type = \"box\"; from = [0.01, 0.01]; to = [0.03, 0.03]; }; };"       \
-    "eos = { rho0 = 1000.0; c0 = 10.0; };"                                    \
+    "eos = { rho0 = 1000.0; c0 = " C0 "; };"                                    \
     "effects = { continuity = { }; pressure = { }; };"
 #define BLOCKS                                                                           \
     "beam = { lower = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; stiffness = 5e3;"          \
@@ -119,7 +119,7 @@ static void they_push_each_other(void **state)
     struct tank t;
 
     (void)state;
-    tank_make(&t, SCENE, BLOCKS, NULL);
+    tank_make(&t, SCENE("10.0"), BLOCKS, NULL);
     const struct places at = places_of(&t);
     const double force = -stiffness * gap_of(&at, t.y);
     const double up[2] = { (-5e3 * 1e-3 - force) / 2.0, (2e3 * 3e-3 + force) / 1.0 };
@@ -142,7 +142,7 @@ static void their_limit_counts(void **state)
     struct tank t;
 
     (void)state;
-    tank_make(&t, SCENE, BLOCKS, NULL);
+    tank_make(&t, SCENE("1.0"), BLOCKS, NULL);
     moment_limit(t.moment, 0, t.y, false, limits);
     assert_string_equal(limits[0].part, "contacts");
     check_close(limits[0].rate, sqrt(1.5 * stiffness), 1e-9, "rate");
@@ -155,7 +155,7 @@ static void one_body_meets_none(void **state)
     struct tank t;
 
     (void)state;
-    tank_make(&t, SCENE, "beam = { it = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; }; };", NULL);
+    tank_make(&t, SCENE("10.0"), "beam = { it = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; }; };", NULL);
     assert_null(t.plan->contacts.kind);
     assert_int_equal(t.plan->book.n, t.plan->book.contacts);
     tank_free(&t);
@@ -196,25 +196,29 @@ static double work_of(const struct book_sheet *s, const struct plan *p, const ch
  * column of the book and in its own row of y: what was stored in it and is not any more. */
 static void books_close(void **state)
 {
-    static const char *const methods[] = { "erk3", "imex3", "dv", "adams", "leapfrog", "ab3" };
+    static const struct {
+        const char *name;
+        double near; /* [J/m]; steps of dv are long, and it books to the first order of them */
+    } method[] = { { "erk3", 2e-6 },  { "imex3", 2e-6 },    { "dv", 6e-3 },
+                   { "adams", 2e-5 }, { "leapfrog", 2e-4 }, { "ab3", 2e-5 } };
 
     (void)state;
-    for (int i = 0; i < (int)(sizeof methods / sizeof methods[0]); i++) {
+    for (int i = 0; i < (int)(sizeof method / sizeof method[0]); i++) {
         struct book_sheet first, s;
         struct tank t;
-        tank_make(&t, SCENE, BLOCKS, NULL);
+        tank_make(&t, SCENE("10.0"), BLOCKS, NULL);
         const struct places at = places_of(&t);
         const double begun = gap_of(&at, t.y);
         observe_sheet(t.moment, 0, t.y, &first);
-        run(&t, methods[i], 1e-5, 0.006);
+        run(&t, method[i].name, 1e-5, 0.006);
         observe_sheet(t.moment, 0.006, t.y, &s);
         const double ended = fmin(gap_of(&at, t.y), 0);
         const double given = 0.5 * stiffness * (begun * begun - ended * ended);
         assert_true(fabs(given) > 0.05);
-        check_close(work_of(&s, t.plan, "contact"), given, 2e-4, methods[i]);
-        check_close(t.y[tank_at(&t, "contacts.work", NULL)], 3 + given, 2e-4, methods[i]);
-        check_close(book_defect(&first, &s), 0, 2e-4, methods[i]);
-        check_close(book_momentum_defect(&first, &s), 0, 1e-10, methods[i]);
+        check_close(work_of(&s, t.plan, "contact"), given, method[i].near, method[i].name);
+        check_close(t.y[tank_at(&t, "contacts.work", NULL)], 3 + given, method[i].near, method[i].name);
+        check_close(book_defect(&first, &s), 0, method[i].near, method[i].name);
+        check_close(book_momentum_defect(&first, &s), 0, 1e-10, method[i].name);
         assert_true(fabs(s.momentum[1]) > 1e-3);
         tank_free(&t);
     }
