@@ -70,7 +70,7 @@ int passes_apart(struct evaluation *e, const struct plan_field *of)
     return STATUS_DONE;
 }
 
-/* Accelerations by all but the pressure, into rates of velocities of ydot: who solves for
+/* Accelerations by all but the pressure, into rates of velocities of ydot: a solve for
  * the pressure finds them there.  The laws write over them, and over forces and powers. */
 int passes_others(struct evaluation *e, const struct plan_field *of)
 {

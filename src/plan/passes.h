@@ -17,7 +17,7 @@ enum { /* fields, by bits; name, unit, width and kinds of each: passes-fields.c 
     PASS_POSITION = 1 << 0,
     PASS_VELOCITY = 1 << 1,
     PASS_MOTION = 1 << 2,          /* positions and velocities of solids          */
-    PASS_PAIRS = 1 << 3,           /* who is near whom                            */
+    PASS_PAIRS = 1 << 3,           /* which particles are near each other      */
     PASS_RECORDS = 1 << 4,         /* what a pair reads, in the order of the list */
     PASS_DENSITY = 1 << 5,
     PASS_SOLID_DENSITY = 1 << 6,

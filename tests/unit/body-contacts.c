@@ -155,7 +155,8 @@ static void one_body_meets_none(void **state)
     struct tank t;
 
     (void)state;
-    tank_make(&t, SCENE("10.0"), "beam = { it = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; }; };", NULL);
+    tank_make(&t, SCENE("10.0"), "beam = { it = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; }; };",
+              NULL);
     assert_null(t.plan->contacts.kind);
     assert_int_equal(t.plan->book.n, t.plan->book.contacts);
     tank_free(&t);
@@ -216,7 +217,8 @@ static void books_close(void **state)
         const double given = 0.5 * stiffness * (begun * begun - ended * ended);
         assert_true(fabs(given) > 0.05);
         check_close(work_of(&s, t.plan, "contact"), given, method[i].near, method[i].name);
-        check_close(t.y[tank_at(&t, "contacts.work", NULL)], 3 + given, method[i].near, method[i].name);
+        check_close(t.y[tank_at(&t, "contacts.work", NULL)], 3 + given, method[i].near,
+                    method[i].name);
         check_close(book_defect(&first, &s), 0, method[i].near, method[i].name);
         check_close(book_momentum_defect(&first, &s), 0, 1e-10, method[i].name);
         assert_true(fabs(s.momentum[1]) > 1e-3);
