@@ -9,7 +9,7 @@
 
 #include "plan/inside.h"
 
-enum { BOOK_WORKS = 72, BOOK_NAME = 80, /* works: of parts, walls, and two of each body */
+enum { BOOK_WORKS = 72, BOOK_NAME = 80, /* works: of parts, walls, and two of each body, contacts */
        BOOK_COLUMNS = BOOK_WORKS + 10 + DIM };
 
 /* --- rates of the quadratures ------------------------------------------------------ */
@@ -21,6 +21,7 @@ struct book_powers {
     const double *pull;              /* [DIM] of body forces beside the weight [N] */
     const double (*force)[DIM];      /* [objects][DIM] on solids              [N] */
     const struct moment_body *body;  /* [bodies]: their loads                     */
+    const double *contacts;          /* [columns] power of contacts on bodies [W] */
 };
 
 /* All quadratures' rates, book [n] = the book's row of ydot. */

@@ -42,6 +42,8 @@ int book_work_names(const struct plan *p, char (*name)[BOOK_NAME])
         snprintf(name[n++], BOOK_NAME, "%.60s.damping", p->body[i].name);
         snprintf(name[n++], BOOK_NAME, "%.60s.load", p->body[i].name);
     }
+    for (int i = 0; i < p->contacts.columns; i++)
+        snprintf(name[n++], BOOK_NAME, "%s", p->contacts.kind->column[i]);
     return n;
 }
 

@@ -26,8 +26,10 @@ void book_rates(const struct plan *p, const struct book_powers *of, double *book
     book[b->walls] = -of->walls;
     for (int i = 0; i < p->bodies; i++)
         book_add_load(p, i, 1, &of->body[i].load, book);
-    for (int i = b->pull; i < b->n; i++)
+    for (int i = b->pull; i < b->contacts; i++)
         book[i] = of->pull[i - b->pull];
+    for (int i = b->contacts; i < b->n; i++)
+        book[i] = of->contacts[i - b->contacts];
     for (int o = 0; o < p->particles->objects; o++)
         for (int d = 0; d < DIM; d++)
             book[b->impulse + o * DIM + d] = of->force[o][d];

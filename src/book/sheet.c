@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <math.h>
 
-static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES, "all works fit");
+static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS, "all works fit");
 
 /* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */
 static double fluid_motion(const struct view *v, double *momentum)
@@ -36,6 +36,8 @@ static void read_works(const struct plan *p, const double *book, struct book_she
         s->work[s->works++] = book[p->book.damping + i];
         s->work[s->works++] = book[p->book.driven + i];
     }
+    for (int i = 0; i < p->contacts.columns; i++)
+        s->work[s->works++] = book[p->book.contacts + i];
 }
 
 /* Momentum that came through walls, supports and gravity since the start. */
@@ -44,7 +46,7 @@ static void read_impulses(const struct plan *p, double t, const double *book, do
 {
     for (int d = 0; d < DIM; d++) {
         double given = mass * p->scales.g[d] * t;
-        if (p->book.n > p->book.pull)
+        if (p->book.contacts > p->book.pull)
             given += book[p->book.pull + d];
         for (int o = 0; o < p->particles->objects; o++)
             if (p->particles->object[o].kind != KIND_FLUID)

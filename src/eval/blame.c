@@ -143,9 +143,9 @@ static int find_worst(const struct blame *b, struct deed *worst)
 /* A density that is no state comes from a part that sums. */
 static const struct plan_part *summer(const struct plan *p, enum kind k)
 {
-    for (int i = p->fields - 1; i >= 0; i--)
-        if (p->field[i].meets[k] && !p->field[i].part->part->as.summed->carry)
-            return p->field[i].part;
+    for (int i = p->passes.fields - 1; i >= 0; i--)
+        if (p->passes.field[i].meets[k] && !p->passes.field[i].part->part->as.summed->carry)
+            return p->passes.field[i].part;
     return NULL;
 }
 
@@ -237,9 +237,8 @@ static int look(struct blame *b, double t, const double *y, struct view *v)
         return STATUS_FAILED;
     b->m->density_low = -HUGE_VAL;
     b->m->density_high = HUGE_VAL;
-    moment_view(b->m, t, y, v);
     b->v = v;
-    return moment_fields(b->m, v);
+    return rates_fields(b->m, t, y, v);
 }
 
 void observe_blame(struct moment *run, double t, const double *y, char *text, size_t room)

@@ -1,5 +1,5 @@
-/* fields.c -- densities that are no state: summed over pairs before the forces. */
-#include "eval/inside.h"
+/* fields.c -- the list of pairs, and densities that are no state: summed over pairs. */
+#include "eval/passes.h"
 
 #include "base/status.h"
 
@@ -22,18 +22,33 @@ static int refuse_position(struct moment *m, double t)
     return STATUS_FAILED;
 }
 
-static int update_list(struct moment *m, const struct view *v)
+/* A moment for looking sums over the run's list if that fits, else over its own, made where
+ * it looks: what was looked at before says nothing. */
+static void choose_list(struct moment *m, const struct cloud *cloud)
 {
+    const struct list_engine *lists = m->plan->engine->sum->list;
+
+    m->list = m->own->stands && !lists->stale(m->beside->list, cloud) ? m->beside->list : m->own;
+    if (m->list == m->own)
+        list_forget(m->own);
+}
+
+int passes_list(struct evaluation *e, const struct plan_field *of)
+{
+    struct moment *m = e->m;
     struct cloud cloud = { 0 };
 
-    memcpy(cloud.from, v->p->from, sizeof cloud.from);
-    memcpy(cloud.x, v->x, sizeof cloud.x);
+    (void)of;
+    memcpy(cloud.from, e->view.p->from, sizeof cloud.from);
+    memcpy(cloud.x, e->view.x, sizeof cloud.x);
+    if (m->beside)
+        choose_list(m, &cloud);
     if (m->plan->engine->sum->list->update(m->list, &cloud) != STATUS_DONE)
-        return refuse_position(m, v->t);
+        return refuse_position(m, e->t);
     return workspace_fit(m->work, m->list);
 }
 
-/* Who has left the domain meets nobody: the density at rest. */
+/* Particles outside the domain have no neighbours: the density at rest. */
 static void settle_kind(struct moment *m, const struct plan_field *f, struct view *v, int k)
 {
     const struct workspace *w = m->work;
@@ -65,8 +80,10 @@ static void carry(struct moment *m, const struct plan_field *f, struct view *v)
     f->part->part->as.summed->carry(f->part->self, &job, w->drift);
 }
 
-static int sum_field(struct moment *m, const struct plan_field *f, struct view *v)
+int passes_sum(struct evaluation *e, const struct plan_field *f)
 {
+    struct moment *m = e->m;
+    struct view *v = &e->view;
     const struct sum_field_job job = {
         .list = m->list, .record = m->work->record, .meets = f->meets,
         .needs = f->part->part->as.summed->rows, .gather = f->part->part->as.summed->gather,
@@ -86,15 +103,4 @@ static int sum_field(struct moment *m, const struct plan_field *f, struct view *
             kinds |= KIND_BIT(k);
         }
     return moment_pack(m, v, kinds);
-}
-
-int moment_fields(struct moment *m, struct view *v)
-{
-    if (m->particles->n == 0)
-        return STATUS_DONE;
-    TRY(update_list(m, v));
-    TRY(moment_pack(m, v, KIND_BIT(KINDS) - 1));
-    for (int i = 0; i < m->plan->fields; i++)
-        TRY(sum_field(m, &m->plan->field[i], v));
-    return STATUS_DONE;
 }

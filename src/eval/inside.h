@@ -46,6 +46,8 @@ struct moment {
     struct moment_body *body;          /* [bodies]                            */
     double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
     double wall_power;                 /* v . f of moving walls [W]           */
+    struct contacts_body *meeting;     /* [bodies] contacts see them so       */
+    double *contact_power;             /* [columns] of contacts on bodies [W] */
     double pull[DIM];                  /* of fields beside the weight [N]     */
     double density_low, density_high;  /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
@@ -83,24 +85,19 @@ void moment_place(const struct moment *m, const struct view *v, int c, char text
 /* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds);
 
-/* fields.c: list and records of this moment, and the densities in v that are
- * summed.  STATUS_FAILED: refused. */
-int moment_fields(struct moment *m, struct view *v);
-
-/* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates;
- * rates of everything but bodies, body forces and the book. */
+/* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates,
+ * and the forces of pairs brought there. */
 struct sum_rates spread_places(const struct moment *m, const struct ask *ask, double *ydot);
 double (*spread_velocities(const struct moment *m, double *ydot))[DIM];
-void spread_rates(const struct moment *m, const struct ask *ask, const struct view *v,
-                  double *ydot);
+void spread_accelerations(const struct moment *m, double *ydot);
 
 /* solids.c: force of the fluid on each solid, and the power of driven walls; forces on the
  * points of one skin. */
 void solids_sum(struct moment *m);
 void solids_skin(const struct moment *m, struct moment_body *b);
 
-/* rates.c: sums over pairs by these laws.  push: see struct sum_job; it is added to.
- * apart: see struct ask; forces of the implicit law by slot. */
+/* Sums over pairs by these laws.  push: see struct sum_job; it is added to.  apart: see
+ * struct ask; forces of the implicit law by slot. */
 struct rates_job {
     const struct pairs_table *table;
     double ahead;         /* see struct ask */
@@ -108,12 +105,15 @@ struct rates_job {
     struct sum_rates to;
     double *apart;
 };
-int rates_sum(struct moment *m, const struct rates_job *job);
 
-/* The explicit side, or what of it was asked for; of the implicit side, laws of pairs but
- * not the stiff side of bodies.  apart: forces of the implicit law by slot, with their
+/* rates.c: the explicit side, or what of it was asked for; of the implicit side, laws of
+ * pairs but not the stiff side of bodies, and of it alone (then ydot is not touched) their
+ * forces and power in the moment.  apart: forces of the implicit law by slot, with their
  * power in *power; NULL. */
 int rates_eval(struct moment *m, const struct ask *ask, double t, const double *y, double *ydot,
                double *apart, double *power);
+
+/* rates.c: list, records and densities at (t, y), in m and in v.  STATUS_FAILED: refused. */
+int rates_fields(struct moment *m, double t, const double *y, struct view *v);
 
 #endif

@@ -47,4 +47,9 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
         if (b->kind->implicit && stiff)
             keep_body(b, b->kind->implicit->limit, limit);
     }
+    if (p->contacts.kind && p->contacts.kind->limit) {
+        struct limit one = { .where = -1 };
+        p->contacts.kind->limit(p->contacts.self, &one);
+        keep_fastest(&one, "contacts", limit);
+    }
 }

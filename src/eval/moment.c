@@ -37,7 +37,10 @@ static int take_memory(struct moment *m)
 
     TRY(particles_create_beside(p->particles, &m->particles));
     TRY(take_bodies(m));
-    if (!(m->force = status_alloc((size_t)p->particles->objects + 1, sizeof *m->force)))
+    m->force = status_alloc((size_t)p->particles->objects + 1, sizeof *m->force);
+    m->meeting = status_alloc((size_t)p->bodies + 1, sizeof *m->meeting);
+    m->contact_power = status_alloc((size_t)p->contacts.columns + 1, sizeof *m->contact_power);
+    if (!m->force || !m->meeting || !m->contact_power)
         return STATUS_FAILED;
     if (p->particles->n > 0)
         TRY(p->engine->sum->list->create(&m->own, &p->list_def));
@@ -112,6 +115,8 @@ void moment_free(struct moment **moment)
         free_body(&m->body[i]);
     free(m->body);
     free(m->force);
+    free(m->meeting);
+    free(m->contact_power);
     particles_free(&m->particles);
     free(m);
     *moment = NULL;

@@ -15,35 +15,19 @@ static struct moment *observer(struct moment *run)
     return run->observer;
 }
 
-/* It sums over the run's list if that fits, else over its own, made where it looks: what
- * was looked at before says nothing. */
-static void choose_list(struct moment *o, const struct view *v)
-{
-    const struct list_engine *lists = o->plan->engine->sum->list;
-    struct cloud cloud = { 0 };
-
-    if (!o->own)
-        return;
-    memcpy(cloud.from, v->p->from, sizeof cloud.from);
-    memcpy(cloud.x, v->x, sizeof cloud.x);
-    o->list = o->own->stands && !lists->stale(o->beside->list, &cloud) ? o->beside->list
-                                                                           : o->own;
-    if (o->list == o->own)
-        list_forget(o->own);
-}
-
 /* Densities out of bounds are looked at all the same: a view shows what is there. */
 void observe_view(struct moment *run, double t, const double *y, struct view *v)
 {
-    struct moment *o = run->plan->fields > 0 ? observer(run) : run;
+    struct moment *o = run->plan->passes.fields > 0 ? observer(run) : run;
 
-    moment_view(o ? o : run, t, y, v);
-    if (run->plan->fields == 0)
+    if (run->plan->passes.fields == 0) {
+        moment_view(run, t, y, v);
         return;
-    if (o) {
-        choose_list(o, v);
-        moment_fields(o, v);
     }
+    if (o)
+        rates_fields(o, t, y, v);
+    else
+        moment_view(run, t, y, v);
     for (int k = 0; k < KINDS; k++) /* a position that is not finite has no sums */
         if (!v->rho[k])
             v->rho[k] = run->work->rho + run->particles->from[k];
@@ -52,13 +36,10 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
 int observe_forces(struct moment *run, double t, const double *y)
 {
     struct moment *o = observer(run);
-    struct view v;
     int status;
 
     if (!o)
         return STATUS_FAILED;
-    moment_view(o, t, y, &v);
-    choose_list(o, &v);
     status = rates_eval(o, &ASK_ALL, t, y, o->work->rates, NULL, NULL);
     return status == STATUS_DONE ? status : status_fail(STATUS_FAILED, "%s", o->refusal);
 }

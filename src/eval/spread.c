@@ -1,5 +1,7 @@
 /* spread.c -- from the order of the pair list to that of y: rates of particles. */
-#include "eval/inside.h"
+#include "eval/passes.h"
+
+#include "base/status.h"
 
 #include <string.h>
 
@@ -92,17 +94,25 @@ static void spread_densities(const struct moment *m, double *ydot)
     }
 }
 
-/* Rates of everything but bodies, fields and the book. */
-void spread_rates(const struct moment *m, const struct ask *ask, const struct view *v,
-                   double *ydot)
+void spread_accelerations(const struct moment *m, double *ydot)
 {
-    if (m->plan->row.x < 0)
-        return;
-    stop_outsiders(m, spread_places(m, ask, ydot));
-    if (ask->rates == 0) /* halves move nothing */
-        copy_velocities(m, v, ydot);
-    if (ask->rates != ASK_DENSITIES && m->face)
+    const struct ask ask = { .rates = ASK_VELOCITIES };
+
+    stop_outsiders(m, spread_places(m, &ask, ydot));
+    if (m->face)
         spread_forces(m, ydot);
-    if (ask->rates != ASK_VELOCITIES)
-        spread_densities(m, ydot);
+}
+
+/* Halves move nothing. */
+int passes_fluid(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    stop_outsiders(e->m, e->job.to);
+    if (e->ask->rates == 0)
+        copy_velocities(e->m, &e->view, e->ydot);
+    if (e->ask->rates != ASK_DENSITIES && e->m->face)
+        spread_forces(e->m, e->ydot);
+    if (e->ask->rates != ASK_VELOCITIES)
+        spread_densities(e->m, e->ydot);
+    return STATUS_DONE;
 }

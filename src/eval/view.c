@@ -1,6 +1,7 @@
 /* view.c -- moves solids to the moment and says where everything is. */
-#include "eval/inside.h"
+#include "eval/passes.h"
 
+#include "base/status.h"
 #include "state/period.h"
 
 #include <stdio.h>
@@ -55,6 +56,13 @@ void moment_view(struct moment *m, double t, const double *y, struct view *v)
             v->rho[k] = y + layout_at(&m->layout, row->density[k]);
         v->stores[k] = v->rho[k] != NULL;
     }
+}
+
+int passes_motion(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    moment_view(e->m, e->t, e->y, &e->view);
+    return STATUS_DONE;
 }
 
 void moment_place(const struct moment *m, const struct view *v, int c, char text[PLAN_PLACE])

@@ -31,7 +31,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
     w->f = workspace_lines(n * DIM);
     w->drho = workspace_lines(n);
     w->power = workspace_lines((size_t)p->slots + 1);
-    if (p->fields > 0) {
+    if (p->passes.fields > 0) {
         w->rho = workspace_lines(n);
         w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);
         if (!w->rho || !w->sum)

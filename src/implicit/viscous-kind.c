@@ -42,12 +42,7 @@ static void answer(struct moment *m, double t, const double *y, double *ydot)
 
 static int rates(struct moment *m, double t, const double *y, double *ydot)
 {
-    const struct rates_job job = { .table = m->plan->table.implicit };
-    struct view v;
-
-    moment_view(m, t, y, &v);
-    TRY(moment_fields(m, &v));
-    TRY(rates_sum(m, &job));
+    TRY(rates_eval(m, &ASK_IMPLICIT_SIDE, t, y, ydot, NULL, NULL));
     answer(m, t, y, ydot);
     return STATUS_DONE;
 }

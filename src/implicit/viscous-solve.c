@@ -47,8 +47,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
     int at = u->fluid;
     struct view v;
 
-    moment_view(m, t, u->stage, &v);
-    TRY(moment_fields(m, &v));
+    TRY(rates_fields(m, t, u->stage, &v));
     TRY(viscous_fit(u));
     memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
     memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);

@@ -24,7 +24,8 @@ int plan_book_rows(struct plan *p)
     b->support = b->impulse + p->particles->objects * DIM;
     b->applied = b->support + p->bodies * DIM;
     b->pull = b->applied + p->bodies * DIM;
-    b->n = b->pull + (pulls(p) ? DIM : 0);
+    b->contacts = b->pull + (pulls(p) ? DIM : 0);
+    b->n = b->contacts + p->contacts.columns;
     b->row = layout_add(&p->layout, LAYOUT_OTHER, "book", "J", b->n, 1, 0);
     return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
 }

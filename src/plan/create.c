@@ -97,6 +97,8 @@ static int make_layout(struct plan *p)
     }
     for (int i = 0; i < p->bodies; i++)
         TRY(p->body[i].kind->rows(p->body[i].body, l));
+    if (p->contacts.kind && p->contacts.kind->rows)
+        TRY(p->contacts.kind->rows(p->contacts.self, l));
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->blocks)
             TRY(p->part[i].part->blocks(p->part[i].self, &p->scales, p->particles, l,
@@ -153,6 +155,19 @@ static int check_something(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* One body meets no other. */
+static int make_contacts(struct plan *p)
+{
+    struct plan_contacts *c = &p->contacts;
+
+    if (!bodies_contacts || p->bodies < 2)
+        return STATUS_DONE;
+    c->kind = bodies_contacts;
+    while (c->columns < CONTACTS_COLUMNS && c->kind->column[c->columns])
+        c->columns++;
+    return c->kind->create(&p->scales, p->bodies, &c->self);
+}
+
 static int build(struct plan *p, struct scene *scene)
 {
     TRY(input_read(scene, p->engine, &p->in));
@@ -162,6 +177,7 @@ static int build(struct plan *p, struct scene *scene)
                      p->kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
     TRY(plan_bodies_make(p));
+    TRY(make_contacts(p));
     TRY(plan_objects_fill(p));
     TRY(take_parts(p));
     TRY(prepare_parts(p, scene));
@@ -173,6 +189,7 @@ static int build(struct plan *p, struct scene *scene)
     TRY(plan_tables_make(p));
     make_list_def(p);
     TRY(plan_face_make(p, scene));
+    TRY(passes_make(p, passes_table));
     return p->solver ? p->solver->agree(p) : STATUS_DONE;
 }
 
@@ -184,6 +201,8 @@ static void destroy(struct plan **plan)
         free(p->part[i].self);
     for (int i = 0; i < p->bodies; i++)
         p->body[i].kind->make.free(&p->body[i].body);
+    if (p->contacts.kind)
+        p->contacts.kind->free(&p->contacts.self);
     free(p->face);
     particles_free(&p->particles);
     input_free(&p->in);

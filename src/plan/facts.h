@@ -31,4 +31,20 @@ double plan_speed_expected(const struct plan *plan);
 int plan_parts(const struct plan *plan);
 const struct part *plan_part(const struct plan *plan, int i, const char **path);
 
+/* Passes of an evaluation in order; what each goes over, which fields it provides, adds
+ * to, and reads of neighbours. */
+struct plan_pass_show {
+    const char *name, *over;
+    char provides[200], adds[200], neighbours[200];
+};
+int plan_passes(const struct plan *plan);
+void plan_pass_show(const struct plan *plan, int i, struct plan_pass_show *out);
+
+/* Field i < PASS_FIELDS of plan/passes.h; false: no pass of the plan has to do with it. */
+struct plan_pass_field {
+    const char *name, *unit;
+    int width; /* numbers of a particle, 0: not of particles                  */
+};
+bool plan_pass_field(const struct plan *plan, int i, struct plan_pass_field *out);
+
 #endif

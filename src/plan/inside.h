@@ -2,12 +2,14 @@
 #ifndef PLAN_INSIDE_H
 #define PLAN_INSIDE_H
 
+#include "bodies/contacts.h"
 #include "plan/engine.h"
 #include "plan/facts.h"
 #include "plan/input.h"
+#include "plan/passes.h"
 #include "plan/plan.h"
 
-enum { PLAN_PARTS = 32, PLAN_FIELDS = 4 };
+enum { PLAN_PARTS = 32, PLAN_FIELDS = 4, PLAN_PASSES = 32 };
 
 struct pairs_table;
 struct kernel_use;
@@ -51,6 +53,7 @@ struct plan_book {
     int support;  /* [bodies][DIM] impulse of supports                        */
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of fields beside the weight                */
+    int contacts; /* [columns] energy that contacts between bodies gave       */
     int n;
 };
 
@@ -58,6 +61,21 @@ struct plan_book {
 struct plan_field {
     const struct plan_part *part;
     unsigned meets[KINDS]; /* partner kinds by owner kind                     */
+};
+
+/* What an evaluation is made of. */
+struct plan_passes {
+    int fields;
+    struct plan_field field[PLAN_FIELDS]; /* in the order of their parts       */
+    int n;
+    struct plan_pass pass[PLAN_PASSES];   /* in the order in which they run    */
+};
+
+/* Contacts between bodies. */
+struct plan_contacts {
+    const struct body_contacts *kind; /* NULL: none                            */
+    struct contacts *self;
+    int columns;                      /* of the book; without contacts 0       */
 };
 
 /* What a viscosity does at the faces of solids, eval/face.h. */
@@ -89,11 +107,11 @@ struct plan {
     const struct plan_part *drifter;   /* whose carry() gives drift; NULL: none */
     const struct plan_part *stiff;     /* the viscosity that is implicit; NULL: none */
     bool moving_walls;
-    int fields;
-    struct plan_field field[PLAN_FIELDS]; /* in the order in which they are summed */
+    struct plan_passes passes;
     int bodies, walls;
     struct plan_body *body;
     struct plan_wall *wall;
+    struct plan_contacts contacts;
     struct particles *particles;       /* at t = 0                            */
     struct layout layout;              /* likewise                            */
     struct plan_rows row;

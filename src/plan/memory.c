@@ -104,7 +104,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
         .entries = pairs > 0
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
-        .slots = slots(p), .vectors = vectors, .fields = p->fields > 0, .viscous = p->stiff,
+        .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0, .viscous = p->stiff,
         .drifts = p->drifter, .faces = p->face,
     };
 

@@ -155,6 +155,8 @@ void plan_start(const struct plan *p, double *y)
     plan_start_density(p, y);
     for (int i = 0; i < p->bodies; i++)
         p->body[i].kind->start(p->body[i].body, &p->layout, y);
+    if (p->contacts.kind && p->contacts.kind->start)
+        p->contacts.kind->start(p->contacts.self, &p->layout, y);
 }
 
 double plan_speed_expected(const struct plan *p)

@@ -110,7 +110,7 @@ int plan_tables_make(struct plan *p)
 
 static void add_field(struct plan *p, const struct plan_part *part)
 {
-    struct plan_field *f = &p->field[p->fields++];
+    struct plan_field *f = &p->passes.field[p->passes.fields++];
 
     f->part = part;
     if (part->part->as.summed->carry)
@@ -123,12 +123,10 @@ static void add_field(struct plan *p, const struct plan_part *part)
     }
 }
 
-/* The fluid's density first: the others are made of it. */
+/* In which order they are summed is the passes' matter. */
 void plan_fields_make(struct plan *p)
 {
-    for (int first = 1; first >= 0; first--)
-        for (int i = 0; i < p->parts; i++)
-            if (p->part[i].part->as.summed
-                && first == ((p->part[i].part->provides & FIELD_DENSITY) != 0))
-                add_field(p, &p->part[i]);
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->as.summed)
+            add_field(p, &p->part[i]);
 }

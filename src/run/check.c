@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "plan/memory.h"
+#include "plan/passes.h"
 #include "state/memory.h"
 #include "state/part.h"
 
@@ -22,6 +23,32 @@ static void print_parts(const struct run *r)
     for (int i = 0; i < plan_bodies(r->plan); i++)
         printf("  body %-27s %s\n", plan_body_name(r->plan, i),
                plan_body_stiff(r->plan, i) ? "implicit" : "explicit");
+}
+
+static void print_pass(const struct plan_pass_show *p)
+{
+    const char *more = p->adds[0] ? "adds to " : "", *and = p->provides[0] && more[0] ? ", " : "";
+
+    printf("  %-30s %-7s %s%s%s%s", p->name, p->over, p->provides, and, more, p->adds);
+    if (p->neighbours[0])
+        printf("; of neighbours: %s", p->neighbours);
+    putchar('\n');
+}
+
+static void print_passes(const struct run *r)
+{
+    puts("passes of an evaluation:");
+    for (int i = 0; i < plan_passes(r->plan); i++) {
+        struct plan_pass_show pass;
+        plan_pass_show(r->plan, i, &pass);
+        print_pass(&pass);
+    }
+    puts("fields:");
+    for (int i = 0; i < PASS_FIELDS; i++) {
+        struct plan_pass_field f;
+        if (plan_pass_field(r->plan, i, &f) && f.width > 0)
+            printf("  %-32s %8d [%s]\n", f.name, f.width, f.unit);
+    }
 }
 
 static void print_state(const struct run *r)
@@ -148,6 +175,7 @@ int run_check(const struct run_order *order)
         printf("%s\n", plan_settings(r.plan)->title);
         print_particles(&r);
         print_parts(&r);
+        print_passes(&r);
         print_state(&r);
         print_cost(&r, seconds);
         print_memory(&r, program);

@@ -91,7 +91,7 @@ void added_costs_nothing(const char *name)
     for (int i = 0; part && part->as.law && i < KINDS * KINDS; i++)
         for (int k = 0; k < t.plan->table.all[i].n; k++)
             check(t.plan->table.all[i].work[k].law != part->as.law->pairs, "%s is at work", name);
-    assert_int_equal(t.plan->fields, 0);
+    assert_int_equal(t.plan->passes.fields, 0);
     l = plan_layout(t.plan);
     assert_int_equal(l->rows, 5); /* x, u, both densities, book */
     tank_free(&t);

@@ -94,12 +94,12 @@ static void densities_that_evolve_are_not_summed(void **state)
     for (int i = 0; i < 3; i++) {
         tank_make(&t, tank_water, tank_frame, none[i], NULL);
         tank_rates(&t, 0, t.y, t.ydot);
-        assert_int_equal(t.plan->fields, 0);
+        assert_int_equal(t.plan->passes.fields, 0);
         assert_null(t.moment->work->rho);
         assert_null(t.moment->work->sum);
         tank_free(&t);
         tank_make(&t, tank_water, tank_frame, summed[i], NULL);
-        assert_int_equal(t.plan->fields, i == 2 ? 2 : 1);
+        assert_int_equal(t.plan->passes.fields, i == 2 ? 2 : 1);
         assert_non_null(t.moment->work->rho);
         assert_non_null(t.moment->work->sum);
         tank_free(&t);
@@ -134,7 +134,7 @@ static void named_it_has_a_column(void **state)
         if (MORE) {
             check(plan_lanes(t.plan) == 2 << i, "%d lanes, not %s", plan_lanes(t.plan), wish[i]);
             assert_int_equal(t.n, SIZE + 1);
-            assert_int_equal(t.plan->fields, 1);
+            assert_int_equal(t.plan->passes.fields, 1);
             tank_rates(&t, 0, t.y, t.ydot);
         }
         tank_free(&t);

@@ -1,0 +1,115 @@
+/* passes.c -- the passes of an evaluation, a line each.  Their order is the plan's; lines
+ * that wait for nothing stay in the order of this table. */
+#include "eval/passes.h"
+
+enum { /* questions that passes are for */
+    ALL = (1 << PASS_QUESTIONS) - 1,
+    FORCES = PASS_FOR_RATES | PASS_FOR_APART | PASS_FOR_OTHERS | PASS_FOR_VELOCITIES,
+    EXPLICIT = FORCES | PASS_FOR_DENSITIES,
+    PAIRS = EXPLICIT | PASS_FOR_IMPLICIT,
+    MOVES = PASS_FOR_RATES | PASS_FOR_APART | PASS_FOR_OTHERS,
+    SOLVES = PASS_FOR_RATES | PASS_FOR_APART | PASS_FOR_VELOCITIES
+};
+
+static bool particles(const struct plan *p)
+{
+    return p->particles->n > 0;
+}
+
+static bool fluid(const struct plan *p)
+{
+    return p->row.x >= 0;
+}
+
+static bool bodies(const struct plan *p)
+{
+    return p->bodies > 0;
+}
+
+static bool faces(const struct plan *p)
+{
+    return p->face != NULL;
+}
+
+static bool drifts(const struct plan *p)
+{
+    return p->drifter != NULL;
+}
+
+static bool contacts(const struct plan *p)
+{
+    return p->contacts.kind != NULL;
+}
+
+static bool apart(const struct plan *p)
+{
+    return p->stiff != NULL;
+}
+
+#define FIELDS_OF_PAIRS (PASS_RECORDS | PASS_PAIRS)
+#define PLACES (PASS_POSITION | PASS_MOTION)
+
+const struct pass passes_table[] = {
+/*  name, kind
+    needs, of neighbours, provides, adds to,
+    questions, present, run */
+{ "motion of solids", PASS_BODIES,
+    0, 0, PASS_MOTION, 0,
+    ALL, NULL, passes_motion },
+{ "list of pairs", PASS_OVER_PAIRS,
+    PLACES, PLACES, PASS_PAIRS, 0,
+    ALL, particles, passes_list },
+{ "records", PASS_POINTWISE,
+    PASS_VELOCITY | PLACES | PASS_PAIRS, 0,
+    PASS_RECORDS | PASS_PRESSURE | PASS_SOLID_PRESSURE, 0,
+    ALL, particles, passes_records },
+{ "sums", PASS_EACH_SUM,
+    FIELDS_OF_PAIRS, 0, 0, 0,
+    ALL, particles, passes_sum },
+{ "body forces ahead", PASS_POINTWISE,
+    PLACES | PASS_VELOCITY, 0, PASS_PUSH, 0,
+    FORCES, fluid, passes_ahead },
+{ "all but pressure", PASS_OVER_PAIRS,
+    FIELDS_OF_PAIRS, 0, PASS_OTHERS, 0,
+    SOLVES, fluid, passes_others },
+{ "slip at faces", PASS_OVER_PAIRS,
+    FIELDS_OF_PAIRS, 0, PASS_SLIP, PASS_PUSH,
+    FORCES | PASS_FOR_IMPLICIT, faces, passes_slip },
+{ "laws between particles", PASS_OVER_PAIRS,
+    FIELDS_OF_PAIRS | PASS_PUSH, 0, PASS_FORCE | PASS_POWER | PASS_DENSITY_RATE, 0,
+    PAIRS, particles, passes_laws },
+{ "forces at faces", PASS_POINTWISE,
+    PASS_SLIP, 0, 0, PASS_FORCE | PASS_POWER,
+    FORCES | PASS_FOR_IMPLICIT, faces, passes_faces },
+{ "implicit forces apart", PASS_POINTWISE,
+    0, 0, 0, PASS_FORCE | PASS_POWER,
+    PASS_FOR_APART, apart, passes_apart },
+{ "rates of the fluid", PASS_POINTWISE,
+    PASS_FORCE | PASS_VELOCITY, 0, PASS_ACCELERATION | PASS_POSITION_RATE, PASS_DENSITY_RATE,
+    EXPLICIT, fluid, passes_fluid },
+{ "body forces", PASS_POINTWISE,
+    PLACES | PASS_VELOCITY, 0, 0, PASS_ACCELERATION,
+    FORCES, fluid, passes_body_forces },
+{ "drift", PASS_POINTWISE,
+    PASS_DRIFT, 0, 0, PASS_POSITION_RATE | PASS_POWER,
+    MOVES, drifts, passes_drift },
+{ "forces on solids", PASS_POINTWISE,
+    PASS_FORCE, 0, PASS_SOLID_FORCE, 0,
+    FORCES, NULL, passes_solids },
+{ "forces on skins", PASS_POINTWISE,
+    PASS_FORCE, 0, PASS_SKIN_FORCE, 0,
+    FORCES, bodies, passes_skins },
+{ "contacts between bodies", PASS_BODIES,
+    PASS_MOTION, 0, 0, PASS_SKIN_FORCE,
+    FORCES, contacts, passes_contacts },
+{ "loads of bodies", PASS_BODIES,
+    PASS_SKIN_FORCE, 0, PASS_BODY_RATES, 0,
+    FORCES, bodies, passes_load },
+{ "book", PASS_POINTWISE,
+    PASS_POWER | PASS_SOLID_FORCE | PASS_BODY_RATES | PASS_ACCELERATION, 0, PASS_BOOK, 0,
+    FORCES, NULL, passes_book },
+{ "book of the half of densities", PASS_POINTWISE,
+    PASS_POWER, 0, PASS_HALF_BOOK, 0,
+    PASS_FOR_DENSITIES, NULL, passes_half_book },
+{ 0 },
+};

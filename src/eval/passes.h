@@ -1,0 +1,36 @@
+/* passes.h -- one evaluation while it lasts, and what its passes do. */
+#ifndef EVAL_PASSES_H
+#define EVAL_PASSES_H
+
+#include "eval/inside.h"
+
+/* What passes read and write besides the moment: made for one evaluation, gone after it. */
+struct evaluation {
+    struct moment *m;
+    const struct ask *ask;
+    double t;                /* [s]                                              */
+    const double *y;         /* [size]                                           */
+    double *ydot;            /* [size], NULL: no rates                           */
+    struct view view;        /* where everything is, as soon as it is there      */
+    struct rates_job job;    /* sums over pairs                                  */
+    double *power;           /* of the implicit law, with job.apart [W]; NULL    */
+};
+
+typedef int passes_run(struct evaluation *e, const struct plan_field *of);
+
+/* view.c, fields.c, pack.c */
+passes_run passes_motion, passes_list, passes_records, passes_sum;
+
+/* laws.c, spread.c */
+passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, passes_apart,
+    passes_fluid;
+
+/* push.c */
+passes_run passes_body_forces, passes_drift, passes_solids, passes_skins, passes_contacts,
+    passes_load, passes_book, passes_half_book;
+
+/* push.c: body forces at this view, added to rates of velocities of ydot; m->pull is what
+ * those that are not the weight pull with in all. */
+void passes_add_body_forces(struct evaluation *e);
+
+#endif

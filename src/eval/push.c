@@ -1,0 +1,147 @@
+/* push.c -- what follows from forces: body forces, drift, solids and bodies, the book. */
+#include "eval/passes.h"
+
+#include "base/status.h"
+
+#include <string.h>
+
+/* --- the fluid ------------------------------------------------------------------- */
+
+/* Momentum of the fluid if rates were velocities. */
+static void add_momentum(const struct particles *all, double sign, const double (*udot)[DIM],
+                         double *sum)
+{
+    for (int i = 0; i < particles_count(all, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            sum[d] += sign * all->m[i] * udot[i][d];
+}
+
+void passes_add_body_forces(struct evaluation *e)
+{
+    struct moment *m = e->m;
+    double (*udot)[DIM] = spread_velocities(m, e->ydot);
+
+    memset(m->pull, 0, sizeof m->pull);
+    for (int i = 0; i < m->plan->parts; i++) {
+        const struct plan_part *one = &m->plan->part[i];
+        const struct part_force *force = one->part->as.force;
+        if (!force)
+            continue;
+        if (!force->weight)
+            add_momentum(e->view.p, -1, (const double (*)[DIM])udot, m->pull);
+        force->accelerate(one->self, &e->view, udot);
+        if (!force->weight)
+            add_momentum(e->view.p, 1, (const double (*)[DIM])udot, m->pull);
+    }
+}
+
+int passes_body_forces(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    passes_add_body_forces(e);
+    return STATUS_DONE;
+}
+
+/* Positions move with more than the velocity. */
+static void add_drift(const struct moment *m, const struct view *v, double *ydot)
+{
+    double (*xdot)[DIM] = (double (*)[DIM])(ydot + layout_at(&m->layout, m->plan->row.x));
+
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            xdot[i][d] += m->work->drift[i][d];
+}
+
+/* What a drift against the weight gives [W]. */
+static double drift_power(const struct moment *m, const struct view *v)
+{
+    const double *g = m->plan->scales.g;
+    double power = 0;
+
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
+        for (int d = 0; d < DIM; d++)
+            power -= v->p->m[i] * g[d] * m->work->drift[i][d];
+    return power;
+}
+
+int passes_drift(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    add_drift(e->m, &e->view, e->ydot);
+    e->m->work->power[e->m->plan->drifter->slot] = drift_power(e->m, &e->view);
+    return STATUS_DONE;
+}
+
+/* --- solids and bodies ------------------------------------------------------------ */
+
+int passes_solids(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    solids_sum(e->m);
+    return STATUS_DONE;
+}
+
+int passes_skins(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    for (int i = 0; i < e->m->plan->bodies; i++)
+        solids_skin(e->m, &e->m->body[i]);
+    return STATUS_DONE;
+}
+
+int passes_contacts(struct evaluation *e, const struct plan_field *of)
+{
+    const struct particles *all = e->m->particles;
+    const struct plan *p = e->m->plan;
+    struct contacts_body *place = e->m->meeting;
+
+    (void)of;
+    for (int i = 0; i < p->bodies; i++) {
+        const struct moment_body *b = &e->m->body[i];
+        const int from = b->skin > 0 ? all->object[b->object].from : 0;
+        place[i] = (struct contacts_body){ .points = b->skin, .force = b->force,
+                                           .x = (const double (*)[DIM])(all->x + from),
+                                           .u = (const double (*)[DIM])(all->u + from) };
+    }
+    p->contacts.kind->meet(p->contacts.self, &e->m->layout, e->t, e->y, p->bodies, place, e->ydot,
+                           e->m->contact_power);
+    return STATUS_DONE;
+}
+
+int passes_load(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    for (int i = 0; i < e->m->plan->bodies; i++) {
+        struct moment_body *b = &e->m->body[i];
+        b->kind->load(b->body, b->work, &e->m->layout, e->t, e->y,
+                      (const double (*)[DIM])b->force, e->ydot, &b->load);
+    }
+    return STATUS_DONE;
+}
+
+/* --- the book --------------------------------------------------------------------- */
+
+int passes_book(struct evaluation *e, const struct plan_field *of)
+{
+    const struct moment *m = e->m;
+    const struct book_powers powers = {
+        .work = m->work->power, .walls = m->wall_power, .pull = m->pull,
+        .force = (const double (*)[DIM])m->force, .body = m->body, .contacts = m->contact_power,
+    };
+
+    (void)of;
+    book_rates(m->plan, &powers, e->ydot + layout_at(&m->layout, m->plan->book.row));
+    return STATUS_DONE;
+}
+
+int passes_half_book(struct evaluation *e, const struct plan_field *of)
+{
+    const struct plan_book *b = &e->m->plan->book;
+    double *book = e->ydot + layout_at(&e->m->layout, b->row);
+
+    (void)of;
+    memset(book, 0, (size_t)b->n * sizeof *book);
+    for (int i = 0; i < e->m->plan->slots; i++)
+        book[b->work + i] = e->m->work->power[i];
+    return STATUS_DONE;
+}
