@@ -1,6 +1,7 @@
 /* operator.c -- products with an operator, and its solve by SUNLinSol_PCG.
  *
- * The preconditioner is the diagonal and bodies' own solves.  That is also where the solve
+ * The preconditioner is the diagonal, with what eliminated bodies add to it, and the solves
+ * of other bodies.  That is also where the solve
  * is told to stop, which needs no product more: a largest correction says how wrong the
  * unknowns are, of the fluid and of bodies alike, while SUNDIALS' own stop, a norm of
  * residuals, knows nothing of bodies, whose soft modes are a millionth of a residual. */
@@ -40,17 +41,17 @@ int operator_size(const struct operator *a)
     int size = a->n;
 
     for (int i = 0; i < a->bodies; i++)
-        size += a->body[i].scratch ? 0 : a->body[i].n;
+        size += a->body[i].eliminated ? 0 : a->body[i].n;
     return size;
 }
 
 /* to += C B^-1 C^T x. */
-static void add_eliminated(const struct operator_body *b, const double *x, double *to)
+static void add_eliminated(const struct operator_body *b, double *v, const double *x, double *to)
 {
-    memset(b->scratch, 0, (size_t)b->n * sizeof *b->scratch);
-    b->gather(b->self, x, b->scratch);
-    b->solve(b->self, b->scratch);
-    b->spread(b->self, b->scratch, to);
+    memset(v, 0, (size_t)b->n * sizeof *v);
+    b->gather(b->self, x, v);
+    b->solve(b->self, v);
+    b->spread(b->self, v, to);
 }
 
 void operator_apply(const struct operator *a, const double *x, double *to)
@@ -60,8 +61,8 @@ void operator_apply(const struct operator *a, const double *x, double *to)
     a->apply(a->self, x, to);
     for (int i = 0; i < a->bodies; i++) {
         const struct operator_body *b = &a->body[i];
-        if (b->scratch) {
-            add_eliminated(b, x, to);
+        if (b->eliminated) {
+            add_eliminated(b, a->modes, x, to);
             continue;
         }
         b->apply(b->self, x + at, to + at);
@@ -71,6 +72,32 @@ void operator_apply(const struct operator *a, const double *x, double *to)
         }
         at += b->n;
     }
+}
+
+/* near -= D^-1 C (B + C^T D^-1 C)^-1 C^T near; its largest entry. */
+static double temper(const struct operator *a, double *near)
+{
+    double most = 0, *v = a->modes;
+
+    memset(a->image, 0, (size_t)a->n * sizeof *a->image);
+    for (int i = 0; i < a->bodies; i++)
+        if (a->body[i].eliminated) {
+            memset(v, 0, (size_t)a->body[i].n * sizeof *v);
+            a->body[i].gather(a->body[i].self, near, v);
+            v += a->body[i].n;
+        }
+    a->temper(a->self, a->modes);
+    v = a->modes;
+    for (int i = 0; i < a->bodies; i++)
+        if (a->body[i].eliminated) {
+            a->body[i].spread(a->body[i].self, v, a->image);
+            v += a->body[i].n;
+        }
+    for (int k = 0; k < a->n; k++) {
+        near[k] -= a->image[k] / a->diagonal[k / a->width];
+        most = fmax(most, fabs(near[k]));
+    }
+    return most;
 }
 
 /* near = M^-1 residual; its largest entry. */
@@ -86,9 +113,11 @@ static double precondition(const struct operator *a, const double *residual, dou
             near[k] = residual[k] / a->diagonal[i];
             most = fmax(most, fabs(near[k]));
         }
+    if (a->temper)
+        most = temper(a, near);
     for (int i = 0; i < a->bodies; i++) {
         const struct operator_body *b = &a->body[i];
-        if (b->scratch)
+        if (b->eliminated)
             continue;
         memcpy(near + at, residual + at, (size_t)b->n * sizeof *near);
         b->solve(b->self, near + at);
@@ -98,13 +127,24 @@ static double precondition(const struct operator *a, const double *residual, dou
     return most;
 }
 
+/* Not 0: a refusal. */
+static int sign(struct search *s, double square)
+{
+    if (square >= 0 && isfinite(square))
+        return 0;
+    s->cause = isfinite(square) ? OPERATOR_NOT_POSITIVE : OPERATOR_NOT_FINITE;
+    return -1;
+}
+
 static int on_product(void *self, N_Vector v, N_Vector image)
 {
     struct search *s = self;
+    double *to = vector_overwrite(image);
+    const double *x = vector_read(v);
 
-    operator_apply(s->a, vector_read(v), vector_overwrite(image));
+    operator_apply(s->a, x, to);
     s->at.products++;
-    return 0;
+    return sign(s, vector_dot(s->solver->size, x, to, s->solver->partial));
 }
 
 /* Positive: stop here, what was found so far stands.  Negative: a refusal. */
@@ -121,41 +161,22 @@ static int on_precondition(void *self, N_Vector residual, N_Vector near, sunreal
         a->clear(a->self, s->residual);
     s->at.correction = precondition(a, s->residual, to);
     s->at.work = vector_dot(s->solver->size, s->residual, to, s->solver->partial);
-    if (!isfinite(s->at.work) || s->at.work < 0) {
-        s->cause = isfinite(s->at.work) ? OPERATOR_NOT_POSITIVE : OPERATOR_NOT_FINITE;
-        return -1;
-    }
+    TRY(sign(s, s->at.work));
     s->enough = a->enough && a->enough(a->self, &s->at);
     if (a->leave)
         a->leave(a->self, to);
     return s->enough;
 }
 
-/* Of a solve that did not end well.  The correction c so far has c . A c = c . (b - r). */
-static enum operator_cause cause_of(struct search *s)
+static void tell(const struct search *s, bool solved, struct operator_report *report)
 {
-    struct operator_solver *o = s->solver;
-    const double *c = vector_read(o->correction);
-    const double *r = vector_read(SUNLinSolResid(o->gradients)), *b = vector_read(o->b);
-    const double energy = vector_dot(o->size, c, b, o->partial)
-                          - vector_dot(o->size, c, r, o->partial);
-
-    if (s->cause != OPERATOR_SOLVED)
-        return s->cause;
-    if (!isfinite(energy))
-        return OPERATOR_NOT_FINITE;
-    if (energy < 0)
-        return OPERATOR_NOT_POSITIVE;
-    return s->at.products >= o->most ? OPERATOR_TOO_MANY : OPERATOR_BROKEN;
-}
-
-static void tell(struct search *s, bool solved, struct operator_report *report)
-{
-    struct operator_solver *o = s->solver;
+    const struct operator_solver *o = s->solver;
     const double *b = vector_read(o->b);
     const double first = sqrt(vector_dot(o->size, b, b, o->partial));
 
-    report->cause = solved ? OPERATOR_SOLVED : cause_of(s);
+    report->cause = s->cause;
+    if (!solved && s->cause == OPERATOR_SOLVED)
+        report->cause = s->at.products < o->most ? OPERATOR_BROKEN : OPERATOR_TOO_MANY;
     report->products = s->at.products;
     report->correction = s->at.correction;
     report->residual = first > 0 ? SUNLinSolResNorm(o->gradients) / first : 0;

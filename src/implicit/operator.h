@@ -28,7 +28,7 @@
 struct operator_body {
     void *self;
     int n;           /* unknowns                                               */
-    double *scratch; /* [n] when they are eliminated; NULL: they stand in x    */
+    bool eliminated; /* else they stand in x                                   */
 
     /* Where they stand in x: to = B x, [n] each.  Comes after the operator's apply() of the
      * same x; when that has left C^T x to it, this adds it, and there is no gather(). */
@@ -61,10 +61,18 @@ struct operator {
     double near;            /* residual [2-norm] that is exact enough; 0: enough() says */
     int bodies;
     const struct operator_body *body; /* [bodies]                              */
+    double *modes;          /* [unknowns of eliminated bodies] scratch; NULL: none */
+    double *image;          /* [n] scratch for temper(); NULL: none            */
 
     /* to [n] = A0 x; where bodies' unknowns stand in x, it may read those, too, and add
      * C of them at once. */
     void (*apply)(void *self, const double *x, double *to);
+
+    /* In place: v of all eliminated bodies, one after the other, by (B + C^T D^-1 C)^-1 with
+     * D the diagonal, or by the inverse of a little more than that.  The preconditioner is
+     * then the inverse of D + C B^-1 C^T; without it light bodies take many more products.
+     * NULL: the diagonal alone. */
+    void (*temper)(void *self, double *v);
 
     /* Exact enough?  Asked before each product.  NULL: see near. */
     bool (*enough)(void *self, const struct operator_progress *at);

@@ -59,12 +59,12 @@ int viscous_iterate(struct moment *m, double t, double gamma)
     struct operator_report report;
 
     u->rounding = 1e-30 * fabs(vector_dot(u->unknowns, u->right, u->x, u->partial));
-    u->operator.enough = enough;
-    u->operator.clear = clear;
-    u->operator.leave = leave;
+    u->operator.all.enough = enough;
+    u->operator.all.clear = clear;
+    u->operator.all.leave = leave;
     viscous_directions_set(m, gamma);
     project(m, gamma);
-    if (operator_solve(u->solver, &u->operator, u->x, u->residual, &report) != STATUS_DONE)
+    if (operator_solve(u->solver, &u->operator.all, u->x, u->residual, &report) != STATUS_DONE)
         return refuse(m, t, &report);
     project(m, gamma);
     return STATUS_DONE;

@@ -105,29 +105,34 @@ static void set_operator(struct moment *m, double gamma)
 {
     struct viscous *u = viscous_of(m);
     const struct list *l = m->list;
+    struct viscous_block *block = u->operator.block;
+    double *diagonal = u->operator.diagonal;
     const int n = l->start[KIND_FLUID + 1];
 
-    for (int s = 0; s < u->fluid / DIM; s++)
-        u->inertia[s] = s < n ? m->particles->m[l->order[s]] + gamma * u->job.diagonal[s] : 1;
+    for (int s = 0; s < n; s++)
+        diagonal[s] = m->particles->m[l->order[s]] + gamma * u->job.diagonal[s];
+    for (int s = n; s < u->fluid / DIM; s++)
+        diagonal[s] = 1;
     for (int i = -1; i < m->plan->bodies; i++)
-        u->block[i + 1] = (struct viscous_block){ .moment = m, .gamma = gamma, .body = i };
+        block[i + 1] = (struct viscous_block){ .moment = m, .gamma = gamma, .body = i };
     for (int i = 0; i < m->plan->bodies; i++)
-        u->body[i] = (struct operator_body){
-            .self = &u->block[i + 1], .n = viscous_body(m->plan, i), .apply = on_body,
+        u->operator.body[i] = (struct operator_body){
+            .self = &block[i + 1], .n = viscous_body(m->plan, i), .apply = on_body,
             .solve = on_body_solve, .largest = on_body_largest,
         };
-    u->operator = (struct operator){
-        .self = &u->block[0], .n = u->fluid, .width = DIM, .diagonal = u->inertia,
-        .bodies = m->plan->bodies, .body = u->body, .apply = on_fluid,
+    u->operator.all = (struct operator){
+        .self = &block[0], .n = u->fluid, .width = DIM, .diagonal = diagonal,
+        .bodies = m->plan->bodies, .body = u->operator.body, .apply = on_fluid,
     };
 }
 
 int viscous_assemble(struct moment *m, double gamma, const double *x, double *to)
 {
-    struct couple_job *const job = &viscous_of(m)->job;
+    struct viscous *u = viscous_of(m);
+    struct couple_job *const job = &u->job;
 
     spread(m, x, true);
-    m->plan->engine->couple->assemble(job, m->work->record, viscous_of(m)->velocity, m->work->f);
+    m->plan->engine->couple->assemble(job, m->work->record, u->velocity, m->work->f);
     m->counts.passes++;
     if (plan_face_implicit(m->plan)) {
         TRY(face_ready(m, job));
@@ -135,13 +140,8 @@ int viscous_assemble(struct moment *m, double gamma, const double *x, double *to
     }
     set_operator(m, gamma);
     fluid_rows(m, gamma, x, to);
-    to += viscous_of(m)->fluid;
-    x += viscous_of(m)->fluid;
-    for (int i = 0; i < m->plan->bodies; i++) {
-        on_body(&viscous_of(m)->block[i + 1], x, to);
-        to += viscous_body(m->plan, i);
-        x += viscous_body(m->plan, i);
-    }
+    for (int i = 0, at = u->fluid; i < m->plan->bodies; at += u->operator.body[i++].n)
+        on_body(&u->operator.block[i + 1], x + at, to + at);
     return STATUS_DONE;
 }
 

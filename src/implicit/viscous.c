@@ -25,14 +25,14 @@ static int take_memory(const struct moment *m, struct viscous *u)
     u->apart = numbers(n * DIM);
     u->stage = numbers((size_t)moment_size(m));
     u->partial = numbers(all / 1024);
-    u->inertia = numbers((size_t)u->fluid / DIM);
-    u->block = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->block);
-    u->body = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->body);
+    u->operator.diagonal = numbers((size_t)u->fluid / DIM);
+    u->operator.block = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->operator.block);
+    u->operator.body = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->operator.body);
     for (int d = 0; d < DIM; d++)
         if (!(u->drag[d] = numbers(all - (size_t)u->fluid)))
             return STATUS_FAILED;
     if (!u->velocity || !u->job.diagonal || !u->job.firm || !u->apart || !u->stage || !u->partial
-        || !u->inertia || !u->block || !u->body)
+        || !u->operator.diagonal || !u->operator.block || !u->operator.body)
         return STATUS_FAILED;
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = numbers(all)))
@@ -103,13 +103,13 @@ void viscous_free(void **self)
         free(u->known.past[i].v);
     double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->apart, u->velocity,
                                u->stage, u->partial, u->v, u->right, u->x, u->residual, u->guess,
-                               u->guess_image, u->inertia };
+                               u->guess_image, u->operator.diagonal };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     for (int d = 0; d < DIM; d++)
         free(u->drag[d]);
-    free(u->block);
-    free(u->body);
+    free(u->operator.block);
+    free(u->operator.body);
     operator_solver_free(&u->solver);
     free(u);
     *self = NULL;

@@ -47,10 +47,12 @@ struct viscous {
         int starts, stages;
         struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
     } known;                     /* for guesses                                */
-    struct operator operator;    /* A of (BV1), as viscous_assemble() made it   */
-    struct operator_body *body;  /* [bodies] of it                             */
-    struct viscous_block *block; /* [1 + bodies] what its callbacks know        */
-    double *inertia;             /* [fluid/DIM] its diagonal, by slot          */
+    struct {                     /* A of (BV1), as viscous_assemble() made it   */
+        struct operator all;
+        struct operator_body *body;  /* [bodies] of it                         */
+        struct viscous_block *block; /* [1 + bodies] what its callbacks know    */
+        double *diagonal;            /* [fluid/DIM] by slot                     */
+    } operator;
     struct operator_solver *solver;
 };
 
