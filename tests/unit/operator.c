@@ -185,6 +185,11 @@ static struct operator_report run(struct operator *a, const double *b, bool warm
     check(status == STATUS_DONE, "%s", why);
     check(sqrt(dot(n, residual, residual)) <= a->near, "says it is solved: %g is left of %g",
           sqrt(dot(n, residual, residual)), a->near);
+    operator_apply(a, x, residual);
+    for (int i = 0; i < n; i++)
+        residual[i] -= b[i];
+    check(sqrt(dot(n, residual, residual)) <= a->near + 1e-12 * sqrt(dot(n, b, b)),
+          "A x is off by %g", sqrt(dot(n, residual, residual)));
     test_free(residual);
     operator_solver_free(&solver);
     return report;
