@@ -1,10 +1,9 @@
-/* viscous-operator.c -- A of (BV1) times velocities, and about its inverse. */
+/* viscous-operator.c -- A of (BV1) as an operator, and about its inverse. */
 #include "implicit/viscous.h"
 
 #include "base/status.h"
 #include "eval/face.h"
 
-#include <math.h>
 #include <string.h>
 
 int viscous_body(const struct plan *p, int i)
@@ -53,45 +52,96 @@ void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool wa
     m->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
-/* A x, of the forces in work->f. */
-static void image_of(struct moment *m, double gamma, const double *x, double *to)
+/* Rows of the fluid, m x - gamma F, of the forces in work->f.  What is in no list is 1 x. */
+static void fluid_rows(const struct moment *m, double gamma, const double *x, double *to)
 {
     const struct list *l = m->list;
     const double *mass = m->particles->m, *f = m->work->f;
-    const int n = l->start[KIND_FLUID + 1];
-    int at = viscous_of(m)->fluid;
+    const int n = l->start[KIND_FLUID + 1], fluid = viscous_of(m)->fluid;
 
 #pragma omp parallel for schedule(static) if (n > 4096)
     for (int s = 0; s < n; s++)
         for (int k = s * DIM; k < (s + 1) * DIM; k++)
             to[k] = mass[l->order[s]] * x[k] - gamma * f[k];
-    for (int i = 0; i < m->plan->bodies; i++) {
-        struct moment_body *b = &m->body[i];
-        b->kind->coupled->inertia(b->body, b->work, gamma, x + at, to + at);
-        solids_skin(m, b);
-        b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -gamma, to + at);
-        at += viscous_body(m->plan, i);
-    }
+    memcpy(to + n * DIM, x + n * DIM, (size_t)(fluid - n * DIM) * sizeof *to);
 }
 
-void viscous_apply(struct moment *m, double gamma, const double *x, double *to)
+static void on_fluid(void *self, const double *x, double *to)
 {
-    viscous_multiply(m, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), x, false);
-    image_of(m, gamma, x, to);
+    const struct viscous_block *at = self;
+
+    viscous_multiply(at->moment, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), x, false);
+    fluid_rows(at->moment, at->gamma, x, to);
+}
+
+/* Rows of a body, of its unknowns and the forces in work->f. */
+static void on_body(void *self, const double *v, double *to)
+{
+    const struct viscous_block *at = self;
+    struct moment_body *b = &at->moment->body[at->body];
+
+    b->kind->coupled->inertia(b->body, b->work, at->gamma, v, to);
+    solids_skin(at->moment, b);
+    b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -at->gamma, to);
+}
+
+static void on_body_solve(void *self, double *v)
+{
+    const struct viscous_block *at = self;
+    const struct moment_body *b = &at->moment->body[at->body];
+
+    b->kind->coupled->joined(b->body, b->work, v);
+}
+
+static double on_body_largest(void *self, const double *v)
+{
+    const struct viscous_block *at = self;
+    const struct moment_body *b = &at->moment->body[at->body];
+
+    return b->kind->coupled->fastest(b->body, v);
+}
+
+static void set_operator(struct moment *m, double gamma)
+{
+    struct viscous *u = viscous_of(m);
+    const struct list *l = m->list;
+    struct viscous_block *block = u->operator.block;
+    double *diagonal = u->operator.diagonal;
+    const int n = l->start[KIND_FLUID + 1];
+
+    for (int s = 0; s < n; s++)
+        diagonal[s] = m->particles->m[l->order[s]] + gamma * u->job.diagonal[s];
+    for (int s = n; s < u->fluid / DIM; s++)
+        diagonal[s] = 1;
+    for (int i = -1; i < m->plan->bodies; i++)
+        block[i + 1] = (struct viscous_block){ .moment = m, .gamma = gamma, .body = i };
+    for (int i = 0; i < m->plan->bodies; i++)
+        u->operator.body[i] = (struct operator_body){
+            .self = &block[i + 1], .n = viscous_body(m->plan, i), .apply = on_body,
+            .solve = on_body_solve, .largest = on_body_largest,
+        };
+    u->operator.all = (struct operator){
+        .self = &block[0], .n = u->fluid, .width = DIM, .diagonal = diagonal,
+        .bodies = m->plan->bodies, .body = u->operator.body, .apply = on_fluid,
+    };
 }
 
 int viscous_assemble(struct moment *m, double gamma, const double *x, double *to)
 {
-    struct couple_job *const job = &viscous_of(m)->job;
+    struct viscous *u = viscous_of(m);
+    struct couple_job *const job = &u->job;
 
     spread(m, x, true);
-    m->plan->engine->couple->assemble(job, m->work->record, viscous_of(m)->velocity, m->work->f);
+    m->plan->engine->couple->assemble(job, m->work->record, u->velocity, m->work->f);
     m->counts.passes++;
     if (plan_face_implicit(m->plan)) {
         TRY(face_ready(m, job));
         face_complete(m, job, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), true, m->work->f);
     }
-    image_of(m, gamma, x, to);
+    set_operator(m, gamma);
+    fluid_rows(m, gamma, x, to);
+    for (int i = 0, at = u->fluid; i < m->plan->bodies; at += u->operator.body[i++].n)
+        on_body(&u->operator.block[i + 1], x + at, to + at);
     return STATUS_DONE;
 }
 
@@ -109,31 +159,4 @@ int viscous_join(struct moment *m, double gamma)
         TRY(b->kind->coupled->join(b->body, b->work, gamma, c));
     }
     return STATUS_DONE;
-}
-
-double viscous_precondition(struct moment *m, double gamma, const double *residual, double *near)
-{
-    const struct viscous *u = viscous_of(m);
-    const struct list *l = m->list;
-    const int n = l->start[KIND_FLUID + 1];
-    double most = 0;
-    int at = u->fluid;
-
-#pragma omp parallel for schedule(static) reduction(max : most) if (n > 4096)
-    for (int s = 0; s < n; s++) {
-        const double d = m->particles->m[l->order[s]] + gamma * u->job.diagonal[s];
-        for (int k = s * DIM; k < (s + 1) * DIM; k++) {
-            near[k] = residual[k] / d;
-            most = fmax(most, fabs(near[k]));
-        }
-    }
-    for (int i = 0; i < m->plan->bodies; i++) {
-        const struct moment_body *b = &m->body[i];
-        const int size = viscous_body(m->plan, i);
-        memcpy(near + at, residual + at, (size_t)size * sizeof *near);
-        b->kind->coupled->joined(b->body, b->work, near + at);
-        most = fmax(most, b->kind->coupled->fastest(b->body, near + at));
-        at += size;
-    }
-    return most / m->plan->scales.speed;
 }

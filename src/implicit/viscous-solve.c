@@ -68,7 +68,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
     for (int i = 0; i < u->unknowns; i++)
         u->residual[i] = u->right[i] - u->guess_image[i];
     if (m->plan->moving_walls) /* A x without their pull */
-        viscous_apply(m, gamma, u->x, u->guess_image);
+        operator_apply(&u->operator.all, u->x, u->guess_image);
     return viscous_join(m, gamma);
 }
 

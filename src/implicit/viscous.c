@@ -24,11 +24,15 @@ static int take_memory(const struct moment *m, struct viscous *u)
     u->job.firm = numbers(n);
     u->apart = numbers(n * DIM);
     u->stage = numbers((size_t)moment_size(m));
-    u->partial = numbers(all);
+    u->partial = numbers(all / 1024);
+    u->operator.diagonal = numbers((size_t)u->fluid / DIM);
+    u->operator.block = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->operator.block);
+    u->operator.body = status_alloc((size_t)m->plan->bodies + 1, sizeof *u->operator.body);
     for (int d = 0; d < DIM; d++)
         if (!(u->drag[d] = numbers(all - (size_t)u->fluid)))
             return STATUS_FAILED;
-    if (!u->velocity || !u->job.diagonal || !u->job.firm || !u->apart || !u->stage || !u->partial)
+    if (!u->velocity || !u->job.diagonal || !u->job.firm || !u->apart || !u->stage || !u->partial
+        || !u->operator.diagonal || !u->operator.block || !u->operator.body)
         return STATUS_FAILED;
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = numbers(all)))
@@ -38,7 +42,7 @@ static int take_memory(const struct moment *m, struct viscous *u)
         if (!(to->v = numbers(all)))
             return STATUS_FAILED;
     }
-    return viscous_gradients_make(u);
+    return operator_solver_create(u->unknowns, VISCOUS_PRODUCTS, &u->solver);
 }
 
 int viscous_fit(struct viscous *u)
@@ -99,12 +103,14 @@ void viscous_free(void **self)
         free(u->known.past[i].v);
     double *const memory[] = { u->job.c, u->job.diagonal, u->job.firm, u->apart, u->velocity,
                                u->stage, u->partial, u->v, u->right, u->x, u->residual, u->guess,
-                               u->guess_image };
+                               u->guess_image, u->operator.diagonal };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     for (int d = 0; d < DIM; d++)
         free(u->drag[d]);
-    viscous_gradients_free(u);
+    free(u->operator.block);
+    free(u->operator.body);
+    operator_solver_free(&u->solver);
     free(u);
     *self = NULL;
 }

@@ -4,18 +4,25 @@
 #define IMPLICIT_VISCOUS_H
 
 #include "algebra/vector.h"
-#include "plan/couple.h"
 #include "eval/inside.h"
+#include "implicit/operator.h"
+#include "plan/couple.h"
 
-#include <sundials/sundials_linearsolver.h>
-
-enum { VISCOUS_STARTS = 3, VISCOUS_STAGES = 1,
+enum { VISCOUS_PRODUCTS = 1000, /* of one solve at most */
+       VISCOUS_STARTS = 3, VISCOUS_STAGES = 1,
        VISCOUS_VECTORS = 12 + VISCOUS_STARTS + VISCOUS_STAGES }; /* of all velocities */
 
 /* Velocities at a moment, for guesses: those at which a step began, and stages since. */
 struct viscous_past {
     double t;
     double *v; /* [unknowns] */
+};
+
+/* What a callback of the operator knows: of body i, of the fluid (body: -1). */
+struct viscous_block {
+    struct moment *moment;
+    double gamma;
+    int body;
 };
 
 /* Velocities come in two orders: that of creation (v: the fluid's row of y, then each
@@ -26,6 +33,7 @@ struct viscous {
     size_t room;                 /* for so many c                              */
     size_t slots;                /* for so many velocities by slot             */
     double tol;                  /* error in units of scales that a step may have */
+    double rounding;             /* r . M^-1 r of a residual r that is no more than that */
     int fluid, unknowns;         /* entries of the fluid's velocity; of all    */
     double *velocity;            /* [slots][COUPLE_STRIDE]                     */
     double *apart;               /* [particles][DIM] forces by slot, of both sides' pass */
@@ -39,11 +47,13 @@ struct viscous {
         int starts, stages;
         struct viscous_past start[VISCOUS_STARTS], past[VISCOUS_STAGES]; /* newest first */
     } known;                     /* for guesses                                */
-    struct {
-        SUNContext context;
-        SUNLinearSolver gradients;
-        N_Vector b, correction;  /* [unknowns] what it solves for              */
-    } search;
+    struct {                     /* A of (BV1), as viscous_assemble() made it   */
+        struct operator all;
+        struct operator_body *body;  /* [bodies] of it                         */
+        struct viscous_block *block; /* [1 + bodies] what its callbacks know    */
+        double *diagonal;            /* [fluid/DIM] by slot                     */
+    } operator;
+    struct operator_solver *solver;
 };
 
 static inline struct viscous *viscous_of(const struct moment *m)
@@ -60,15 +70,12 @@ int viscous_fit(struct viscous *u);
  * but for what supports give, and forces on bodies. */
 void viscous_book(struct moment *m, double *book);
 
-/* viscous-operator.c: the matrix, and to = A x less gamma times the pull of walls, in
- * one pass over pairs; then, forces of these kinds (bits) at velocities x into work->f;
- * to = A x; ready for bodies' part of the inverse; near = about A^-1 residual, returns
- * its largest speed in units of scales; unknowns of body i. */
+/* viscous-operator.c: the matrix as an operator, and to = A x less gamma times the pull of
+ * walls, in one pass over pairs; then, forces of these kinds (bits) at velocities x into
+ * work->f; ready for bodies' part of the inverse; unknowns of body i. */
 int viscous_assemble(struct moment *m, double gamma, const double *x, double *to);
 void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool walls);
-void viscous_apply(struct moment *m, double gamma, const double *x, double *to);
 int viscous_join(struct moment *m, double gamma);
-double viscous_precondition(struct moment *m, double gamma, const double *residual, double *near);
 int viscous_body(const struct plan *p, int i);
 
 /* viscous-directions.c: "all fluid alike" and the guess, for which a solve is exact.
@@ -85,8 +92,6 @@ void viscous_directions_leave(struct moment *m, double gamma, double *v);
 
 /* viscous-gradients.c: x, its residual and guess_image = A x come in; x and its residual
  * go out.  STATUS_FAILED: a refusal. */
-int viscous_gradients_make(struct viscous *u);
-void viscous_gradients_free(struct viscous *u);
 int viscous_iterate(struct moment *m, double t, double gamma);
 
 /* viscous-solve.c */
