@@ -15,10 +15,11 @@ static int refuse_position(struct moment *m, double t)
         snprintf(m->refusal, sizeof m->refusal, "no memory for the list of pairs at t = %g s", t);
         return STATUS_FAILED;
     }
+    const int who = particles_id_of(m->particles, l->bad);
     o = &m->particles->object[m->particles->object_of[l->bad]];
     snprintf(m->refusal, sizeof m->refusal, "the position of particle %d (%s) is not finite at "
-             "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
-    m->culprit[MOMENT_PLACE_LOST] = (struct moment_culprit){ true, l->bad, t };
+             "t = %g s; an earlier stage overflowed", who, o->name, t);
+    m->culprit[MOMENT_PLACE_LOST] = (struct moment_culprit){ true, who, t };
     return STATUS_FAILED;
 }
 
@@ -28,6 +29,7 @@ static int update_list(struct moment *m, const struct view *v)
 
     memcpy(cloud.from, v->p->from, sizeof cloud.from);
     memcpy(cloud.x, v->x, sizeof cloud.x);
+    memcpy(cloud.row, v->p->row, sizeof cloud.row);
     if (m->plan->engine->sum->list->update(m->list, &cloud) != STATUS_DONE)
         return refuse_position(m, v->t);
     return workspace_fit(m->work, m->list);

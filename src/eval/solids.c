@@ -10,9 +10,9 @@ static double power_of(const struct moment *m, const struct object *o)
     double power = 0;
 
     for (int c = o->from; c < o->from + o->n; c++) {
-        const int s = m->list->slot[c];
+        const int row = particles_row_of(m->particles, c), s = m->list->slot[row];
         for (int d = 0; d < DIM && s >= 0; d++)
-            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[c][d];
+            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[row][d];
     }
     return power;
 }
@@ -25,8 +25,8 @@ void solids_sum(struct moment *m)
     memset(m->force, 0, all->objects * sizeof *m->force);
     m->wall_power = 0;
     for (int c = all->from[KIND_WALL]; c < all->n; c++) {
-        const int s = m->list->slot[c];
-        double *sum = m->force[all->object_of[c]];
+        const int row = particles_row_of(all, c), s = m->list->slot[row];
+        double *sum = m->force[all->object_of[row]];
         if (s < 0)
             continue;
         for (int d = 0; d < DIM; d++)
@@ -42,7 +42,8 @@ void solids_sum(struct moment *m)
 void solids_skin(const struct moment *m, struct moment_body *b)
 {
     for (int j = 0; j < b->skin; j++) {
-        const int s = m->list->slot[m->particles->object[b->object].from + j];
+        const int row = particles_row_of(m->particles, m->particles->object[b->object].from + j);
+        const int s = m->list->slot[row];
         for (int d = 0; d < DIM; d++)
             b->force[j][d] = s < 0 ? 0 : m->work->f[(size_t)s * DIM + d];
     }

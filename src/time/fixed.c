@@ -232,6 +232,14 @@ int fixed_restart(void *self, double t, const double *y)
     return STATUS_DONE;
 }
 
+int fixed_rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    const struct fixed *x = self;
+
+    return vector_rows_move(blocks, block, VECTORS,
+                            (double *[VECTORS]){ x->y, x->f, x->y_old, x->f_old, x->try, x->rates });
+}
+
 const char *fixed_table(const void *self)
 {
     return ((const struct fixed *)self)->table;
