@@ -17,6 +17,21 @@ static double power_of(const struct moment *m, const struct object *o)
     return power;
 }
 
+/* Forces on the objects of one kind, added in order of ids. */
+static void sum_kind(struct moment *m, enum kind k)
+{
+    const struct particles *all = m->particles;
+
+    for (int id = 0; id < particles_count(all, k); id++) {
+        const int c = all->from[k] + particles_row(all, k, id), s = m->list->slot[c];
+        double *sum = m->force[all->object_of[c]];
+        if (s < 0)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            sum[d] += m->work->f[(size_t)s * DIM + d];
+    }
+}
+
 void solids_sum(struct moment *m)
 {
     const struct particles *all = m->particles;
@@ -24,14 +39,8 @@ void solids_sum(struct moment *m)
 
     memset(m->force, 0, all->objects * sizeof *m->force);
     m->wall_power = 0;
-    for (int c = all->from[KIND_WALL]; c < all->n; c++) {
-        const int row = particles_row_of(all, c), s = m->list->slot[row];
-        double *sum = m->force[all->object_of[row]];
-        if (s < 0)
-            continue;
-        for (int d = 0; d < DIM; d++)
-            sum[d] += m->work->f[(size_t)s * DIM + d];
-    }
+    for (int k = KIND_WALL; k < KINDS; k++)
+        sum_kind(m, (enum kind)k);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             m->wall_power += power_of(m, &all->object[p->wall[i].object]);
