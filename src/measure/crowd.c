@@ -165,11 +165,12 @@ void crowd_update(struct crowd *c, const struct view *v)
             c->start[c->cell[i] + 1]++;
     for (long i = 0; i < count; i++)
         c->start[i + 1] += c->start[i];
-    for (int id = 0; id < c->p->n; id++) {
-        const int i = particles_row_of(v->p, id);
-        if (c->cell[i] != OUTSIDE)
-            c->order[c->start[c->cell[i]]++] = i;
-    }
+    for (int k = 0; k < KINDS; k++)
+        for (int id = 0; id < particles_count(v->p, k); id++) {
+            const int i = v->p->from[k] + particles_row(v->p, (enum kind)k, id);
+            if (c->cell[i] != OUTSIDE)
+                c->order[c->start[c->cell[i]]++] = i;
+        }
     for (long i = count; i > 0; i--) /* each start has become the next one */
         c->start[i] = c->start[i - 1];
     c->start[0] = 0;
