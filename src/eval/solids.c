@@ -21,14 +21,18 @@ static double power_of(const struct moment *m, const struct object *o)
 static void sum_kind(struct moment *m, enum kind k)
 {
     const struct particles *all = m->particles;
+    const int first = all->from[k], n = particles_count(all, k), *row = all->row[k];
+    const int *slot = m->list->slot + first, *object_of = all->object_of + first;
+    const double *f = m->work->f;
+    double (*force)[DIM] = m->force;
 
-    for (int id = 0; id < particles_count(all, k); id++) {
-        const int c = all->from[k] + particles_row(all, k, id), s = m->list->slot[c];
-        double *sum = m->force[all->object_of[c]];
+    for (int id = 0; id < n; id++) {
+        const int i = row ? row[id] : id, s = slot[i];
+        double *sum = force[object_of[i]];
         if (s < 0)
             continue;
         for (int d = 0; d < DIM; d++)
-            sum[d] += m->work->f[(size_t)s * DIM + d];
+            sum[d] += f[(size_t)s * DIM + d];
     }
 }
 
