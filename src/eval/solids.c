@@ -44,7 +44,8 @@ void solids_sum(struct moment *m)
     memset(m->force, 0, all->objects * sizeof *m->force);
     m->wall_power = 0;
     for (int k = KIND_WALL; k < KINDS; k++)
-        sum_kind(m, (enum kind)k);
+        if (particles_count(all, k) > 0) /* else there may be no list */
+            sum_kind(m, (enum kind)k);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             m->wall_power += power_of(m, &all->object[p->wall[i].object]);
