@@ -18,7 +18,7 @@ static int list(const char *what)
     if (strcmp(what, "methods") != 0)
         return catalogue_list(what, stdout);
     for (int i = 0; method_table[i]; i++)
-        printf("%-22s %s\n", method_table[i]->name, method_table[i]->about);
+        printf("%-22s %s\n", method_table[i]->name, method_table[i]->told.about);
     return STATUS_DONE;
 }
 
@@ -28,7 +28,7 @@ static void explain_method(const struct method *m)
 
     if (m->order > 0)
         snprintf(order, sizeof order, "%d", m->order);
-    printf("%s -- %s\n  source: %s\n  order: %s\n  %s%s%s%s\n", m->name, m->about, m->source,
+    printf("%s -- %s\n  source: %s\n  order: %s\n  %s%s%s%s\n", m->name, m->told.about, m->told.source,
            order,
            m->adaptive ? "its step follows an error estimate: tol, norm"
                        : "its step is a CFL number: NAME@0.25",

@@ -151,7 +151,7 @@ static void show_methods(void)
 {
     for (int i = 0; method_table[i]; i++) {
         roff_tag(stdout, "", method_table[i]->name, "");
-        roff_paragraph(stdout, method_table[i]->about);
+        roff_paragraph(stdout, method_table[i]->told.about);
     }
 }
 

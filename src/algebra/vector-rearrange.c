@@ -128,3 +128,34 @@ int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block)
     free(s.to);
     return status;
 }
+
+int vector_rows_move(int blocks, const struct vector_rows *block, int arrays, double *const *x)
+{
+    size_t entries = 1;
+    double *scratch;
+
+    for (int k = 0; k < blocks; k++) {
+        const size_t all = (size_t)block[k].n * (size_t)block[k].components;
+        entries = all > entries ? all : entries;
+    }
+    scratch = status_alloc(entries, sizeof *scratch);
+    if (!scratch)
+        return STATUS_FAILED;
+    for (int i = 0; i < arrays; i++)
+        for (int k = 0; k < blocks && x[i]; k++)
+            move_block(&block[k], x[i], scratch);
+    free(scratch);
+    return STATUS_DONE;
+}
+
+long vector_rows_moved(int blocks, const struct vector_rows *block, long i)
+{
+    for (int k = 0; k < blocks; k++) {
+        const struct vector_rows *b = &block[k];
+
+        for (int to = 0; to < b->n && i >= b->offset && i < end_of(b); to++)
+            if (b->from[to] == (i - b->offset) / b->components)
+                return b->offset + (long)to * b->components + (i - b->offset) % b->components;
+    }
+    return i;
+}

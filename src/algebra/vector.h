@@ -70,6 +70,12 @@ struct vector_rows {
 };
 int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block);
 
+/* The same of plain arrays that are laid out like y; NULL is passed over. */
+int vector_rows_move(int blocks, const struct vector_rows *block, int arrays, double *const *x);
+
+/* The entry that i becomes. */
+long vector_rows_moved(int blocks, const struct vector_rows *block, long i);
+
 /* to[i] = sum of c[k] x[k][i], k from 0 to terms - 1, zeros of c left out.  A
  * first term with c = 1 is added last, as a step adds small increments to y.
  * `to` may be one of x. */

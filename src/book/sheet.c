@@ -13,8 +13,8 @@ static double fluid_motion(const struct view *v, double *momentum)
     const double *u = v->u[KIND_FLUID];
     double kinetic = 0;
 
-    for (int i = 0; i < n; i++)
-        for (int d = 0; d < DIM; d++) {
+    for (int id = 0; id < n; id++)
+        for (int d = 0, i = particles_row(v->p, KIND_FLUID, id); d < DIM; d++) {
             kinetic += 0.5 * v->p->m[i] * u[i * DIM + d] * u[i * DIM + d];
             momentum[d] += v->p->m[i] * u[i * DIM + d];
         }
@@ -83,8 +83,8 @@ void book_read(const struct plan *p, const struct layout *l, const struct moment
 
     *s = (struct book_sheet){ .t = v->t };
     s->energy.kinetic = fluid_motion(v, s->momentum);
-    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
-        s->mass += v->p->m[i];
+    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++)
+        s->mass += v->p->m[particles_row(v->p, KIND_FLUID, id)];
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->energy)
             p->part[i].part->energy(p->part[i].self, v, &s->energy);

@@ -36,8 +36,8 @@ static void energy(const void *self, const struct view *v, struct energies *to)
     const double *x = v->x[KIND_FLUID];
     double sum = 0;
 
-    for (int i = 0; i < n; i++)
-        for (int d = 0; d < DIM; d++)
+    for (int id = 0; id < n; id++)
+        for (int d = 0, i = particles_row(v->p, KIND_FLUID, id); d < DIM; d++)
             sum -= v->p->m[i] * s->g[d] * (x[i * DIM + d] - s->lowest[d]);
     to->potential += sum;
 }

@@ -6,17 +6,19 @@
 
 #include <math.h>
 
-/* Its density [kg/m^D], HUGE_VAL without fluid; its number in *where. */
+/* Its density [kg/m^D], HUGE_VAL without fluid; its id in *where. */
 static inline double lightest_fluid(const struct view *v, int *where)
 {
     const int n = particles_count(v->p, KIND_FLUID);
     double least = HUGE_VAL;
 
-    for (int i = 0; i < n; i++)
-        if (v->rho[KIND_FLUID][i] < least) {
-            least = v->rho[KIND_FLUID][i];
-            *where = i;
+    for (int id = 0; id < n; id++) {
+        const double rho = v->rho[KIND_FLUID][particles_row(v->p, KIND_FLUID, id)];
+        if (rho < least) {
+            least = rho;
+            *where = id;
         }
+    }
     return least;
 }
 

@@ -19,7 +19,7 @@ struct blame {
     const struct view *v;
     struct pairs_table *table; /* [KINDS][KINDS] laws of one slot              */
     double (*rate)[DIM];       /* [fluid] of one field [m/s^2]                 */
-    int who;                   /* creation index                               */
+    int who;                   /* its row, of all kinds                        */
     bool density;              /* its density counts, else its acceleration    */
 };
 
@@ -189,7 +189,7 @@ static void tell(const struct blame *b, const struct deed *d, char *text, size_t
     doubt_mass(p, mass, sizeof mass);
     snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: "
              "%s; its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s",
-             b->v->t, kinds[o->kind], b->who, o->name, place, deed,
+             b->v->t, kinds[o->kind], particles_id_of(all, b->who), o->name, place, deed,
              b->v->rho[o->kind] ? b->v->rho[o->kind][i] : p->scales.rho0,
              size_of(b->v->u[o->kind] + (size_t)i * DIM), p->scales.c0, mass);
 }
@@ -202,7 +202,7 @@ static int choose(struct blame *b, const struct moment_culprit *culprit)
     b->who = hardest(b);
     for (int i = MOMENT_COMPLAINTS - 1; i >= 0; i--)
         if (culprit[i].known && culprit[i].t >= b->v->t) {
-            b->who = culprit[i].who;
+            b->who = particles_row_of(b->m->particles, culprit[i].who);
             b->density = i == MOMENT_DENSITY_OUT;
         }
     return STATUS_DONE;
@@ -249,7 +249,8 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
     text[0] = '\0';
     if (run->plan->row.x < 0)
         return;
-    if (moment_create(run->plan, &b.m) == STATUS_DONE) {
+    if (moment_create(run->plan, &b.m) == STATUS_DONE
+        && moment_follow(b.m, run) == STATUS_DONE) {
         if (look(&b, t, y, &v) == STATUS_DONE)
             blame(&b, run->culprit, text, room);
         else

@@ -15,10 +15,11 @@ static int refuse_position(struct moment *m, double t)
         snprintf(m->refusal, sizeof m->refusal, "no memory for the list of pairs at t = %g s", t);
         return STATUS_FAILED;
     }
+    const int who = particles_id_of(m->particles, l->bad);
     o = &m->particles->object[m->particles->object_of[l->bad]];
     snprintf(m->refusal, sizeof m->refusal, "the position of particle %d (%s) is not finite at "
-             "t = %g s; an earlier stage overflowed", l->bad, o->name, t);
-    moment_note(m, MOMENT_PLACE_LOST, l->bad, t);
+             "t = %g s; an earlier stage overflowed", who, o->name, t);
+    moment_note(m, MOMENT_PLACE_LOST, who, t);
     return STATUS_FAILED;
 }
 
@@ -41,6 +42,7 @@ int passes_list(struct evaluation *e, const struct plan_field *of)
     (void)of;
     memcpy(cloud.from, e->view.p->from, sizeof cloud.from);
     memcpy(cloud.x, e->view.x, sizeof cloud.x);
+    memcpy(cloud.row, e->view.p->row, sizeof cloud.row);
     if (m->beside)
         choose_list(m, &cloud);
     if (m->plan->engine->sum->list->update(m->list, &cloud) != STATUS_DONE)

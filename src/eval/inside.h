@@ -18,10 +18,11 @@ struct workspace {
                         leaves there                                          */
     double *drho;    /* [n] likewise                                          */
     double *power;   /* [slots]                                               */
-    double *rho;     /* [n] densities that fields give, creation order; NULL  */
+    double *rho;     /* [n] densities that fields give, by row; NULL          */
     double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
+    double (*speeds)[DIM];    /* likewise                                     */
     double *rates;   /* [size] of an evaluation that is only looked at        */
     struct sum_scratch scratch;
 };
@@ -31,7 +32,7 @@ enum moment_complaint { MOMENT_TOO_FAST, MOMENT_DENSITY_OUT, MOMENT_PLACE_LOST,
                         MOMENT_COMPLAINTS };
 struct moment_culprit {
     bool known;
-    int who;   /* creation index                                             */
+    int who;   /* id                                                         */
     double t;  /* [s]                                                        */
 };
 
@@ -75,11 +76,16 @@ int workspace_fit(struct workspace *w, const struct list *l);
 /* moment.c: another moment of the run's plan, for looking. */
 int moment_create_beside(struct moment *run, struct moment **out);
 
+/* rearrange.c: rows of a fresh moment become those of the run; the id, of its kind, of the
+ * particle number `which` in a row of the layout (of what is no particle, `which`). */
+int moment_follow(struct moment *m, const struct moment *run);
+int moment_id(const struct moment *m, int row, int which);
+
 /* view.c: moves solids to (t, y) and says where everything is, but for densities
  * that are summed. */
 void moment_view(struct moment *m, double t, const double *y, struct view *v);
 
-/* Where particle c (creation index) is in the domain: "(x, y)" in metres. */
+/* Where the particle in row c (of all kinds) is in the domain: "(x, y)" in metres. */
 void moment_place(const struct moment *m, const struct view *v, int c, char text[PLAN_PLACE]);
 
 /* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */

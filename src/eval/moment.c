@@ -87,7 +87,11 @@ int moment_create(const struct plan *plan, struct moment **out)
 
 int moment_create_beside(struct moment *run, struct moment **out)
 {
-    return create(run->plan, run, out);
+    int status = create(run->plan, run, out);
+
+    if (status == STATUS_DONE && (status = moment_follow(*out, run)) != STATUS_DONE)
+        moment_free(out);
+    return status;
 }
 
 static void free_body(struct moment_body *b)
@@ -186,7 +190,8 @@ const char *moment_entry(const struct moment *m, long i)
 
     r = layout_find(&m->layout, i, &which);
     if (r)
-        snprintf(text, sizeof text, "%s, number %d", r->name, which);
+        snprintf(text, sizeof text, "%s, number %d", r->name,
+                 moment_id(m, (int)(r - m->layout.row), which));
     return r ? text : "nothing";
 }
 

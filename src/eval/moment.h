@@ -72,6 +72,9 @@ void moment_weights(const struct moment *moment, double tol, double *weight);
 /* "velocity of fluid.water particle 17" for entry i of y; static buffer. */
 const char *moment_entry(const struct moment *moment, long i);
 
+/* y as it would be if rows were ids; `to` is not y. */
+void moment_by_id(const struct moment *moment, const double *y, double *to);
+
 /* ydot [size] = what was asked for of f(t, y).  0, or STATUS_FAILED when it cannot
  * answer (density out of bounds, a position not finite): then moment_refusal() says
  * particle, part and value, and ydot is not to be used.  Allocates nothing between

@@ -68,13 +68,14 @@ int observe_escaped(struct moment *run, double t, const double *y)
     return n;
 }
 
-/* The fluid particle that moves fastest, and its speed [m/s]. */
+/* The row of the fluid particle that moves fastest, and its speed [m/s]. */
 static int fastest(const struct view *v, double *speed)
 {
     int who = -1;
 
     *speed = 0;
-    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++) {
+        const int i = particles_row(v->p, KIND_FLUID, id);
         const double *u = v->u[KIND_FLUID] + (size_t)i * DIM;
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
@@ -93,20 +94,21 @@ int observe_runaway(struct moment *m, double t, const double *y)
     const struct plan *p = m->plan;
     struct view v;
     double speed;
-    int i;
+    int i, who;
 
     moment_view(m, t, y, &v);
     i = fastest(&v, &speed);
     if (!(speed > p->in.eos.fastest * p->scales.c0))
         return STATUS_DONE;
     moment_place(m, &v, i, place);
-    moment_note(m, MOMENT_TOO_FAST, i, t);
+    who = particles_id_of(v.p, i);
+    moment_note(m, MOMENT_TOO_FAST, who, t);
     return status_fail_with(STATUS_FAILED,
                             (struct status_advice){
                                 .remedy = "take a higher eos.c0 if that speed is real" },
                             "the fluid has run away: at t = %g s particle %d (%s) at %s m moves "
                             "at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g)",
-                            t, i, v.p->object[v.p->object_of[i]].name, place, speed,
+                            t, who, v.p->object[v.p->object_of[i]].name, place, speed,
                             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
 }
 

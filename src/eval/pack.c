@@ -129,15 +129,16 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
     const int c = m->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
+    const int who = particles_id_of(v->p, c);
     char place[PLAN_PLACE];
 
     moment_place(m, v, c, place);
     snprintf(m->refusal, sizeof m->refusal,
              "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
              "particles were pushed together or torn apart faster than the step could follow",
-             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], c, o->name, place, v->t,
+             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], who, o->name, place, v->t,
              m->density_low, m->density_high);
-    moment_note(m, MOMENT_DENSITY_OUT, c, v->t);
+    moment_note(m, MOMENT_DENSITY_OUT, who, v->t);
     return STATUS_FAILED;
 }
 

@@ -11,9 +11,11 @@
 static void add_momentum(const struct particles *all, double sign, const double (*udot)[DIM],
                          double *sum)
 {
-    for (int i = 0; i < particles_count(all, KIND_FLUID); i++)
+    for (int id = 0; id < particles_count(all, KIND_FLUID); id++) {
+        const int i = particles_row(all, KIND_FLUID, id);
         for (int d = 0; d < DIM; d++)
             sum[d] += sign * all->m[i] * udot[i][d];
+    }
 }
 
 void passes_add_body_forces(struct evaluation *e)
@@ -58,9 +60,11 @@ static double drift_power(const struct moment *m, const struct view *v)
     const double *g = m->plan->scales.g;
     double power = 0;
 
-    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++)
+    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++) {
+        const int i = particles_row(v->p, KIND_FLUID, id);
         for (int d = 0; d < DIM; d++)
             power -= v->p->m[i] * g[d] * m->work->drift[i][d];
+    }
     return power;
 }
 

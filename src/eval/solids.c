@@ -10,11 +10,30 @@ static double power_of(const struct moment *m, const struct object *o)
     double power = 0;
 
     for (int c = o->from; c < o->from + o->n; c++) {
-        const int s = m->list->slot[c];
+        const int row = particles_row_of(m->particles, c), s = m->list->slot[row];
         for (int d = 0; d < DIM && s >= 0; d++)
-            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[c][d];
+            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[row][d];
     }
     return power;
+}
+
+/* Forces on the objects of one kind, added in order of ids. */
+static void sum_kind(struct moment *m, enum kind k)
+{
+    const struct particles *all = m->particles;
+    const int first = all->from[k], n = particles_count(all, k), *row = all->row[k];
+    const int *slot = m->list->slot + first, *object_of = all->object_of + first;
+    const double *f = m->work->f;
+    double (*force)[DIM] = m->force;
+
+    for (int id = 0; id < n; id++) {
+        const int i = row ? row[id] : id, s = slot[i];
+        double *sum = force[object_of[i]];
+        if (s < 0)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            sum[d] += f[(size_t)s * DIM + d];
+    }
 }
 
 void solids_sum(struct moment *m)
@@ -24,14 +43,9 @@ void solids_sum(struct moment *m)
 
     memset(m->force, 0, all->objects * sizeof *m->force);
     m->wall_power = 0;
-    for (int c = all->from[KIND_WALL]; c < all->n; c++) {
-        const int s = m->list->slot[c];
-        double *sum = m->force[all->object_of[c]];
-        if (s < 0)
-            continue;
-        for (int d = 0; d < DIM; d++)
-            sum[d] += m->work->f[(size_t)s * DIM + d];
-    }
+    for (int k = KIND_WALL; k < KINDS; k++)
+        if (particles_count(all, k) > 0) /* else there may be no list */
+            sum_kind(m, (enum kind)k);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             m->wall_power += power_of(m, &all->object[p->wall[i].object]);
@@ -42,7 +56,8 @@ void solids_sum(struct moment *m)
 void solids_skin(const struct moment *m, struct moment_body *b)
 {
     for (int j = 0; j < b->skin; j++) {
-        const int s = m->list->slot[m->particles->object[b->object].from + j];
+        const int row = particles_row_of(m->particles, m->particles->object[b->object].from + j);
+        const int s = m->list->slot[row];
         for (int d = 0; d < DIM; d++)
             b->force[j][d] = s < 0 ? 0 : m->work->f[(size_t)s * DIM + d];
     }

@@ -111,7 +111,8 @@ static void count(const struct moment *m, const struct view *v, const struct blo
 {
     const struct plan *p = m->plan;
 
-    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++) {
+        const int i = particles_row(v->p, KIND_FLUID, id);
         const double *now = v->x[KIND_FLUID] + (size_t)i * DIM;
         double x[DIM];
         int solid;
@@ -120,7 +121,7 @@ static void count(const struct moment *m, const struct view *v, const struct blo
         if (!list_inside(&p->list_def, now) || (solid = solid_at(m, block, skins, x)) < 0)
             continue;
         if (out->n++ == 0) {
-            out->who = i;
+            out->who = id;
             out->solid = v->p->object[solid].name;
             moment_place(m, v, i, out->place);
         }

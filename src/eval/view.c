@@ -5,6 +5,7 @@
 #include "state/period.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static void move_wall(struct particles *all, const struct plan_wall *w, double t)
 {
@@ -18,8 +19,29 @@ static void move_wall(struct particles *all, const struct plan_wall *w, double t
     }
     o->omega = place.omega;
     o->alpha = place.alpha;
-    for (int i = o->from; i < o->from + o->n; i++)
-        walls_motion_point(&w->motion, &place, all->x0[i], all->x[i], all->u[i]);
+    for (int i = o->from; i < o->from + o->n; i++) {
+        const int c = particles_row_of(all, i);
+        walls_motion_point(&w->motion, &place, all->x0[c], all->x[c], all->u[c]);
+    }
+}
+
+/* Points of a skin come in order of ids. */
+static void move_skin(struct moment *m, const struct moment_body *b, double t, const double *y)
+{
+    struct particles *all = m->particles;
+    const struct object *o = &all->object[b->object];
+    double (*x)[DIM] = m->work->points, (*u)[DIM] = m->work->speeds;
+
+    if (!all->own) {
+        b->kind->move(b->body, b->work, &m->layout, t, y, all->x + o->from, all->u + o->from);
+        return;
+    }
+    b->kind->move(b->body, b->work, &m->layout, t, y, x, u);
+    for (int j = 0; j < o->n; j++) {
+        const int c = particles_row_of(all, o->from + j);
+        memcpy(all->x[c], x[j], sizeof x[j]);
+        memcpy(all->u[c], u[j], sizeof u[j]);
+    }
 }
 
 static void move_solids(struct moment *m, double t, const double *y)
@@ -30,13 +52,9 @@ static void move_solids(struct moment *m, double t, const double *y)
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             move_wall(all, &p->wall[i], t);
-    for (int i = 0; i < p->bodies; i++) {
-        const struct moment_body *b = &m->body[i];
-        if (b->object >= 0)
-            b->kind->move(b->body, b->work, &m->layout, t, y,
-                          all->x + all->object[b->object].from,
-                          all->u + all->object[b->object].from);
-    }
+    for (int i = 0; i < p->bodies; i++)
+        if (m->body[i].object >= 0)
+            move_skin(m, &m->body[i], t, y);
 }
 
 void moment_view(struct moment *m, double t, const double *y, struct view *v)

@@ -51,7 +51,8 @@ static int take_memory(const struct plan *p, struct workspace *w)
     w->points = status_alloc((size_t)points + 1, sizeof *w->points);
     if (p->drifter && !(w->drift = status_alloc((size_t)n + 1, sizeof *w->drift)))
         return STATUS_FAILED;
-    return w->rates && w->points ? take_sums(p, w) : STATUS_FAILED;
+    w->speeds = status_alloc((size_t)points + 1, sizeof *w->speeds);
+    return w->rates && w->points && w->speeds ? take_sums(p, w) : STATUS_FAILED;
 }
 
 int workspace_create(const struct plan *p, struct workspace **out)
@@ -96,6 +97,7 @@ void workspace_free(struct workspace **workspace)
     free(w->sum);
     free(w->drift);
     free(w->points);
+    free(w->speeds);
     free(w->rates);
     free(w->scratch.power);
     free(w);

@@ -38,7 +38,7 @@ static void set_drag(struct moment *m, double gamma)
             struct moment_body *b = &m->body[i];
             memset(at, 0, (size_t)b->skin * sizeof *at);
             for (int j = 0; j < b->skin; j++) {
-                const int s = l->slot[m->particles->object[b->object].from + j];
+                const int s = viscous_place(m, b, j);
                 at[j][d] = s < 0 ? 0 : u->job.firm[s];
             }
             b->kind->coupled->pull(b->body, b->work, (const double (*)[DIM])at, -gamma, to);

@@ -93,6 +93,20 @@ static int choose(const struct viscous *u, double t, const struct viscous_past *
     return n;
 }
 
+/* What is known goes along with the rows of the fluid. */
+int viscous_rearrange(struct moment *m, const int *from)
+{
+    struct viscous *u = viscous_of(m);
+    const struct vector_rows fluid = { .n = u->fluid / DIM, .components = DIM, .from = from };
+    double *known[VISCOUS_STARTS + VISCOUS_STAGES];
+
+    for (int i = 0; i < VISCOUS_STARTS; i++)
+        known[i] = u->known.start[i].v;
+    for (int i = 0; i < VISCOUS_STAGES; i++)
+        known[VISCOUS_STARTS + i] = u->known.past[i].v;
+    return vector_rows_move(1, &fluid, VISCOUS_STARTS + VISCOUS_STAGES, known);
+}
+
 void viscous_guess(struct moment *m, double t, const double *z, double *v)
 {
     const struct viscous *u = viscous_of(m);

@@ -74,5 +74,5 @@ static void exact(void *self, double tol)
 const struct plan_solver implicit_viscous = {
     .vectors = VISCOUS_VECTORS, .agree = agree, .create = viscous_create, .free = viscous_free,
     .forget = viscous_forget, .rates = rates, .sides = sides, .solve = viscous_solve,
-    .exact = exact,
+    .exact = exact, .rearrange = viscous_rearrange,
 };

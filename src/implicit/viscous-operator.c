@@ -29,7 +29,7 @@ static void spread(struct moment *m, const double *x, bool walls)
         struct moment_body *b = &m->body[i];
         b->kind->coupled->drift(b->body, w, point);
         for (int j = 0; j < b->skin; j++) {
-            const int s = l->slot[all->object[b->object].from + j];
+            const int s = viscous_place(m, b, j);
             if (s >= 0)
                 memcpy(to[s], point[j], sizeof point[j]);
         }
@@ -153,7 +153,7 @@ int viscous_join(struct moment *m, double gamma)
         struct moment_body *b = &m->body[i];
         double *c = m->work->points[0]; /* scratch of this length and more */
         for (int j = 0; j < b->skin; j++) {
-            const int s = m->list->slot[m->particles->object[b->object].from + j];
+            const int s = viscous_place(m, b, j);
             c[j] = s < 0 ? 0 : u->job.firm[s];
         }
         TRY(b->kind->coupled->join(b->body, b->work, gamma, c));

@@ -72,7 +72,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
     return viscous_join(m, gamma);
 }
 
-/* Solution to the order of creation; what is in no list keeps r. */
+/* Solution to the order of rows; what is in no list keeps r. */
 static void take_solution(struct moment *m, const double *r)
 {
     struct viscous *u = viscous_of(m);
@@ -96,10 +96,10 @@ static double moved(struct moment *m, double t)
             continue;
         const int from = all->object[b->object].from;
         double (*x)[DIM] = m->work->points;
-        b->kind->move(b->body, b->work, &m->layout, t, viscous_of(m)->stage, x, all->u + from);
+        b->kind->move(b->body, b->work, &m->layout, t, viscous_of(m)->stage, x, m->work->speeds);
         for (int j = 0; j < b->skin; j++)
             for (int d = 0; d < DIM; d++)
-                most = fmax(most, fabs(x[j][d] - all->x[from + j][d]));
+                most = fmax(most, fabs(x[j][d] - all->x[particles_row_of(all, from + j)][d]));
     }
     return most;
 }

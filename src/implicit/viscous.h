@@ -25,7 +25,7 @@ struct viscous_block {
     int body;
 };
 
-/* Velocities come in two orders: that of creation (v: the fluid's row of y, then each
+/* Velocities come in two orders: that of rows (v: the fluid's block of y, then each
  * body's unknowns) and that of the list's slots (all other vectors). */
 struct viscous {
     const struct plan_part *part;
@@ -59,6 +59,12 @@ struct viscous {
 static inline struct viscous *viscous_of(const struct moment *m)
 {
     return m->solver;
+}
+
+/* The slot of point j of a body's skin; -1: it is in no list. */
+static inline int viscous_place(const struct moment *m, const struct moment_body *b, int j)
+{
+    return m->list->slot[particles_row_of(m->particles, m->particles->object[b->object].from + j)];
 }
 
 /* viscous.c: members of implicit_viscous; after a rebuild there may be more pairs. */
@@ -97,11 +103,12 @@ int viscous_iterate(struct moment *m, double t, double gamma);
 /* viscous-solve.c */
 int viscous_solve(struct moment *m, double t, double gamma, const double *r, double *z);
 
-/* viscous-guess.c: velocities in the order of creation. */
+/* viscous-guess.c: velocities in the order of rows. */
 void viscous_read(struct moment *m, const double *y, double *v);
 void viscous_begin(struct moment *m, double t, const double *y); /* a step starts at t   */
 void viscous_keep(struct viscous *u, double t, const double *v); /* a stage was solved */
 void viscous_guess(struct moment *m, double t, const double *z, double *v);
 void viscous_forget(void *self); /* a member of implicit_viscous */
+int viscous_rearrange(struct moment *m, const int *from);
 
 #endif

@@ -17,7 +17,7 @@ struct crowd {
     double low[DIM];       /* corner of the first cell                    [m]   */
     long cells[DIM], most; /* cells in use by direction; how many may be     */
     int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
-    int *order;            /* [n] particles cell by cell                        */
+    int *order;            /* [n] rows cell by cell, each in order of ids       */
     long *cell;            /* [n] cell of a particle, or OUTSIDE                */
 };
 
@@ -165,9 +165,12 @@ void crowd_update(struct crowd *c, const struct view *v)
             c->start[c->cell[i] + 1]++;
     for (long i = 0; i < count; i++)
         c->start[i + 1] += c->start[i];
-    for (int i = 0; i < c->p->n; i++)
-        if (c->cell[i] != OUTSIDE)
-            c->order[c->start[c->cell[i]]++] = i;
+    for (int k = 0; k < KINDS; k++)
+        for (int id = 0; id < particles_count(v->p, k); id++) {
+            const int i = v->p->from[k] + particles_row(v->p, (enum kind)k, id);
+            if (c->cell[i] != OUTSIDE)
+                c->order[c->start[c->cell[i]]++] = i;
+        }
     for (long i = count; i > 0; i--) /* each start has become the next one */
         c->start[i] = c->start[i - 1];
     c->start[0] = 0;

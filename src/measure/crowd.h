@@ -32,7 +32,7 @@ void crowd_near(const struct crowd *c, const double *x, crowd_see *see, void *se
 /* Neighbours within the support of a site of the full lattice of spacing dx. */
 int crowd_full(const struct scales *s);
 
-/* Does fluid particle i (creation order) belong to the water? */
+/* Does the fluid particle in row i belong to the water? */
 bool crowd_is_water(const struct crowd *c, int i);
 
 #endif

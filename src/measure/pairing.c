@@ -206,12 +206,13 @@ void pairing_find(struct pairing *g, const struct view *v, struct pairing_index 
 
     *out = (struct pairing_index){ .least = INFINITY };
     sort(g, x);
-    for (int i = 0; i < g->n; i++) {
+    for (int id = 0; id < g->n; id++) {
+        const int i = particles_row(v->p, KIND_FLUID, id);
         double r;
         if (g->cell[i] == OUTSIDE)
             continue;
         inside++;
-        r = nearest(g, x, i) / pow(g->p->m[i] / (rho ? rho[i] : g->p->scales->rho0), 1.0 / DIM);
+        r = nearest(g, x, i) / pow(v->p->m[i] / (rho ? rho[i] : g->p->scales->rho0), 1.0 / DIM);
         if (r == INFINITY)
             continue;
         company++;

@@ -1,5 +1,5 @@
 /* cloud.h -- all particles at one moment, as particle files want it: fluid and
- * solids in one list, creation order. */
+ * solids in one list, order of ids. */
 #ifndef OUTPUT_CLOUD_H
 #define OUTPUT_CLOUD_H
 

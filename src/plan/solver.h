@@ -29,6 +29,9 @@ struct plan_solver {
     /* As moment_solve(), of all that is implicit; and its tolerance. */
     int (*solve)(struct moment *m, double t, double gamma, const double *r, double *z);
     void (*exact)(void *self, double tol);
+
+    /* Row i of the fluid becomes what row from[i] was. */
+    int (*rearrange)(struct moment *m, const int *from);
 };
 
 extern const struct plan_solver implicit_viscous; /* implicit/viscous.c */

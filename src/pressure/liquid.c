@@ -36,14 +36,15 @@ void liquid_limit(const void *self, const struct view *v, struct limit *out)
     const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
     double most = -1;
 
-    for (int i = 0; i < n; i++) {
+    for (int id = 0; id < n; id++) {
+        const int i = particles_row(v->p, KIND_FLUID, id);
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
             u2 += u[i * DIM + d] * u[i * DIM + d];
         const double speed = eos_sound(&l->eos, rho[i]) + sqrt(u2);
         if (speed > most) {
             most = speed;
-            out->where = i;
+            out->where = id;
         }
     }
     if (most >= 0)
@@ -57,8 +58,10 @@ void liquid_energy(const void *self, const struct view *v, struct energies *to)
 
     for (int k = 0; k < KINDS; k++) {
         const int n = v->rho[k] && v->stores[k] ? particles_count(v->p, k) : 0;
-        for (int i = 0; i < n; i++)
+        for (int id = 0; id < n; id++) {
+            const int i = particles_row(v->p, (enum kind)k, id);
             sum += v->p->m[v->p->from[k] + i] * eos_energy(&l->eos, v->rho[k][i]);
+        }
     }
     to->internal += sum;
 }

@@ -124,7 +124,7 @@ int outputs_step(struct outputs *o, const struct method_step *step)
     return tables_step(o->tables, step);
 }
 
-/* All particles into one frame, creation order. */
+/* All particles into one frame, in order of ids. */
 static void frame_of(struct outputs *o, struct moment *moment, double t, const double *y,
                      struct cloud_frame *f)
 {
@@ -137,11 +137,12 @@ static void frame_of(struct outputs *o, struct moment *moment, double t, const d
         const size_t from = all->from[k], n = particles_count(all, k);
         if (n == 0)
             continue;
-        for (size_t i = 0; i < n; i++)
-            period_home(plan_scales(plan), v.x[k] + i * DIM, o->x + (from + i) * DIM);
-        memcpy(o->u + from * DIM, v.u[k], n * DIM * sizeof *o->u);
-        for (size_t i = 0; i < n; i++)
-            o->rho[from + i] = v.rho[k] ? v.rho[k][i] : plan_scales(plan)->rho0;
+        for (size_t id = 0; id < n; id++) {
+            const size_t i = (size_t)particles_row(v.p, (enum kind)k, (int)id);
+            period_home(plan_scales(plan), v.x[k] + i * DIM, o->x + (from + id) * DIM);
+            memcpy(o->u + (from + id) * DIM, v.u[k] + i * DIM, DIM * sizeof *o->u);
+            o->rho[from + id] = v.rho[k] ? v.rho[k][i] : plan_scales(plan)->rho0;
+        }
     }
     plan_pressures(plan, all->n, o->rho, o->p);
     *f = (struct cloud_frame){ .t = t, .n = all->n, .dim = DIM, .x = o->x, .u = o->u,

@@ -85,6 +85,7 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     char hash[HASH_TEXT];
     struct observe_sunk sunk;
 
+    moment_by_id(r->moment, y, r->y);
     observe_sunk(r->moment, r->past.tally.t, y, &sunk);
     json_integer(j, "escaped", observe_escaped(r->moment, r->past.tally.t, y));
     json_integer(j, "in_solids", sunk.n);
@@ -97,7 +98,7 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     json_number(j, "density_max", r->past.tally.density[1] > 0 ? r->past.tally.density[1] : NAN);
     json_integer(j, "peak_rss_kb", (long)(memory_peak() / 1024));
     json_text(j, "state_hash",
-              hash_text(hash_bytes(HASH_START, y, plan_size(r->plan) * sizeof *y), hash));
+              hash_text(hash_bytes(HASH_START, r->y, plan_size(r->plan) * sizeof *y), hash));
 }
 
 int run_report(const struct run *r, int status, const char *message, const double *y)

@@ -12,7 +12,7 @@ struct layout_row {
     char name[48];
     const char *unit;
     enum layout_class what;
-    int n, components;   /* y holds [n][components], creation order          */
+    int n, components;   /* y holds [n][components], by row                  */
     double scale;        /* error of size tol * scale is an error of size 1;
                             0: a quadrature, which no error test sees        */
     long offset;         /* set by layout_done()                             */

@@ -9,7 +9,7 @@
 struct limit {
     double rate;    /* largest |eigenvalue| of the part [1/s]; 0: no limit    */
     bool decay;     /* eigenvalues are real and negative, else imaginary      */
-    int where;      /* particle (creation order) or element that sets it      */
+    int where;      /* particle (its id) or element that sets it              */
     char part[64];  /* name of the part                                       */
 };
 

@@ -96,11 +96,11 @@ struct part_summed {
     /* Adds to the owners' own sum, weighed with the kernel of densities. */
     part_gather *gather;
 
-    /* The densities [kg/m^D] of owners, into rho [count of kind], creation order. */
+    /* The densities [kg/m^D] of owners, into rho [count of kind], by row. */
     void (*densities)(const void *self, const struct part_sums *s, double *rho);
 
     /* Velocities that fluid moves with beside those in y, added to drift [count of
-     * kind][DIM] [m/s], creation order.  Its power has a column of the book. */
+     * kind][DIM] [m/s], by row.  Its power has a column of the book. */
     void (*carry)(const void *self, const struct part_sums *s, double (*drift)[DIM]);
 };
 

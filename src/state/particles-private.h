@@ -13,4 +13,7 @@ int particles_create(int n, int objects, const struct scales *scales, struct par
  * at first those of t = 0; all else is shared with `of`, which must outlive them. */
 int particles_create_beside(const struct particles *of, struct particles **out);
 
+/* Of a moment: row i of kind k becomes what row from[k][i] was (NULL: as before). */
+int particles_rearrange(struct particles *p, const int *const from[KINDS]);
+
 #endif

@@ -76,8 +76,79 @@ int particles_create_beside(const struct particles *of, struct particles **out)
     return STATUS_DONE;
 }
 
+/* What moves with its row.  Places of the fluid are y's: none is kept of them. */
+static size_t place_rows(struct particles *p, char *block)
+{
+    const size_t n = p->n;
+    size_t used = 0;
+    int *id, *row;
+
+    p->m = take(block, &used, n * sizeof *p->m);
+    p->x0 = take(block, &used, n * sizeof *p->x0);
+    p->object_of = take(block, &used, n * sizeof *p->object_of);
+    p->dye = take(block, &used, n * sizeof *p->dye);
+    p->x = take(block, &used, n * sizeof *p->x);
+    p->u = take(block, &used, n * sizeof *p->u);
+    id = take(block, &used, n * sizeof *id);
+    row = take(block, &used, n * sizeof *row);
+    for (int k = 0; k < KINDS && block; k++) {
+        p->id[k] = id + p->from[k];
+        p->row[k] = row + p->from[k];
+    }
+    return used;
+}
+
+/* Rows of one kind, the first is `first`. */
+static void move_rows(size_t bytes, int first, int n, const int *from, const void *old, void *to)
+{
+    const char *x = (const char *)old + first * bytes;
+    char *y = (char *)to + first * bytes;
+
+    if (!from)
+        memcpy(y, x, n * bytes);
+    for (int i = 0; i < n && from; i++)
+        memcpy(y + i * bytes, x + from[i] * bytes, bytes);
+}
+
+static void move_kind(const struct particles *p, enum kind k, const int *from,
+                      const struct particles *to)
+{
+    const int first = p->from[k], n = particles_count(p, k);
+
+    move_rows(sizeof *p->m, first, n, from, p->m, to->m);
+    move_rows(sizeof *p->x0, first, n, from, p->x0, to->x0);
+    move_rows(sizeof *p->object_of, first, n, from, p->object_of, to->object_of);
+    move_rows(sizeof *p->dye, first, n, from, p->dye, to->dye);
+    for (int i = 0; i < n; i++) {
+        const int was = from ? from[i] : i;
+        to->id[k][i] = p->id[k] ? p->id[k][was] : was;
+        to->row[k][to->id[k][i]] = i;
+    }
+    if (k == KIND_FLUID)
+        return;
+    move_rows(sizeof *p->x, first, n, from, p->x, to->x);
+    move_rows(sizeof *p->u, first, n, from, p->u, to->u);
+}
+
+int particles_rearrange(struct particles *p, const int *const from[KINDS])
+{
+    struct particles to = *p;
+
+    to.own = status_alloc(place_rows(&to, NULL) + 1, 1);
+    if (!to.own)
+        return STATUS_FAILED;
+    place_rows(&to, to.own);
+    for (int k = 0; k < KINDS; k++)
+        move_kind(p, k, from[k], &to);
+    free(p->own);
+    *p = to;
+    return STATUS_DONE;
+}
+
 void particles_free(struct particles **p)
 {
+    if (*p)
+        free((*p)->own);
     free(*p);
     *p = NULL;
 }

@@ -1,5 +1,10 @@
-/* particles.h -- all particles in the tank, in creation order (for ever): fluid,
- * walls, skins.  Only what does not evolve is held here; what evolves is in y. */
+/* particles.h -- all particles: fluid, walls, skins.  Only what does not evolve is held
+ * here; what evolves is in y.
+ *
+ * Three indices, three words.  The id of a particle is the order of creation, its own for
+ * ever; its row is where its numbers stand, in y and in the arrays below, in any order
+ * within its kind; its place is that in the pair list (space/list.h).  The particles of a
+ * plan stand in rows of their ids for good, those of a moment until it is rearranged. */
 #ifndef STATE_PARTICLES_H
 #define STATE_PARTICLES_H
 
@@ -11,7 +16,7 @@
 struct object {
     char name[64];   /* "tank", without the group                             */
     enum kind kind;
-    int from, n;     /* creation order                                        */
+    int from, n;     /* ids from .. from+n-1                                  */
     double a[DIM];   /* of a wall: acceleration of its centre now [m/s^2]     */
     double centre[DIM]; /* about which it turns now               [m]         */
     double slide[DIM];   /* of a wall: velocity of its surface beside that of its
@@ -30,11 +35,15 @@ struct particles {
     double (*x)[DIM];     /* [n] solids only: position now      [m]            */
     double (*u)[DIM];     /* [n] solids only: velocity now      [m/s]; both NULL
                              where there is no moment                          */
+    int *id[KINDS];       /* [count of kind] of the particle in a row, both counted
+                             from from[kind]; NULL: rows are ids               */
+    int *row[KINDS];      /* [count of kind] of the particle with an id, likewise */
+    void *own;            /* memory of rows that were rearranged               */
     int objects;
     struct object *object; /* [objects] in creation order                     */
 };
 
-/* All particles at one moment: where to read x, u, rho of each kind. */
+/* All particles at one moment: where to read x, u, rho of each kind, by row. */
 struct view {
     const struct particles *p;
     double t;
@@ -47,6 +56,28 @@ struct view {
 static inline int particles_count(const struct particles *p, enum kind k)
 {
     return p->from[k + 1] - p->from[k];
+}
+
+/* The row of the particle with an id, both counted from from[k]. */
+static inline int particles_row(const struct particles *p, enum kind k, int id)
+{
+    return p->row[k] ? p->row[k][id] : id;
+}
+
+/* The same, both counted over all kinds. */
+static inline int particles_row_of(const struct particles *p, int id)
+{
+    const enum kind k = p->object[p->object_of[id]].kind; /* a kind keeps its rows */
+
+    return p->from[k] + particles_row(p, k, id - p->from[k]);
+}
+
+/* The id of the particle in row c of all kinds. */
+static inline int particles_id_of(const struct particles *p, int c)
+{
+    const enum kind k = p->object[p->object_of[c]].kind;
+
+    return p->id[k] ? p->from[k] + p->id[k][c - p->from[k]] : c;
 }
 
 /* Acceleration of the point x of a rigid wall [m/s^2], all [DIM]. */

@@ -223,10 +223,10 @@ static const char *table(const void *self)
  * a dam break then loses a fifth less energy, for 1 % more steps. */
 const struct paced_kind ab3_kind = {
     .method = { .name = "ab3",
-                .about = "explicit multistep, Adams-Bashforth of order 3 with error control, 1 "
+                .told = { "explicit multistep, Adams-Bashforth of order 3 with error control, 1 "
                          "right-hand side a step",
-                .source = "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, "
-                          "section III.5",
+                          "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, "
+                          "section III.5" },
                 .order = 3, .serves = serves, .table = table, .vectors = vectors, PACED_METHOD },
     .size = sizeof(struct ab3),
     .control = { { 0.28, -0.23, 0 }, 0.5, 2, 1.3 },

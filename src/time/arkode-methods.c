@@ -51,11 +51,12 @@ static const char *table(const void *self)
 }
 
 #define METHOD(NAME, ORDER, ABOUT, SOURCE, SERVES)                                       \
-    .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
+    .method = { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = true,               \
                 .order = ORDER, .serves = SERVES, .create = arkode_create,               \
                 .step = arkode_step,                                                     \
                 .at = arkode_at, .state = state, .restart = arkode_restart,              \
-                .table = table, .free = arkode_free, .vectors = arkode_vectors }
+                .table = table, .free = arkode_free, .vectors = arkode_vectors,          \
+                .rearrange = arkode_rearrange }
 
 #define OWN(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \
     { METHOD(NAME, ORDER, ABOUT, SOURCE, serves), .own = &TABLE, .order = ORDER,         \

@@ -65,3 +65,43 @@ void arkode_free_vectors(struct arkode *a)
     give_back(a->last.y);
     give_back(a->last.f);
 }
+
+/* Where y's entry `offset` stands in the past of stiff entries; -1: nowhere. */
+static long stiff_offset(const struct arkode *a, long offset)
+{
+    long before = 0;
+
+    for (int k = 0; k < a->stiff.ranges; k++) {
+        const long *range = a->stiff.range[k];
+
+        if (offset >= range[0] && offset < range[1])
+            return before + offset - range[0];
+        before += range[1] - range[0];
+    }
+    return -1;
+}
+
+/* A block is stiff as a whole or not at all. */
+static int rearrange_past(struct arkode *a, int blocks, const struct vector_rows *block)
+{
+    for (int k = 0; k < blocks; k++) {
+        struct vector_rows past = block[k];
+
+        past.offset = stiff_offset(a, block[k].offset);
+        if (past.offset >= 0)
+            TRY(vector_rows_move(1, &past, ARKODE_PAST, a->stiff.past));
+    }
+    return STATUS_DONE;
+}
+
+/* ARKStep's own are clones as ours are. */
+int arkode_rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    struct arkode *a = self;
+
+    TRY(vector_rearrange(a->node[0].y, blocks, block));
+    TRY(vector_rows_move(blocks, block, 2, (double *[]){ a->error.weight, a->stiff.z }));
+    for (int i = 0; i < 2; i++)
+        a->choice[i].entry = vector_rows_moved(blocks, block, a->choice[i].entry);
+    return a->stiff.entries > 0 ? rearrange_past(a, blocks, block) : STATUS_DONE;
+}

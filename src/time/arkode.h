@@ -120,6 +120,7 @@ int arkode_take_vectors(struct arkode *a);
 int arkode_take_last(struct arkode *a); /* stage, of tables with first same as last */
 void arkode_free_vectors(struct arkode *a);
 int arkode_vectors(const struct method *m, const struct plan *plan);
+int arkode_rearrange(void *self, int blocks, const struct vector_rows *block);
 
 /* arkode-rates.c: f for ARKStep, with what is known already not asked again. */
 int arkode_explicit(sunrealtype t, N_Vector y, N_Vector ydot, void *self);

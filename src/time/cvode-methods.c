@@ -36,11 +36,12 @@ static const char *table(const void *self)
     "`tol` instead, or take gsl-rkf45, imex3 or dv with a step in seconds"
 
 #define METHOD(NAME, ABOUT, SERVES)                                                      \
-    .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
+    .method = { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = true,               \
                 .varies = VARIES,                                                        \
                 .serves = SERVES, .create = cvode_create, .step = cvode_step,            \
                 .at = cvode_at, .state = state, .restart = cvode_restart,                \
-                .table = table, .free = cvode_free, .vectors = cvode_vectors }
+                .table = table, .free = cvode_free, .vectors = cvode_vectors,            \
+                .rearrange = cvode_rearrange }
 
 const struct cvode_row cvode_adams = {
     METHOD("adams", "multistep, CVODE's Adams-Moulton of order up to 12, fixed-point iteration",

@@ -183,3 +183,11 @@ int cvode_restart(void *self, double t, const double *y)
     c->rates.refusal[0] = '\0';
     return STATUS_DONE;
 }
+
+/* All that CVODE keeps are clones of y. */
+int cvode_rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    const struct cvode *c = self;
+
+    return vector_rearrange(c->y, blocks, block);
+}

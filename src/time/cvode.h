@@ -52,5 +52,6 @@ int cvode_refuse(const struct cvode *c, const char *what); /* what SUNDIALS does
 int cvode_step(void *self, double t_stop, struct method_step *out);
 int cvode_at(void *self, double t, double *y);
 int cvode_restart(void *self, double t, const double *y);
+int cvode_rearrange(void *self, int blocks, const struct vector_rows *block);
 
 #endif

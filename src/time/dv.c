@@ -79,9 +79,9 @@ static const char *table(const void *self)
  * 10 tol it would ask for 0.81 of the step. */
 const struct paced_kind dv_kind = {
     .method = { .name = "dv",
-                .about = "staggered Verlet, velocities and densities in turn, order 2 (1 in the "
+                .told = { "staggered Verlet, velocities and densities in turn, order 2 (1 in the "
                          "dissipative terms), with error control, bodies implicit",
-                .source = "Verlet, Phys. Rev. 159 (1967) 98-103",
+                          "Verlet, Phys. Rev. 159 (1967) 98-103" },
                 .order = 2, .serves = serves, .table = table, .vectors = vectors, PACED_METHOD },
     .size = sizeof(struct dv),
     .control = { { 0.28, -0.23, 0 }, 1, 10, 1.3 },

@@ -1,12 +1,31 @@
 /* fixed-create.c -- memory of methods without error control. */
 #include "time/fixed.h"
 
+#include "algebra/vector.h"
 #include "base/status.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { VECTORS = 6 };
+
+int fixed_restart(void *self, double t, const double *y)
+{
+    struct fixed *x = self;
+
+    vector_copy(x->n, y, x->y);
+    x->t = x->t_old = t;
+    x->has_f = x->stepped = false;
+    return STATUS_DONE;
+}
+
+int fixed_rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    const struct fixed *x = self;
+
+    return vector_rows_move(blocks, block, VECTORS,
+                            (double *[VECTORS]){ x->y, x->f, x->y_old, x->f_old, x->try, x->rates });
+}
 
 int fixed_vectors(const struct method *m, const struct plan *plan)
 {

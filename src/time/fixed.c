@@ -222,16 +222,6 @@ const double *fixed_state(const void *self)
     return ((const struct fixed *)self)->y;
 }
 
-int fixed_restart(void *self, double t, const double *y)
-{
-    struct fixed *x = self;
-
-    vector_copy(x->n, y, x->y);
-    x->t = x->t_old = t;
-    x->has_f = x->stepped = false;
-    return STATUS_DONE;
-}
-
 const char *fixed_table(const void *self)
 {
     return ((const struct fixed *)self)->table;

@@ -50,6 +50,7 @@ int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);
 const double *fixed_state(const void *self);
 int fixed_restart(void *self, double t, const double *y);
+int fixed_rearrange(void *self, int blocks, const struct vector_rows *block);
 const char *fixed_table(const void *self);
 
 /* fixed-create.c */
@@ -80,9 +81,10 @@ int fixed_euler_advance(struct fixed *x, double h);
     FIXED_METHOD_SERVING(fixed_serves, NAME, ORDER, ABOUT, SOURCE)
 
 #define FIXED_METHOD_SERVING(SERVES, NAME, ORDER, ABOUT, SOURCE)                         \
-    { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = false, .order = ORDER, \
-      .serves = SERVES, .create = fixed_create, .step = fixed_step,                \
+    { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = false, .order = ORDER,        \
+      .serves = SERVES, .create = fixed_create, .step = fixed_step,                      \
       .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
-      .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors }
+      .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors,                \
+      .rearrange = fixed_rearrange }
 
 #endif

@@ -132,6 +132,15 @@ static const double *state(const void *self)
     return ((const struct gslode *)self)->node[0].y;
 }
 
+static int rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    const struct gslode *x = self;
+
+    (void)blocks, (void)block;
+    return status_fail(STATUS_FAILED, "method %s: GSL keeps the past where its rows cannot be "
+                                      "rearranged", x->row->method.name);
+}
+
 static const char *table(const void *self)
 {
     return ((const struct gslode *)self)->row->table;
@@ -144,11 +153,12 @@ static int vectors(const struct method *m, const struct plan *plan)
 }
 
 #define METHOD(NAME, ORDER, ABOUT, SOURCE)                                               \
-    .method = { .name = NAME, .about = ABOUT, .source = SOURCE, .adaptive = true,        \
+    .method = { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = true,               \
                 .order = ORDER, .serves = serves, .create = gslode_create,               \
                 .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
-                .table = table, .free = gslode_free, .vectors = vectors }
+                .table = table, .free = gslode_free, .vectors = vectors,                 \
+                .rearrange = rearrange }
 
 const struct gslode_row gslode_rkf45 = {
     METHOD("gsl-rkf45", 5, "explicit, 6 stages, order 5(4), GSL's Runge-Kutta-Fehlberg",

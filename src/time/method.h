@@ -4,6 +4,7 @@
 #define TIME_METHOD_H
 
 #include "algebra/norm.h"
+#include "algebra/vector.h"
 #include "eval/moment.h"
 #include <stdbool.h>
 
@@ -38,7 +39,9 @@ struct method_step {
 
 struct method {
     const char *name;   /* "imex3", "leapfrog", or an ARKODE table's name     */
-    const char *about, *source;
+    struct {
+        const char *about, *source;
+    } told;             /* to who asks for it                                 */
     bool adaptive;      /* has an error estimate (else `@` gives the step)    */
     int order;          /* nominal, of the error; 0: changes from step to step */
     const char *varies; /* NULL, or why its steps cannot be all of one length */
@@ -69,6 +72,10 @@ struct method {
      * `rejected` counts on.  At a checkpoint moment_restart() goes with it. */
     int (*restart)(void *self, double t, const double *y);
 
+    /* Between two steps: rows of y, and of all that it keeps beside, change places
+     * (eval/rearrange.h).  STATUS_FAILED, and nothing has changed: no memory, or it keeps
+     * something where it cannot be reached. */
+    int (*rearrange)(void *self, int blocks, const struct vector_rows *block);
     const char *(*table)(const void *self);       /* for run.json             */
     void (*free)(void **self);
 };

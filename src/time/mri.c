@@ -245,6 +245,15 @@ static int restart(void *self, double t, const double *y)
     return fixed_restart(m->frame, t, y);
 }
 
+/* Nothing is kept by MRIStep, which is started anew for each step. */
+static int rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    const struct mri *m = self;
+
+    TRY(vector_rearrange(m->start, blocks, block));
+    return fixed_rearrange(m->frame, blocks, block);
+}
+
 static const char *table(const void *self)
 {
     return ((const struct mri *)self)->table;
@@ -257,11 +266,12 @@ static int vectors(const struct method *m, const struct plan *plan)
 
 const struct fixed_kind mri_kind = {
     .method = { .name = "mri",
-                .about = "water in explicit steps of order 3, beams in implicit ones of their "
+                .told = { "water in explicit steps of order 3, beams in implicit ones of their "
                          "own within",
-                .source = "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341",
+                          "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" },
                 .adaptive = false, .order = 3, .serves = serves, .create = create, .step = step,
-                .at = at, .vectors = vectors, .state = state, .restart = restart, .table = table,
+                .at = at, .vectors = vectors, .state = state, .restart = restart,
+                .rearrange = rearrange, .table = table,
                 .free = release },
     .number = 0.5,
     .sides = ASK_EXPLICIT,

@@ -2,12 +2,17 @@
 #include "time/paced.h"
 
 #include "base/status.h"
+#include <assert.h>
 #include <stdlib.h>
 
-int paced_numbers(const struct paced *x, double **to)
+int paced_numbers(struct paced *x, double **to)
 {
+    assert(x->arrays < PACED_ARRAYS);
     *to = status_alloc((unsigned long)x->n, sizeof(double));
-    return *to ? STATUS_DONE : STATUS_FAILED;
+    if (!*to)
+        return STATUS_FAILED;
+    x->array[x->arrays++] = *to;
+    return STATUS_DONE;
 }
 
 static int take_memory(struct paced *x)
@@ -52,6 +57,16 @@ int paced_restart(void *self, double t, const double *y)
     x->t = x->t_old = t;
     x->ready = x->stepped = false;
     control_start(&x->control, &x->kind->control, x->kind->method.order, x->kind->method.order);
+    return STATUS_DONE;
+}
+
+int paced_rearrange(void *self, int blocks, const struct vector_rows *block)
+{
+    struct paced *x = self;
+
+    TRY(vector_rearrange(x->error, blocks, block));
+    TRY(vector_rows_move(blocks, block, x->arrays, x->array));
+    x->choice.entry = vector_rows_moved(blocks, block, x->choice.entry);
     return STATUS_DONE;
 }
 

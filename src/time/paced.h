@@ -12,6 +12,8 @@
 #include "time/control.h"
 #include "time/method.h"
 
+enum { PACED_ARRAYS = 16 };
+
 /* First in the struct of a kind. */
 struct paced {
     const struct paced_kind *kind;
@@ -22,6 +24,8 @@ struct paced {
 
     double t, t_old;
     double *y, *y_old;          /* [n] at both                                 */
+    double *array[PACED_ARRAYS]; /* all [n] of paced_numbers()                 */
+    int arrays;
     bool ready, stepped;        /* rates are known at t; there is a y_old      */
 
     SUNContext context;
@@ -70,7 +74,8 @@ enum { PACED_VECTORS = 4 }; /* y, y_old, the error and its weights */
 /* For the struct method of a kind. */
 #define PACED_METHOD                                                                     \
     .adaptive = true, .create = paced_create, .step = paced_step, .at = paced_at,        \
-    .state = paced_state, .restart = paced_restart, .free = paced_free
+    .state = paced_state, .restart = paced_restart, .free = paced_free,                  \
+    .rearrange = paced_rearrange
 
 int paced_step(void *self, double t_stop, struct method_step *out);
 int paced_at(void *self, double t, double *y);
@@ -81,7 +86,8 @@ int paced_create(const struct method *m, const struct method_def *def, struct mo
                  double t, const double *y, void **out);
 int paced_restart(void *self, double t, const double *y);
 void paced_free(void **self);
-int paced_numbers(const struct paced *x, double **to); /* [n] of them, all 0 */
+int paced_rearrange(void *self, int blocks, const struct vector_rows *block);
+int paced_numbers(struct paced *x, double **to); /* [n] of them, all 0 */
 
 /* paced-length.c */
 void paced_choose(struct paced *x, double h);      /* the next step: h where it is stable */

@@ -195,8 +195,7 @@ void pressure_make(struct pressure *p, struct moment *m, const double *y, double
     const double c = 30 * sqrt(2 * 9.81 * 0.06);
     struct view v;
 
-    moment_view(m, 0, y, &v);
-    assert_int_equal(moment_fields(m, &v), 0);
+    assert_int_equal(rates_fields(m, 0, y, &v), 0);
     *p = (struct pressure){
         .moment = m, .list = m->list, .n = m->list->start[KINDS], .rho0 = s->rho0,
         .volume = pow(s->dx, DIM), .tau = stiffness * s->dx / c, .least = 1 / (s->rho0 * c * c),

@@ -1,0 +1,83 @@
+/* rearrange.c -- particles change rows: what a moment keeps of them goes along. */
+#include "eval/rearrange.h"
+
+#include "base/status.h"
+#include "eval/inside.h"
+#include "plan/solver.h"
+#include "state/particles-private.h"
+
+#include <string.h>
+
+static int move_list(struct moment *m, const int *const from[KINDS])
+{
+    const int *row[KINDS];
+
+    memcpy(row, m->particles->row, sizeof row);
+    return m->plan->engine->sum->list->rearrange(m->own, from, row);
+}
+
+int moment_rearrange(struct moment *m, const int *const from[KINDS])
+{
+    TRY(particles_rearrange(m->particles, from));
+    if (m->own)
+        TRY(move_list(m, from));
+    if (m->solver && from[KIND_FLUID])
+        TRY(m->plan->solver->rearrange(m, from[KIND_FLUID]));
+    return m->observer ? moment_rearrange(m->observer, from) : STATUS_DONE;
+}
+
+int moment_follow(struct moment *m, const struct moment *run)
+{
+    const int *from[KINDS];
+
+    memcpy(from, run->particles->id, sizeof from);
+    return run->particles->own ? particles_rearrange(m->particles, from) : STATUS_DONE;
+}
+
+/* The kind whose particles a row of the layout holds, KINDS: none. */
+static int kind_of(const struct moment *m, int row)
+{
+    const struct plan_rows *of = &m->plan->row;
+
+    if (row == of->x || row == of->u)
+        return KIND_FLUID;
+    for (int k = 0; k < KINDS; k++)
+        if (row == of->density[k])
+            return k;
+    return KINDS;
+}
+
+int moment_rows(const struct moment *m, const int *const from[KINDS],
+                struct vector_rows row[MOMENT_ROWS])
+{
+    int n = 0;
+
+    for (int i = 0; i < m->layout.rows; i++) {
+        const struct layout_row *r = &m->layout.row[i];
+        const int k = kind_of(m, i);
+
+        if (k < KINDS && from[k])
+            row[n++] = (struct vector_rows){ .offset = r->offset, .n = r->n,
+                                             .components = r->components, .from = from[k] };
+    }
+    return n;
+}
+
+int moment_id(const struct moment *m, int row, int which)
+{
+    const int k = kind_of(m, row), *id = k < KINDS ? m->particles->id[k] : NULL;
+
+    return id ? id[which] : which;
+}
+
+void moment_by_id(const struct moment *m, const double *y, double *to)
+{
+    for (int r = 0; r < m->layout.rows; r++) {
+        const struct layout_row *row = &m->layout.row[r];
+        const size_t c = (size_t)row->components;
+
+        for (int i = 0; i < row->n; i++)
+            memcpy(to + row->offset + moment_id(m, r, i) * c, y + row->offset + i * c,
+                   c * sizeof *y);
+    }
+}

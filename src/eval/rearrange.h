@@ -1,0 +1,25 @@
+/* rearrange.h -- particles change rows while a run goes on.
+ *
+ *     rows = moment_rows(moment, from, row);
+ *     TRY(method->rearrange(self, rows, row));      y and all that a method keeps
+ *     TRY(moment_rearrange(moment, from));          all that a moment keeps
+ *
+ * Between two steps, and both or none.  No bit of what follows depends on it: pair lists
+ * are in order of places, sums and outputs in that of places or ids. */
+#ifndef EVAL_REARRANGE_H
+#define EVAL_REARRANGE_H
+
+#include "algebra/vector.h"
+#include "eval/moment.h"
+#include "space/kinds.h"
+
+enum { MOMENT_ROWS = KINDS + 2 }; /* blocks of y that hold particles */
+
+/* Row i of kind k becomes what row from[k][i] was (NULL: this kind stands as before). */
+int moment_rearrange(struct moment *moment, const int *const from[KINDS]);
+
+/* The same in words of y; returns how many blocks. */
+int moment_rows(const struct moment *moment, const int *const from[KINDS],
+                struct vector_rows row[MOMENT_ROWS]);
+
+#endif
