@@ -1,28 +1,22 @@
 /* sum.c -- sums of laws over pairs, and their powers; lanes are particles.
  *
- * Every number is added in an order that chunks and slots alone decide: a lane its own
- * neighbours, laws in table order, powers in four sums a chunk, chunks one after the
- * other. */
+ * Rates are added in an order that slots alone decide: a lane its own neighbours, laws in
+ * table order.  Powers are exact sums, which have no order. */
 #include "plan/sum.h"
 
+#include "algebra/exact-sum.h"
 #include "base/status.h"
+#include "base/threads.h"
 #include "effects/fused.h"
 #include "space/visit.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    PARTS = 4,
-    PART_LANES = LANES < PARTS ? LANES : PARTS, /* that fit into one register of parts */
-    TURNS = PARTS / PART_LANES
-};
-
-typedef double parts __attribute__((vector_size(8 * PART_LANES)));
-
-/* Sums of power of one chunk: slot s of it adds to part s % PARTS. */
+/* Powers of the owners of one chunk, by row of the book. */
 struct chunk_power {
-    parts part[SUM_SLOTS][TURNS];
+    int n;
+    double term[SUM_SLOTS][VISIT_CHUNK]; /* [slots][n] [W] */
 };
 
 /* Laws one after the other, each on all rows. */
@@ -78,16 +72,6 @@ static void set_apart(const struct sum_job *job, int first, int owners, const st
             job->apart[(size_t)(first + l) * DIM + (size_t)d] = part[job->apart_slot].f[d][l];
 }
 
-/* Slots are added one after the other, be they lanes of one group or of two. */
-static inline void add_power(lanes power, int turn, parts *part)
-{
-    parts of[LANES / PART_LANES];
-
-    memcpy(of, &power, sizeof of);
-    for (int i = 0; i < LANES / PART_LANES; i++)
-        part[turn] += of[i];
-}
-
 static struct sum_rates rates_of(const struct sum_job *job, int kind)
 {
     return kind == KIND_FLUID ? job->rates : (struct sum_rates){ 0 };
@@ -126,7 +110,7 @@ static void write_rates(const struct sum_job *job, int kind, int first, int owne
 }
 
 /* Adds the sums in order of slots, writes the rates, books the power. */
-static void finish_group(const struct sum_job *job, int kind, int first, int owners, int turn,
+static void finish_group(const struct sum_job *job, int kind, int first, int owners,
                          struct side *a, const struct sum *part, struct chunk_power *book)
 {
     struct sum all = { 0 };
@@ -146,8 +130,9 @@ static void finish_group(const struct sum_job *job, int kind, int first, int own
 
         for (int d = 0; d < DIM; d++)
             power += a->v[d] * part[s].f[d];
-        add_power(power, turn, book->part[s]);
+        memcpy(&book->term[s][book->n], &power, sizeof power);
     }
+    book->n += LANES;
     write_rates(job, kind, first, owners, a->m, all);
     if (job->apart)
         set_apart(job, first, owners, part);
@@ -165,7 +150,7 @@ static void clear_slots(const struct sum_job *job, int kind, int first, int owne
         memset(job->apart + (size_t)first * DIM, 0, (size_t)owners * DIM * sizeof *job->apart);
 }
 
-static void sum_group(const struct sum_job *job, int g, int turn, struct block *b,
+static void sum_group(const struct sum_job *job, int g, struct block *b,
                       struct chunk_power *book)
 {
     struct visit v = visit_group(job->list, g);
@@ -188,35 +173,28 @@ static void sum_group(const struct sum_job *job, int g, int turn, struct block *
                && visit_rows(&v, job->record, table->needs, NULL, &a, b))
             table->laws(table, &a, b, part);
     }
-    finish_group(job, v.kind, v.first, owners, turn, &a, part, book);
-}
-
-/* The parts of one sum of power in one order for every lane width. */
-static double total(const parts *part)
-{
-    double p[PARTS];
-
-    memcpy(p, part, sizeof p);
-    return (p[0] + p[1]) + (p[2] + p[3]);
+    finish_group(job, v.kind, v.first, owners, &a, part, book);
 }
 
 /* A pass over all chunks. */
 struct pass {
     const struct sum_job *job;
-    double *power; /* [chunks][slots] */
+    struct exact_sum *power; /* [threads][slots] */
 };
 
 static void sum_chunk(const void *of, int chunk, int from, int to, struct block *b)
 {
     const struct pass *pass = of;
-    const size_t slots = (size_t)pass->job->slots;
+    const int slots = pass->job->slots;
+    struct exact_sum *power = pass->power + (size_t)threads_me() * (size_t)slots;
     struct chunk_power book;
 
-    memset(book.part, 0, slots * sizeof *book.part);
+    (void)chunk;
+    book.n = 0;
     for (int g = from; g < to; g++)
-        sum_group(pass->job, g, (g - from) % TURNS, b, &book);
-    for (size_t s = 0; s < slots; s++)
-        pass->power[(size_t)chunk * slots + s] = total(book.part[s]);
+        sum_group(pass->job, g, b, &book);
+    for (int s = 0; s < slots && book.n > 0; s++)
+        exact_sum_add(&power[s], book.n, book.term[s]);
 }
 
 /* Kinds that own nothing have rates of exactly 0. */
@@ -230,35 +208,36 @@ static void clear_idle(const struct sum_job *job)
                         list->start[kind + 1] - list->start[kind]);
 }
 
-static int make_room(struct sum_scratch *scratch, int n, int slots)
+static int make_room(struct sum_scratch *scratch, int slots)
 {
-    if (n <= scratch->chunks && slots == scratch->slots)
-        return STATUS_DONE;
-    const int more = n + n / 2 + 1;
-    double *power = realloc(scratch->power, (size_t)more * (size_t)(slots + 1) * sizeof *power);
+    const int threads = threads_most();
 
-    if (!power)
+    if (threads > scratch->threads || slots != scratch->slots) {
+        free(scratch->power);
+        *scratch = (struct sum_scratch){ .threads = threads, .slots = slots };
+        scratch->power = malloc((size_t)threads * (size_t)(slots + 1) * sizeof *scratch->power);
+    }
+    if (!scratch->power)
         return status_fail(STATUS_FAILED, "no memory to sum the power of %d effects", slots);
-    *scratch = (struct sum_scratch){ .chunks = more, .slots = slots, .power = power };
+    memset(scratch->power, 0, (size_t)scratch->threads * (size_t)slots * sizeof *scratch->power);
     return STATUS_DONE;
 }
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 {
-    const int n = visit_count(job->list, VISIT_ALL), slots = job->slots;
+    const int slots = job->slots;
 
     if (slots > SUM_SLOTS)
         return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
                            SUM_SLOTS);
-    TRY(make_room(scratch, n, slots));
-    const struct pass pass = { job, scratch->power };
-
+    TRY(make_room(scratch, slots));
     clear_idle(job);
-    visit_chunks(job->list, VISIT_ALL, sum_chunk, &pass);
-    memset(job->power, 0, (size_t)slots * sizeof *job->power);
-    for (int c = 0; c < n; c++)
-        for (int s = 0; s < slots; s++)
-            job->power[s] += pass.power[(size_t)c * (size_t)slots + (size_t)s];
+    visit_chunks(job->list, VISIT_ALL, sum_chunk, &(struct pass){ job, scratch->power });
+    for (int s = 0; s < slots; s++) {
+        for (int t = 1; t < scratch->threads; t++)
+            exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);
+        job->power[s] = exact_sum_value(&scratch->power[s]);
+    }
     return STATUS_DONE;
 }
 

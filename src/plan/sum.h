@@ -9,6 +9,7 @@
 
 struct pairs_table;
 struct kernel_use;
+struct exact_sum; /* algebra/exact-sum.h */
 
 enum {
     SUM_SLOTS = 16 /* rows of the book at most                                */
@@ -60,12 +61,10 @@ struct sum_field_job {
     double (*sum)[PART_SUMS];        /* [particles] of owners; others untouched */
 };
 
-/* Starts as { 0 }; memory is taken at the first call and after a rebuild that
- * needs more, never between rebuilds.  The caller frees `power` at the end. */
+/* Starts as { 0 }; memory is taken at the first call.  The caller frees `power` at the end. */
 struct sum_scratch {
-    int chunks;     /* room for this many                                     */
-    int slots;
-    double *power;  /* [chunks][slots]                                        */
+    int threads, slots;
+    struct exact_sum *power; /* [threads][slots] of each thread               */
 };
 
 struct sum_engine {
