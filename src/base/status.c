@@ -1,4 +1,4 @@
-/* status.c -- keeps the texts of the first failure until somebody prints them. */
+/* status.c -- keeps the texts of the first failure until they are printed. */
 #include "base/status.h"
 
 #include <ctype.h>
@@ -17,7 +17,7 @@ static struct {
 } kept;
 static atomic_flag taken = ATOMIC_FLAG_INIT; /* threads may fail together: one writes */
 
-/* A text that did not fit ends in dots, so that nobody takes it for whole. */
+/* A text that did not fit ends in dots, so that it is not taken for whole. */
 static void mark_cut(char *to, size_t room, int n)
 {
     if (n < 0 || (size_t)n >= room)

@@ -2,7 +2,7 @@
  *
  * A function that can fail returns 0 or one of the codes below, which are
  * also the exit status of the program.  The sentence for the user is kept by
- * status_fail() until somebody prints it; the first failure wins, so callers
+ * status_fail() until it is printed; the first failure wins, so callers
  * add nothing and simply hand the code up with TRY().
  *
  * What happened, where, and with which value is one text; the likely cause and what to

@@ -16,7 +16,7 @@ enum { BOOK_WORKS = 72, BOOK_NAME = 80, /* works: of parts, walls, and two of ea
 
 /* What happens at a moment. */
 struct book_powers {
-    const double *work;              /* [slots] power of each law             [W] */
+    const double *work;              /* [columns] power of each law           [W] */
     double walls;                    /* of the fluid on walls that move       [W] */
     const double *pull;              /* [DIM] of body forces beside the weight [N] */
     const double (*force)[DIM];      /* [objects][DIM] on solids              [N] */

@@ -13,8 +13,10 @@
 #define AT(member) offsetof(struct book_sheet, member)
 
 static const struct book_column stored[] = {
-    { "kinetic", UNIT("J"), AT(energy.kinetic) },   { "potential", UNIT("J"), AT(energy.potential) },
-    { "internal", UNIT("J"), AT(energy.internal) }, { "elastic", UNIT("J"), AT(energy.elastic) },
+    { "kinetic", UNIT("J"), AT(energy.kinetic) },
+    { "potential", UNIT("J"), AT(energy.potential) },
+    { "internal", UNIT("J"), AT(energy.internal) },
+    { "elastic", UNIT("J"), AT(energy.elastic) },
 };
 
 static const struct book_column sums[] = {

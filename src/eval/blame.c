@@ -17,9 +17,9 @@
 struct blame {
     struct moment *m;
     const struct view *v;
-    struct pairs_table *table; /* [KINDS][KINDS] laws of one slot              */
-    double (*rate)[DIM];       /* [fluid] of one field [m/s^2]                 */
-    int who;                   /* its row, of all kinds                        */
+    struct pairs_table *table; /* [KINDS][KINDS] laws of one column            */
+    double (*rate)[DIM];       /* [fluid] of one body force [m/s^2]            */
+    int particle;                   /* its row, of all kinds                        */
     bool density;              /* its density counts, else its acceleration    */
 };
 
@@ -38,7 +38,7 @@ static double size_of(const double *v)
     return sqrt(square);
 }
 
-/* The tables with the laws of one slot only. */
+/* The tables with the laws of one column only. */
 static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
 {
     for (int i = 0; i < KINDS * KINDS; i++) {
@@ -56,7 +56,7 @@ static void keep_slot(const struct plan *p, int slot, struct pairs_table *table)
     }
 }
 
-/* Sums over pairs by the laws of one slot (-1: by all). */
+/* Sums over pairs by the laws of one column (-1: by all). */
 static int sum_of(const struct blame *b, int slot)
 {
     const struct plan *p = b->m->plan;
@@ -95,7 +95,7 @@ static int hardest(const struct blame *b)
 /* By the sums that are there. */
 static double rate_now(const struct blame *b)
 {
-    const int s = b->m->list->slot[b->who];
+    const int s = b->m->list->slot[b->particle];
 
     if (s < 0) /* has left the domain */
         return 0;
@@ -104,11 +104,11 @@ static double rate_now(const struct blame *b)
 
 static double field_rate(const struct blame *b, const struct plan_part *part)
 {
-    if (b->density || b->who >= b->m->particles->from[KIND_FLUID + 1])
+    if (b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
     memset(b->rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *b->rate);
     part->part->as.force->accelerate(part->self, b->v, b->rate);
-    return size_of(b->rate[b->who]);
+    return size_of(b->rate[b->particle]);
 }
 
 static int part_rate(const struct blame *b, const struct plan_part *part, double *rate)
@@ -179,17 +179,17 @@ static void tell(const struct blame *b, const struct deed *d, char *text, size_t
 {
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
     const struct particles *all = b->m->particles;
-    const struct object *o = &all->object[all->object_of[b->who]];
-    const int i = b->who - all->from[o->kind];
+    const struct object *o = &all->object[all->object_of[b->particle]];
+    const int i = b->particle - all->from[o->kind];
     const struct plan *p = b->m->plan;
     char place[PLAN_PLACE], deed[240], mass[160] = "";
 
-    moment_place(b->m, b->v, b->who, place);
+    moment_place(b->m, b->v, b->particle, place);
     name_deed(b, d, deed, sizeof deed);
     doubt_mass(p, mass, sizeof mass);
     snprintf(text, room, "at t = %g s, the last accepted state, for %s particle %d (%s) at %s m: "
              "%s; its density is %.4g kg/m^3, its speed %.3g m/s, the sound speed %g m/s%s",
-             b->v->t, kinds[o->kind], particles_id_of(all, b->who), o->name, place, deed,
+             b->v->t, kinds[o->kind], particles_id_of(all, b->particle), o->name, place, deed,
              b->v->rho[o->kind] ? b->v->rho[o->kind][i] : p->scales.rho0,
              size_of(b->v->u[o->kind] + (size_t)i * DIM), p->scales.c0, mass);
 }
@@ -199,10 +199,10 @@ static void tell(const struct blame *b, const struct deed *d, char *text, size_t
 static int choose(struct blame *b, const struct moment_culprit *culprit)
 {
     TRY(sum_of(b, -1));
-    b->who = hardest(b);
+    b->particle = hardest(b);
     for (int i = MOMENT_COMPLAINTS - 1; i >= 0; i--)
         if (culprit[i].known && culprit[i].t >= b->v->t) {
-            b->who = particles_row_of(b->m->particles, culprit[i].who);
+            b->particle = particles_row_of(b->m->particles, culprit[i].particle);
             b->density = i == MOMENT_DENSITY_OUT;
         }
     return STATUS_DONE;
@@ -214,9 +214,9 @@ static int blame(struct blame *b, const struct moment_culprit *culprit, char *te
     struct deed worst = { 0 };
 
     TRY(choose(b, culprit));
-    if (b->who < 0)
+    if (b->particle < 0)
         return STATUS_DONE;
-    const enum kind k = all->object[all->object_of[b->who]].kind;
+    const enum kind k = all->object[all->object_of[b->particle]].kind;
     if (b->density && b->m->plan->row.density[k] < 0)
         worst = (struct deed){ summer(b->m->plan, k), NAN };
     else

@@ -34,7 +34,7 @@ static const int velocity_at[DIM] = { RECORD_V, RECORD_V + 1, RECORD_VZ };
 
 /* --- slip and forces ----------------------------------------------------------- */
 
-/* Vectors of everybody that stand at these places of the records. */
+/* Vectors of all particles that stand at these positions of the records. */
 static void read_records(const struct moment *m, const int at[DIM], double *to)
 {
     const double *record = m->work->record;
@@ -57,7 +57,7 @@ static void find_arms(const struct moment *m, const struct couple_job *job)
     m->plan->engine->couple->multiply(job, KIND_STICKY, o->slip, o->arm);
 }
 
-/* Fluid that turns with the solid in slot s does not slip: C_w times the slip that its
+/* Fluid that turns with the solid in place s does not slip: C_w times the slip that its
  * velocity seems to be. */
 static void turning(const struct moment *m, const struct list *l, int s, double *to)
 {
@@ -146,7 +146,7 @@ static double *forces_of(const struct moment *m, const struct rates_job *job)
     return job->apart && m->plan->face->part == m->plan->stiff ? job->apart : m->work->f;
 }
 
-/* v . f of the fluid in slot s, velocities as struct sum_job's look ahead has them;
+/* v . f of the fluid in place s, velocities as struct sum_job's look ahead has them;
  * adds the forces. */
 static double add_to_fluid(const struct moment *m, const struct rates_job *job, int s)
 {

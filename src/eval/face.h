@@ -6,14 +6,14 @@
 #include "plan/couple.h"
 #include "eval/inside.h"
 
-enum { FACE_BLOCK = 512 }; /* slots whose powers are added first */
+enum { FACE_BLOCK = 512 }; /* places, their powers are added first */
 
-/* Of a moment: all vectors are by slot. */
+/* Of a moment: all vectors are by place. */
 struct face {
     const struct plan_face *of;
     struct couple_job job;        /* pairs of the fluid and what it sticks to   */
     size_t room, slots;           /* for so many c; for so many velocities      */
-    double *velocity;             /* [slots][COUPLE_STRIDE] of everybody [m/s]  */
+    double *velocity;             /* [places][COUPLE_STRIDE] of all      [m/s]  */
     double *slip;                 /* the same: u_w - v_w of solids, others 0    */
     double *law;                  /* [n][DIM] the law's forces on solids [N]    */
     double *f;                    /* [n][DIM] those beside them [N]; of the fluid
@@ -28,7 +28,7 @@ struct face {
 int face_create(struct moment *m);
 void face_free(struct face **face); /* NULL is welcome */
 
-/* After a rebuild there may be more slots, and more pairs. */
+/* After a rebuild there may be more places, and more pairs. */
 int face_fit_slots(struct face *o, const struct list *l);
 int face_fit_pairs(struct face *o, const struct list *l);
 

@@ -15,11 +15,11 @@ static int refuse_position(struct moment *m, double t)
         snprintf(m->refusal, sizeof m->refusal, "no memory for the list of pairs at t = %g s", t);
         return STATUS_FAILED;
     }
-    const int who = particles_id_of(m->particles, l->bad);
+    const int particle = particles_id_of(m->particles, l->bad);
     o = &m->particles->object[m->particles->object_of[l->bad]];
     snprintf(m->refusal, sizeof m->refusal, "the position of particle %d (%s) is not finite at "
-             "t = %g s; an earlier stage overflowed", who, o->name, t);
-    moment_note(m, MOMENT_PLACE_LOST, who, t);
+             "t = %g s; an earlier stage overflowed", particle, o->name, t);
+    moment_note(m, MOMENT_PLACE_LOST, particle, t);
     return STATUS_FAILED;
 }
 

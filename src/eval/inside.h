@@ -12,14 +12,14 @@ struct face;
 /* What an evaluation works in: read while it lasts.  A moment made beside another shares
  * that one's, as one evaluation is over before the next. */
 struct workspace {
-    double *record;  /* [slots][RECORD], 64-byte aligned                      */
+    double *record;  /* [places][RECORD], 64-byte aligned                     */
     size_t slots;    /* room for so many; with images it may grow             */
-    double *f;       /* [n][DIM] by slot; of the fluid only what struct sum_rates
+    double *f;       /* [n][DIM] by place; of the fluid only what struct sum_rates
                         leaves there                                          */
     double *drho;    /* [n] likewise                                          */
-    double *power;   /* [slots]                                               */
+    double *power;   /* [columns]                                             */
     double *rho;     /* [n] densities that fields give, by row; NULL          */
-    double (*sum)[PART_SUMS]; /* [n] of a field, by slot; NULL without fields */
+    double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
     double (*speeds)[DIM];    /* likewise                                     */
@@ -32,7 +32,7 @@ enum moment_complaint { MOMENT_TOO_FAST, MOMENT_DENSITY_OUT, MOMENT_PLACE_LOST,
                         MOMENT_COMPLAINTS };
 struct moment_culprit {
     bool known;
-    int who;   /* id                                                         */
+    int particle; /* id                                                         */
     double t;  /* [s]                                                        */
 };
 
@@ -49,7 +49,7 @@ struct moment {
     double wall_power;                 /* v . f of moving walls [W]           */
     struct contacts_body *meeting;     /* [bodies] contacts see them so       */
     double *contact_power;             /* [columns] of contacts on bodies [W] */
-    double pull[DIM];                  /* of fields beside the weight [N]     */
+    double pull[DIM];                  /* of other body forces than the weight [N] */
     double density_low, density_high;  /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
     struct face *face;                 /* eval/face.h; NULL                   */
@@ -59,11 +59,11 @@ struct moment {
 };
 
 /* Complaints belong to the run, whichever moment has them. */
-static inline void moment_note(struct moment *m, enum moment_complaint what, int who, double t)
+static inline void moment_note(struct moment *m, enum moment_complaint what, int particle, double t)
 {
     struct moment *run = m->beside ? m->beside : m;
 
-    run->culprit[what] = (struct moment_culprit){ true, who, t };
+    run->culprit[what] = (struct moment_culprit){ true, particle, t };
 }
 
 /* workspace.c: zeroed numbers on cache lines; the memory of an evaluation; after a rebuild
@@ -103,7 +103,7 @@ void solids_sum(struct moment *m);
 void solids_skin(const struct moment *m, struct moment_body *b);
 
 /* Sums over pairs by these laws.  push: see struct sum_job; it is added to.  apart: see
- * struct ask; forces of the implicit law by slot. */
+ * struct ask; forces of the implicit law by place. */
 struct rates_job {
     const struct pairs_table *table;
     double ahead;         /* see struct ask */
@@ -114,7 +114,7 @@ struct rates_job {
 
 /* rates.c: the explicit side, or what of it was asked for; of the implicit side, laws of
  * pairs but not the stiff side of bodies, and of it alone (then ydot is not touched) their
- * forces and power in the moment.  apart: forces of the implicit law by slot, with their
+ * forces and power in the moment.  apart: forces of the implicit law by place, with their
  * power in *power; NULL. */
 int rates_eval(struct moment *m, const struct ask *ask, double t, const double *y, double *ydot,
                double *apart, double *power);

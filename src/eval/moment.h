@@ -1,7 +1,7 @@
 /* moment.h -- a plan at one (t, y): what is evaluated there, and what that leaves behind.
  *
  * A plan says what there is and never changes; a moment holds where everything stands, the
- * list of pairs, fields, forces and the book of one evaluation, with the counters and the
+ * list of pairs, summed densities, forces and the book of one evaluation, with the counters and the
  * complaints of the run that it belongs to.  A run has one.  Outputs look through another,
  * made beside it (eval/observe.h), so that looking disturbs nothing.
  *

@@ -71,7 +71,7 @@ int observe_escaped(struct moment *run, double t, const double *y)
 /* The row of the fluid particle that moves fastest, and its speed [m/s]. */
 static int fastest(const struct view *v, double *speed)
 {
-    int who = -1;
+    int particle = -1;
 
     *speed = 0;
     for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++) {
@@ -83,9 +83,9 @@ static int fastest(const struct view *v, double *speed)
         if (!(u2 > *speed * *speed))
             continue;
         *speed = sqrt(u2);
-        who = i;
+        particle = i;
     }
-    return who;
+    return particle;
 }
 
 int observe_runaway(struct moment *m, double t, const double *y)
@@ -94,21 +94,21 @@ int observe_runaway(struct moment *m, double t, const double *y)
     const struct plan *p = m->plan;
     struct view v;
     double speed;
-    int i, who;
+    int i, particle;
 
     moment_view(m, t, y, &v);
     i = fastest(&v, &speed);
     if (!(speed > p->in.eos.fastest * p->scales.c0))
         return STATUS_DONE;
     moment_place(m, &v, i, place);
-    who = particles_id_of(v.p, i);
-    moment_note(m, MOMENT_TOO_FAST, who, t);
+    particle = particles_id_of(v.p, i);
+    moment_note(m, MOMENT_TOO_FAST, particle, t);
     return status_fail_with(STATUS_FAILED,
                             (struct status_advice){
                                 .remedy = "take a higher eos.c0 if that speed is real" },
                             "the fluid has run away: at t = %g s particle %d (%s) at %s m moves "
                             "at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g)",
-                            t, who, v.p->object[v.p->object_of[i]].name, place, speed,
+                            t, particle, v.p->object[v.p->object_of[i]].name, place, speed,
                             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
 }
 

@@ -44,7 +44,7 @@ enum { PLAN_PLACE = 64 };
 struct observe_sunk {
     int n;
     double t;               /* [s]                                            */
-    int who;                /* particle, -1: none                             */
+    int particle;                /* particle, -1: none                             */
     const char *solid;      /* name of the wall or beam                       */
     char place[PLAN_PLACE]; /* "(x, y)" [m]                                   */
 };

@@ -1,4 +1,4 @@
-/* pack.c -- records of everybody in the order of the list, with the pressure
+/* pack.c -- records of all particles in the order of the list, with the pressure
  * of the equation of state; refuses densities out of bounds. */
 #include "eval/passes.h"
 
@@ -26,7 +26,7 @@ static void write_far(const struct plan *p, int number, double *r)
     r[RECORD_IRHO] = 1 / p->scales.rho0;
 }
 
-/* Where a slot stands whose particle is at x; offset NULL: nothing is periodic. */
+/* The position of a place, its particle at x; offset NULL: nothing is periodic. */
 static void write_place(double *r, const double *x, const double *offset)
 {
     r[RECORD_X] = offset ? x[0] + offset[0] : x[0];
@@ -51,7 +51,7 @@ static void write_rest(double *r, const double *u, double rho, double press, dou
     r[RECORD_IRHO] = irho;
 }
 
-/* Slots from..to-1, all of kind k.  Returns the first slot whose density is out
+/* Places from..to-1, all of kind k.  Returns the first with a density out
  * of bounds, or -1.  What the second loop reads is scattered, so the first asks
  * for it. */
 static int pack_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
@@ -129,16 +129,16 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     static const char *const kinds[] = { "fluid", "wall", "slip wall", "skin", "slip skin" };
     const int c = m->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
-    const int who = particles_id_of(v->p, c);
+    const int particle = particles_id_of(v->p, c);
     char place[PLAN_PLACE];
 
     moment_place(m, v, c, place);
     snprintf(m->refusal, sizeof m->refusal,
              "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
              "particles were pushed together or torn apart faster than the step could follow",
-             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], who, o->name, place, v->t,
+             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], particle, o->name, place, v->t,
              m->density_low, m->density_high);
-    moment_note(m, MOMENT_DENSITY_OUT, who, v->t);
+    moment_note(m, MOMENT_DENSITY_OUT, particle, v->t);
     return STATUS_FAILED;
 }
 
@@ -154,7 +154,7 @@ int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 #pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
         for (int s = from; s < to; s += CHUNK) {
             const int at = pack_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
-            for (int old = bad; at >= 0 && at < old;) /* keep the smallest slot */
+            for (int old = bad; at >= 0 && at < old;) /* keep the smallest place */
                 if (atomic_compare_exchange_weak(&bad, &old, at))
                     break;
         }

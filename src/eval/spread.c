@@ -57,7 +57,7 @@ static void copy_velocities(const struct moment *m, const struct view *v, double
                (size_t)(n - i < COPIED ? n - i : COPIED) * sizeof *xdot);
 }
 
-/* u' = f/m from slots: one pass in the order of ydot, as scattered writes wait longer
+/* u' = f/m from places: one pass in the order of ydot, as scattered writes wait longer
  * than scattered reads. */
 static void spread_forces(const struct moment *m, double *ydot)
 {

@@ -121,7 +121,7 @@ static void count(const struct moment *m, const struct view *v, const struct blo
         if (!list_inside(&p->list_def, now) || (solid = solid_at(m, block, skins, x)) < 0)
             continue;
         if (out->n++ == 0) {
-            out->who = id;
+            out->particle = id;
             out->solid = v->p->object[solid].name;
             moment_place(m, v, i, out->place);
         }
@@ -136,7 +136,7 @@ void observe_sunk(struct moment *run, double t, const double *y, struct observe_
     struct block *block;
     struct view v;
 
-    *out = (struct observe_sunk){ .t = t, .who = -1 };
+    *out = (struct observe_sunk){ .t = t, .particle = -1 };
     if (p->row.x < 0 || !(block = status_alloc(p->walls + 1, sizeof *block)))
         return;
     moment_view(run, t, y, &v);

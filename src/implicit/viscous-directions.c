@@ -15,7 +15,7 @@ static double dot(const struct viscous *u, const double *a, const double *b)
     return vector_dot(u->unknowns, a, b, u->partial);
 }
 
-/* A 1 of fluid in slot s: its mass, and what solids hold of it. */
+/* A 1 of fluid in place s: its mass, and what solids hold of it. */
 static double drag_of(const struct moment *m, double gamma, int s)
 {
     return m->particles->m[m->list->order[s]] + gamma * viscous_of(m)->job.firm[s];

@@ -11,7 +11,7 @@ int viscous_body(const struct plan *p, int i)
     return p->body[i].kind->coupled->unknowns(p->body[i].body);
 }
 
-/* Velocities of everybody by slot; of walls only when they are asked for. */
+/* Velocities of all particles by place; of walls only when they are asked for. */
 static void spread(struct moment *m, const double *x, bool walls)
 {
     const struct particles *all = m->particles;

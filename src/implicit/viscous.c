@@ -38,7 +38,8 @@ static int take_memory(const struct moment *m, struct viscous *u)
         if (!(*vector[i] = numbers(all)))
             return STATUS_FAILED;
     for (int i = 0; i < VISCOUS_STARTS + VISCOUS_STAGES; i++) {
-        struct viscous_past *to = i < VISCOUS_STARTS ? &u->known.start[i] : &u->known.past[i - VISCOUS_STARTS];
+        struct viscous_past *to = i < VISCOUS_STARTS ? &u->known.start[i]
+                                                     : &u->known.past[i - VISCOUS_STARTS];
         if (!(to->v = numbers(all)))
             return STATUS_FAILED;
     }

@@ -26,17 +26,17 @@ struct viscous_block {
 };
 
 /* Velocities come in two orders: that of rows (v: the fluid's block of y, then each
- * body's unknowns) and that of the list's slots (all other vectors). */
+ * body's unknowns) and that of the list's places (all other vectors). */
 struct viscous {
     const struct plan_part *part;
     struct couple_job job;
     size_t room;                 /* for so many c                              */
-    size_t slots;                /* for so many velocities by slot             */
+    size_t slots;                /* for so many velocities by place            */
     double tol;                  /* error in units of scales that a step may have */
     double rounding;             /* r . M^-1 r of a residual r that is no more than that */
     int fluid, unknowns;         /* entries of the fluid's velocity; of all    */
-    double *velocity;            /* [slots][COUPLE_STRIDE]                     */
-    double *apart;               /* [particles][DIM] forces by slot, of both sides' pass */
+    double *velocity;            /* [places][COUPLE_STRIDE]                    */
+    double *apart;               /* [particles][DIM] forces by place, of both sides' pass */
     double *stage;               /* [size] y as far as it is known             */
     double *v, *right, *x, *residual; /* [unknowns]                            */
     double *guess, *guess_image; /* [unknowns] w, A w of viscous-directions.c   */

@@ -40,7 +40,7 @@ static bool repeats(const struct plan *p)
     return false;
 }
 
-/* A drift across other fields than the weight is energy that nobody books. */
+/* A drift across other body forces than the weight is energy that is not booked. */
 static int check_drift(const struct plan *p, const struct scene *scene)
 {
     const struct plan_part *drift = NULL, *pull = NULL;

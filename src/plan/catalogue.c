@@ -207,7 +207,7 @@ static bool explain_body(const char *name, FILE *to)
     return false;
 }
 
-/* Shapes of the other dimension too: who asks has perhaps not said which. */
+/* Shapes of the other dimension too: the user has perhaps not said which. */
 static const char *const shapes[] = { "box", "polygon", "disc", "sphere", "frame", NULL };
 
 static const char *const listed[] = { "effects", "kernels", "walls", "bodies", NULL };

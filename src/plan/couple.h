@@ -26,13 +26,13 @@ struct couple_job {
     const struct kernel_use *kernel;
     double *c;                       /* [rows of the list][lanes]               */
     double *diagonal;                /* [particles] sum of an owner's c, 0 where
-                                        nobody acts                             */
+                                        nothing acts                            */
     double *firm;                    /* [particles] of the fluid: its part with solids,
                                         else as diagonal                        */
 };
 
 struct couple_engine {
-    /* velocity [listed + 1][COUPLE_STRIDE] by slot, 16-byte aligned, those of images and
+    /* velocity [listed + 1][COUPLE_STRIDE] by place, 16-byte aligned, those of images and
      * of the dummy, too; f [particles][DIM] of all owners, or of those of some kinds
      * (bits): others are not touched. */
     void (*assemble)(const struct couple_job *job, const double *record,

@@ -1,4 +1,4 @@
-/* idle.c -- keys that do nothing without another: who writes one wants something that
+/* idle.c -- keys that do nothing without another: the user wants something that
  * will not happen.
  *
  * A key counts as given when its value is not its default, so that scene.used, where all
@@ -153,7 +153,7 @@ int idle_wall(const struct scene_node *node, const char *path, const struct wall
     return check_rules(node, path, walls_motion_params, m, motion_rules);
 }
 
-/* Who gives 0 says that it shall not count. */
+/* A ratio of 0 says that it shall not count. */
 static void doubt_ratio(const struct scene_node *node, const char *path, const struct input_body *b)
 {
     for (const struct param *row = b->kind->identity.params; row->key; row++)

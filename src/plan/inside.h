@@ -18,7 +18,7 @@ struct plan_part {
     const struct part *part;
     void *self;
     char path[80]; /* "effects.continuity", "eos"                             */
-    int slot;      /* row of power it is booked in, -1: none                  */
+    int slot;      /* column of power it is booked in, -1: none               */
 };
 
 struct plan_body {
@@ -45,14 +45,14 @@ struct plan_rows {
 /* Where the quadratures of the book stand in its row of y. */
 struct plan_book {
     int row;      /* of the layout                                            */
-    int work;     /* [slots] energy each pair part gave                       */
+    int work;     /* [columns] energy each pair part gave                     */
     int walls;    /* energy that driven walls gave                            */
     int damping;  /* [bodies] energy that damping took (negative)             */
     int driven;   /* [bodies] energy that prescribed loads gave               */
     int impulse;  /* [objects][DIM] on solids                                 */
     int support;  /* [bodies][DIM] impulse of supports                        */
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
-    int pull;     /* [DIM] impulse of fields beside the weight                */
+    int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
     int n;
 };
@@ -145,7 +145,7 @@ int plan_objects_name(struct plan *p);
 /* agree.c: refuses parts that do not go together. */
 int plan_agree(const struct plan *p, const struct scene *scene);
 
-/* tables.c: tables of laws, by lane-free arithmetic on pointers; fields. */
+/* tables.c: tables of laws, by lane-free arithmetic on pointers; summed densities. */
 int plan_tables_make(struct plan *p);
 void plan_fields_make(struct plan *p);
 

@@ -37,7 +37,7 @@ static double neighbours_of_wall(const struct plan *p)
     return (DIM == 2 ? 2 * r * r * r / 3 : M_PI / 4 * r * r * r * r) / ceil(p->in.kernel.support);
 }
 
-/* Slots of a particle: itself, and its images near periodic sides. */
+/* Places of a particle: itself, and its images near periodic sides. */
 static double slots(const struct plan *p)
 {
     const double reach = (1 + p->in.kernel.skin) * p->scales.support;
@@ -60,7 +60,7 @@ static double outputs(const struct count *c)
     return n * (frame + work + 2 * file + crowd) + c->fluid * (pairing + pressures);
 }
 
-/* Coefficients of pairs, velocities and their sums by slot, y of a stage, vectors. */
+/* Coefficients of pairs, velocities and their sums by place, y of a stage, vectors. */
 static double viscous(const struct count *c)
 {
     const double n = c->fluid + c->solid;
@@ -72,7 +72,7 @@ static double viscous(const struct count *c)
 }
 
 /* Coefficients of pairs of fluid and solids, from both sides; velocities and slip by
- * slot; forces of two kinds and sums. */
+ * place; forces of two kinds and sums. */
 static double faces(const struct plan *p, const struct count *c)
 {
     const double n = c->fluid + c->solid;

@@ -2,7 +2,7 @@
  *
  * An estimate of the peak of a run, for `check` and for the room check before
  * particles are placed; tests/memory.sh holds runs to it.  A run has taken all of it
- * when it writes its second file of fields. */
+ * when it writes its second output field. */
 #ifndef PLAN_MEMORY_H
 #define PLAN_MEMORY_H
 
@@ -14,7 +14,7 @@ struct plan_memory {
     double lists;      /* pair lists: the run's, and the outputs' own          */
     double sums;       /* what one evaluation of the pair sums works in        */
     double particles;  /* what does not evolve                                 */
-    double outputs;    /* frames, gauges, and a file of fields while it is made */
+    double outputs;    /* frames, gauges, and an output field while it is made  */
 };
 
 /* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list

@@ -15,7 +15,8 @@ const char *plan_halves(const struct plan *p)
         return plan_drifts(p);
     if (p->stiff)
         return "its viscosity is implicit (side = \"implicit\")";
-    return p->table.mixed ? "an effect of this scene adds to forces and to densities in one law" : NULL;
+    return p->table.mixed ? "an effect of this scene adds to forces and to densities in one law"
+                          : NULL;
 }
 
 long plan_size(const struct plan *p)

@@ -61,7 +61,7 @@ static int make_sound(struct plan *p, struct scene *scene)
     return STATUS_DONE;
 }
 
-/* Who meets somebody must not meet its image, too, nor its own. */
+/* A particle must not meet another and its image, too, nor its own image. */
 static int make_periods(struct plan *p, const struct scene *scene)
 {
     const struct scene_node *domain = scene_child(scene_root(scene), "domain");
@@ -73,7 +73,7 @@ static int make_periods(struct plan *p, const struct scene *scene)
         if (repeats(p, d) && p->scales.fluid && !(length >= least))
             return status_fail(STATUS_BAD_SCENE, "%s: domain.periodic: along %c the domain is %g m "
                                "long, but a direction that repeats needs at least %g m, 2 (kernel."
-                               "support + its skin), so that no particle meets another twice; make "
+                               "support + Verlet margin), so that none meets another twice; make "
                                "it longer or the spacing smaller", scene_where(domain), "xyz"[d],
                                length, least);
     }
@@ -90,7 +90,7 @@ int plan_scales_make(struct plan *p, struct scene *scene)
     s->fluid = p->in.fluids > 0;
     s->dx = p->in.set.spacing;
     if (isnan(s->dx))
-        s->dx = 1; /* nobody there: a beam alone */
+        s->dx = 1; /* no particles: a beam alone */
     s->support = p->in.kernel.support * s->dx;
     s->hs = s->support / 2;
     s->rho0 = e->rho0;

@@ -61,7 +61,7 @@ const struct param settings_kernel_params[] = {
       .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
     { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.05, .min = 0.001,
       .max = 1,
-      .about = "extra radius of the pair list; changes speed, and only the last bits of results" },
+      .about = "Verlet margin of the pair list; changes speed, and only the last bits of results" },
     { 0 },
 };
 
@@ -102,7 +102,7 @@ const struct param settings_output_params[] = {
     { .key = "interval", .unit = "s", AT(settings_output, interval), .fallback = NAN,
       .min = 1e-9, .max = 1e6, .about = "time between rows of the CSV files; computed: until/500" },
     { .key = "fields", .unit = "s", AT(settings_output, fields), .fallback = NAN, .min = 1e-9,
-      .max = 1e6, .about = "time between particle fields; computed: until/50" },
+      .max = 1e6, .about = "time between output fields; computed: until/50" },
     { .key = "snapshots", .unit = "", .type = PARAM_INTEGER, AT(settings_output, snapshots),
       .fallback = 6, .min = 0, .max = 1000,
       .about = "pictures of the particles, evenly spread from start to end" },

@@ -25,7 +25,7 @@ struct settings_kernel {
     const char *type;
     const char *use[PART_KERNELS]; /* for densities, pressure, viscosity; "same": type */
     double support; /* H/dx */
-    double skin;    /* extra radius of the pair list / H */
+    double skin;    /* Verlet margin of the pair list / H */
 };
 
 struct settings_domain {
@@ -47,7 +47,7 @@ struct settings_eos { /* beside the keys of the equation of state itself */
 
 struct settings_output {
     double interval;  /* between rows of the CSV files [s]          */
-    double fields;    /* between particle fields [s]                */
+    double fields;    /* between output fields [s]                  */
     int snapshots;    /* pictures of the particles, start and end included */
 };
 

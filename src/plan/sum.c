@@ -109,7 +109,7 @@ static void write_rates(const struct sum_job *job, int kind, int first, int owne
     }
 }
 
-/* Adds the sums in order of slots, writes the rates, books the power. */
+/* Adds the sums in order of places, writes the rates, books the power. */
 static void finish_group(const struct sum_job *job, int kind, int first, int owners,
                          struct side *a, const struct sum *part, struct chunk_power *book)
 {
@@ -138,7 +138,7 @@ static void finish_group(const struct sum_job *job, int kind, int first, int own
         set_apart(job, first, owners, part);
 }
 
-/* Nobody near: rates of exactly 0. */
+/* No neighbours: rates of exactly 0. */
 static void clear_slots(const struct sum_job *job, int kind, int first, int owners)
 {
     const struct sum none = { 0 };
@@ -169,7 +169,7 @@ static void sum_group(const struct sum_job *job, int g, struct block *b,
     while (visit_segment(&v, VISIT_ALL)) {
         const struct pairs_table *table = &tables[v.segment->partner];
 
-        while (table->n > 0 /* the list also serves fields */
+        while (table->n > 0 /* the list also serves summed densities */
                && visit_rows(&v, job->record, table->needs, NULL, &a, b))
             table->laws(table, &a, b, part);
     }

@@ -15,8 +15,8 @@ enum {
     SUM_SLOTS = 16 /* rows of the book at most                                */
 };
 
-/* Where rates of the fluid go, by creation index: instead of to their slots, so that
- * nobody has to carry them there.  NULL: to their slots. */
+/* Where rates of the fluid go, by creation index: instead of to their places, so that
+ * they need not be carried there.  NULL: to their places. */
 struct sum_rates {
     double (*u)[DIM]; /* [fluid][DIM] f/m instead of f              [m/s^2]   */
     double *rho;      /* [fluid] instead of drho              [kg/m^D/s]      */
@@ -26,7 +26,7 @@ struct sum_job {
     const struct list *list;
     const double *record;              /* [listed+1][RECORD], 64-byte aligned */
     const struct pairs_table *table;   /* [KINDS][KINDS] owner, partner       */
-    int slots;                         /* rows of the book                    */
+    int slots;                         /* columns of the book                 */
     double later;                      /* powers are those of velocities and
                                           pressures that rates lead to so long
                                           after the records; 0: of the records */
@@ -37,19 +37,19 @@ struct sum_job {
                                           of density make of pressures; for
                                           later != 0, NULL: pressures stay    */
     const void *eos;
-    double *f;                         /* [particles][DIM] force on a slot [N] */
-    double *drho;                      /* [particles] rate of density of a slot
+    double *f;                         /* [particles][DIM] force by place [N] */
+    double *drho;                      /* [particles] rate of density by place
                                           [kg/m^D/s]: divided by the mass     */
     struct sum_rates rates;            /* those of fluid that is not listed stay
                                           as they are                         */
-    double *power;                     /* [slots] v.f + p2 m drho over all
+    double *power;                     /* [columns] v.f + p2 m drho over all
                                           owners [W]                          */
-    double *apart;                     /* [particles][DIM] where forces of the row
+    double *apart;                     /* [particles][DIM] where forces of column
                                           `apart_slot` go instead of f; NULL  */
     int apart_slot;
 };
 
-/* Sums of a field, before there are forces. */
+/* Sums for a summed density, before there are forces. */
 struct sum_field_job {
     const struct list *list;
     const double *record;            /* as in struct sum_job                  */
@@ -80,7 +80,7 @@ struct sum_engine {
     void (*field)(const struct sum_field_job *job);
 };
 
-/* Those of the field, in sum-field.c. */
+/* Those of summed densities, in sum-field.c. */
 void sum_field_lanes2(const struct sum_field_job *job);
 void sum_field_lanes4(const struct sum_field_job *job);
 void sum_field_lanes8(const struct sum_field_job *job);

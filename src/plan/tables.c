@@ -1,4 +1,4 @@
-/* tables.c -- which laws act between which kinds, in table order, and which fields
+/* tables.c -- which laws act between which kinds, in table order, and which densities
  * are summed before them. */
 #include "plan/inside.h"
 

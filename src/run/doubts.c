@@ -175,7 +175,7 @@ static void doubt_solids(const struct run *r)
         status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
                     "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
                     "and levels means nothing: take a higher eos.c0, walls = \"adami\", a smaller "
-                    "tol or thicker walls", s->n, s->t, s->who, s->solid, s->place);
+                    "tol or thicker walls", s->n, s->t, s->particle, s->solid, s->place);
 }
 
 int run_doubt_end(const struct run *r)

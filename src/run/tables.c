@@ -37,7 +37,8 @@ static bool solid(const struct object *o)
     return o->kind != KIND_FLUID;
 }
 
-static int open_forces(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
+static int open_forces(struct tables *o, const struct plan *plan, const char *dir,
+                       struct columns *h)
 {
     const struct particles *all = plan_particles(plan);
 

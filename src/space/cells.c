@@ -10,11 +10,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Cells along x in one radius: narrow cells keep runs of slots short.  Two to
+/* Cells along x in one radius: narrow cells keep runs of places short.  Two to
  * five differ by 3 % of a rebuild. */
 enum { FINE = 3 };
 
-/* Particles of one kind whose sorting repays waking the threads. */
+/* Particles of one kind from which sorting repays waking the threads. */
 enum { WORTH_THREADS = 4096 };
 
 static const double *position(const struct list *list, const struct cloud *cloud, int kind, int i)
@@ -24,7 +24,7 @@ static const double *position(const struct list *list, const struct cloud *cloud
     return cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
 }
 
-/* Marks who is inside, and the box around them; returns how many. */
+/* Marks particles inside, and the box around them; returns how many. */
 static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
 {
     const int from = list->def.from[kind], to = list->def.from[kind + 1];
@@ -146,7 +146,7 @@ void cells_note(struct list *list, int slot, const double *x)
         own->place[w][slot] = word(x + 2 * w, DIM - 2 * w, own->per_metre);
 }
 
-/* The next slot of its cell for the particle in row i, unless it is left out. */
+/* The next place of its cell for the particle in row i, unless it is left out. */
 static inline void place_row(struct list *list, struct cells *c, int i)
 {
     if (list->slot[i] < 0)
@@ -157,7 +157,7 @@ static inline void place_row(struct list *list, struct cells *c, int i)
     list->order[s] = i;
 }
 
-/* Slots in turn, cell by cell, in a cell by ascending id. */
+/* Places in turn, cell by cell, in a cell by ascending id. */
 static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
     const int from = list->def.from[kind], n = list->def.from[kind + 1] - from;
@@ -171,7 +171,7 @@ static void place(struct list *list, const struct cloud *cloud, int kind, struct
             place_row(list, c, from + k);
 }
 
-/* Where everybody is, now that all slots are known. */
+/* Where all particles are, now that all places are known. */
 static void note_places(struct list *list, const struct cloud *cloud, int kind)
 {
     const int from = list->def.from[kind], to = list->def.from[kind + 1];

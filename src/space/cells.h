@@ -1,8 +1,8 @@
 /* cells.h -- a grid for each kind, and all particles sorted by kind, cell and
  * id.  A grid covers its own kind's listed particles, no more; its
  * cells are narrow in x, and rows of cells run to and fro (like a plough), so
- * that slots in turn are near each other and a row's stretch of x is one run
- * of slots. */
+ * that places in turn are near each other and a row's stretch of x is one run
+ * of places. */
 #ifndef SPACE_CELLS_H
 #define SPACE_CELLS_H
 
@@ -15,8 +15,8 @@ struct list;
 struct cells {
     double low[DIM];      /* least coordinates of the kind        [m]        */
     double per_metre[DIM]; /* cells                               [1/m]      */
-    int n[DIM];           /* cells; all 0: nobody                            */
-    int *start;           /* [cells+1] first slot of a cell                  */
+    int n[DIM];           /* cells; all 0: no particles                      */
+    int *start;           /* [cells+1] first place of a cell                 */
     size_t room;          /* entries allocated in start                      */
 };
 
@@ -25,14 +25,14 @@ struct cells_window {
     int low[DIM], high[DIM]; /* first and last cell, both in it              */
 };
 
-/* Sets start, order, slot, the grids and the places in slot order from positions, those
- * in the domain where it repeats. 0 or STATUS_FAILED (no memory). */
+/* Sets start, order, slot, the grids and the positions in list order from those
+ * given, in the domain where it repeats. 0 or STATUS_FAILED (no memory). */
 int cells_sort(struct list *list, const struct cloud *cloud);
 
 /* For sorting others in the same way: a grid from c->low to high for n of them, with
  * all start at 0 (0 or STATUS_FAILED); the number of the cell that holds x; the
- * counts in start[cell + 2] become, in start[cell + 1], first slots from `first` on;
- * where a slot stands. */
+ * counts in start[cell + 2] become, in start[cell + 1], first places from `first` on;
+ * the position of a place. */
 int cells_grid(struct list *list, struct cells *c, const double *high, int n);
 int cells_rank(const struct cells *c, const double *x);
 void cells_add_up(struct cells *c, int first);

@@ -1,4 +1,4 @@
-/* drift-blocks.c -- who stood in which block when the list was made. */
+/* drift-blocks.c -- which particles stood in which block when the list was made. */
 #include "space/drift.h"
 
 #include "base/status.h"
@@ -85,7 +85,7 @@ void drift_place(const struct list *list, int slot, const double *x, double *to)
         to[d] += list->offset[slot][d];
 }
 
-/* Somebody of this kind, who stands at x. */
+/* A particle of this kind, which stands at x. */
 static void enter(struct drift *drift, int number, int kind, const double *x)
 {
     const int b = drift->block[number] = block_of(drift, x);

@@ -10,7 +10,7 @@ enum {
     PATIENCE = 4 /* pairs looked at, per particle                            */
 };
 
-/* Who stands in a block. */
+/* What stands in a block. */
 struct crowd {
     int n;
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
@@ -28,7 +28,7 @@ static bool at_rest(const struct list *list, const struct cloud *cloud, int kind
     return true;
 }
 
-/* Nobody yet, or only such as did not move. */
+/* Nothing yet, or only what did not move. */
 static void start_ranges(const struct drift *drift, unsigned resting)
 {
     for (int k = 0; k < drift->useds; k++) {
@@ -69,7 +69,7 @@ static void widen_images(const struct list *list, const struct cloud *cloud, int
     }
 }
 
-/* False when somebody went too far. */
+/* False when a particle went too far. */
 static bool widen_ranges(const struct list *list, const struct cloud *cloud, int kind)
 {
     const struct drift *drift = &list->own->drift;
@@ -93,7 +93,7 @@ static bool widen_ranges(const struct list *list, const struct cloud *cloud, int
     return near;
 }
 
-/* The largest displacement of anybody of one block against one of the other,
+/* The largest displacement of a particle of one block against one of the other,
  * squared [m^2]. */
 static double apart(const double *a, const double *b)
 {
@@ -154,7 +154,7 @@ static double square(const double *x, const double *y)
     return sum;
 }
 
-/* Two within the support now who were too far apart to be listed? */
+/* Two within the support now that were too far apart to be listed? */
 static bool pair_missing(const struct list *list, const struct crowd *a, const struct crowd *b)
 {
     const double support = list->def.support, radius = support + list->def.skin;

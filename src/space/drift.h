@@ -1,8 +1,8 @@
-/* drift.h -- whether a list is still right although somebody moved further than
- * half its skin.
+/* drift.h -- whether a list is still right although a particle moved further than
+ * half its margin.
  *
  * A pair can only be missing when its two moved against each other by more than
- * the skin.  Neighbours in water mostly move along together, so displacements
+ * the margin.  Neighbours in water mostly move along together, so displacements
  * are compared block by block of the domain, and one by one where blocks do not
  * answer. */
 #ifndef SPACE_DRIFT_H
@@ -14,9 +14,9 @@
 
 struct list;
 
-enum { DRIFT_FARTHEST = 2 }; /* displacement that blocks allow for [skins]   */
+enum { DRIFT_FARTHEST = 2 }; /* displacement that blocks allow for [margins] */
 
-/* Blocks are so wide that those who may meet stand in one block or in two that
+/* Blocks are so wide that particles that may meet stand in one block or in two that
  * touch.  Starts as { 0 }. */
 struct drift {
     double low[DIM];       /* corner of the grid                   [m]       */
@@ -25,27 +25,27 @@ struct drift {
     int *block;            /* [particles, images] where each stood; -1: left out */
     int *next;             /* [particles, images] the next in the same block, or -1 */
     int *head;             /* [blocks] the first there                       */
-    int *used;             /* [useds] blocks with somebody                   */
+    int *used;             /* [useds] blocks that are not empty              */
     int useds;
-    unsigned char *kinds;  /* [blocks] KIND_BITs of who is there             */
+    unsigned char *kinds;  /* [blocks] KIND_BITs of what is there            */
     double *range;         /* [blocks][DIM][2] least and largest displacement [m] */
     size_t block_room, next_room, head_room, used_room, kinds_room, range_room;
 };
 
-/* Notes where everybody stands, right after sorting. 0 or STATUS_FAILED (no
+/* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no
  * memory). */
 int drift_note(struct list *list, const struct cloud *cloud);
 
-/* True when no pair is missing; false when one is, somebody moved further than
- * two skins, or a rebuild costs less than to find out. */
+/* True when no pair is missing; false when one is, a particle moved further than
+ * two margins, or a rebuild costs less than to find out. */
 bool drift_harmless(const struct list *list, const struct cloud *cloud);
 
 void drift_free(struct drift *drift);
 
-/* The number of the image in this slot: images are counted after the particles. */
+/* The number of the image in this place: images are counted after the particles. */
 int drift_number(const struct list *list, int slot);
 
-/* Where the particle or image of this slot stands whose particle is at x. */
+/* Where the particle or image of this place stands when the particle is at x. */
 void drift_place(const struct list *list, int slot, const double *x, double *to);
 
 #endif

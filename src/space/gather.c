@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Everything that the records of LANES slots hold. */
+/* All that the records of LANES places hold. */
 LANES_INLINE void whole(const double *record, const int *j, struct side *s)
 {
     const double *of[LANES];

@@ -1,4 +1,4 @@
-/* gather.h -- from slots to what a law sees: the owners' own side, and rows of
+/* gather.h -- from places to what a law sees: the owners' own side, and rows of
  * neighbours with the geometry of their pairs. */
 #ifndef SPACE_GATHER_H
 #define SPACE_GATHER_H
@@ -7,7 +7,7 @@
 #include "space/pairs.h"
 
 /* Fills n <= PAIRS_ROWS rows of b but for what kernels give; j is [n][LANES]
- * slots. */
+ * places. */
 typedef void gather_rows(const double *record, const int *j, int n, const struct side *a,
                          struct block *b);
 
@@ -15,8 +15,8 @@ typedef void gather_rows(const double *record, const int *j, int n, const struct
 #define gather_choose LANE_NAME(gather_choose)
 gather_rows *gather_choose(unsigned needs);
 
-/* The owners in slots first.. before end; lanes beyond get a copy of record
- * `dummy` at the opposite place, so that they are far from padding too. */
+/* The owners in places first.. before end; lanes beyond get a copy of record
+ * `dummy` at the opposite position, so that they are far from padding too. */
 #define gather_side LANE_NAME(gather_side)
 void gather_side(const double *record, int first, int end, int dummy, struct side *a);
 

@@ -1,4 +1,4 @@
-/* images.c -- where everybody stands in a domain that repeats, and images of those near
+/* images.c -- where particles stand in a domain that repeats, and images of those near
  * its sides. */
 #include "space/images.h"
 
@@ -66,7 +66,7 @@ static double moved(const struct list_def *def, int d, double x, int turns)
     return turns ? x + turns * def->period[d] : x;
 }
 
-/* Somebody so far away that lengths cannot be counted stays where it is; no sum with
+/* A particle so far away that lengths cannot be counted stays where it is; no sum with
  * such a position is worth anything. */
 static int turns_of(const struct list_def *def, int d, double x)
 {
@@ -106,7 +106,7 @@ static int sides_near(const struct images *images, const double *x)
     return near;
 }
 
-/* Images of one who is at x, for each choice of the sides it is near to. */
+/* Images of one that is at x, for each choice of the sides it is near to. */
 static int add(struct list *list, int i, const double *x, int near)
 {
     struct images *to = &list->own->images;

@@ -1,8 +1,8 @@
-/* images.h -- directions that repeat: everybody is brought into the domain, and who
+/* images.h -- directions that repeat: particles are brought into the domain, and what
  * stands near a periodic side is seen beyond the opposite one, too.
  *
  * A pair is listed when an owner in the domain and a partner, or one of the partner's
- * images, are closer than support + skin. */
+ * images, are closer than support + margin. */
 #ifndef SPACE_IMAGES_H
 #define SPACE_IMAGES_H
 
@@ -21,8 +21,8 @@ struct image {
 
 /* Starts as { 0 } and stays so where nothing is periodic. */
 struct images {
-    double low[DIM], high[DIM]; /* who stands between is not near a periodic side [m] */
-    double (*home)[DIM];   /* [particles] places in the domain         [m]   */
+    double low[DIM], high[DIM]; /* what is between is not near a periodic side [m] */
+    double (*home)[DIM];   /* [particles] positions in the domain      [m]   */
     int (*turns)[DIM];     /* [particles] lengths that were added for it     */
     int n;
     struct image *all;     /* [n] those of kind k by ascending id: from[k] ..  */
@@ -47,10 +47,10 @@ static inline bool images_near(const struct images *images, const double *low,
     return false;
 }
 
-/* Before sorting: who stands where in the domain. */
+/* Before sorting: where each particle stands in the domain. */
 void images_bring_home(struct list *list, const struct cloud *cloud);
 
-/* After cells_sort(): images, their slots, grids, offsets. 0 or STATUS_FAILED (no memory). */
+/* After cells_sort(): images, their places, grids, offsets. 0 or STATUS_FAILED (no memory). */
 int images_sort(struct list *list, const struct cloud *cloud);
 
 #endif

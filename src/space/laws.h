@@ -1,4 +1,4 @@
-/* laws.h -- which laws act between two kinds: tables that those fill who know nothing of
+/* laws.h -- which laws act between two kinds: tables, filled by files that know nothing of
  * lanes.  What a law sees is in pairs.h. */
 #ifndef SPACE_LAWS_H
 #define SPACE_LAWS_H
@@ -11,7 +11,7 @@ struct sum;
 struct field_sum;
 struct kernel_use; /* kernels/kernel.h */
 
-/* Rows a law asks for; r and mm are there for everybody. */
+/* Rows a law asks for; r and mm are there for all laws. */
 enum need {
     NEED_X = 1 << 0,     /* x                                                */
     NEED_V = 1 << 1,     /* v                                                */
@@ -27,7 +27,7 @@ enum need {
     NEED_LAPW = 1 << 11    /* lw                                              */
 };
 
-enum { PAIRS_FIELD = 2 + DIM }; /* numbers that a field adds up for an owner          */
+enum { PAIRS_FIELD = 2 + DIM }; /* numbers added up for a summed density              */
 
 typedef void pairs_field(const void *self, const struct side *a, const struct block *b,
                          struct field_sum *to);
@@ -39,14 +39,14 @@ struct pairs_work {
     pairs_law *law;
     const void *self;
     const struct kernel_use *kernel;
-    int slot;       /* row of the book it is accounted in                    */
+    int slot;       /* column of the book it is accounted in                 */
     unsigned needs; /* NEED_ bits that its kernel is asked for before it; 0: the
                        rows stand as a law before left them                  */
 };
 
 enum { PAIRS_LAWS = 12 };
 
-/* Adds what all laws of a table give on the rows of b to the sums of their slots. */
+/* Adds what all laws of a table give on the rows of b to the sums of their columns. */
 struct pairs_table;
 typedef void pairs_laws(const struct pairs_table *table, const struct side *a, struct block *b,
                         struct sum *sum);

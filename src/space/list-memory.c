@@ -27,7 +27,7 @@ int list_no_memory(const struct list *list)
                        "too many for this machine, or have drawn together in one place", list->n);
 }
 
-/* Positions, order and slots; a group is of four, mostly, and has a segment or two,
+/* Positions, order and places; a group is of four, mostly, and has a segment or two,
  * each noted twice. Where something is periodic also what images.h says, and offsets. */
 double list_bytes(double n, double slots, double entries)
 {

@@ -8,8 +8,8 @@
 #include "space/list.h"
 
 enum {
-    LIST_PAD = 64,              /* places are read so far beyond the last slot */
-    LIST_UNITS = 1 << 13,       /* of places in support + skin                 */
+    LIST_PAD = 64,              /* positions are read so far beyond the last   */
+    LIST_UNITS = 1 << 13,       /* of positions in support + margin            */
     LIST_WORDS = (DIM + 1) / 2  /* of two coordinates each                     */
 };
 
@@ -33,9 +33,9 @@ struct list_found {
 struct list_private {
     double *built;      /* [n][DIM] position at the last rebuild [m];
                            infinite for those left out                       */
-    int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same in slot order and in
+    int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same by place and in
                            units, two coordinates modulo 2^16 in a word      */
-    const double *stand; /* [n][DIM] where everybody stood then, as the list sees
+    const double *stand; /* [n][DIM] where all stood then, as the list sees
                             it: built, or own->images.home                   */
     size_t order_room, place_room[LIST_WORDS], offset_room;
     double per_metre;   /* units of a place                         [1/m]    */

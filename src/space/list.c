@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Particles whose check and whose rebuilding repay waking the threads. */
+/* Particles from which checks and rebuilding repay waking the threads. */
 enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 500 };
 
 struct check {
-    bool moved; /* somebody, further than half the skin                      */
-    bool back;  /* one who was left out is inside again                      */
+    bool moved; /* a particle, further than half the margin                  */
+    bool back;  /* one that was left out is inside again                     */
     int bad; /* lowest row with a position that is not finite, or n           */
 };
 
@@ -28,7 +28,7 @@ static void look_closer(const struct list *list, int i, const double *x, struct 
     c->back |= list->slot[i] < 0 && list_inside(&list->def, x);
 }
 
-/* |a - b|^2, written out: everybody is asked in every right-hand side. */
+/* |a - b|^2, written out: each particle is asked in every right-hand side. */
 static inline double distance2(const double *a, const double *b)
 {
     double sum = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
@@ -94,7 +94,7 @@ void list_forget(struct list *list)
     list->stands = false;
 }
 
-/* Before the first build everybody counts as left out. */
+/* Before the first build all count as left out. */
 static void leave_out(struct list *list)
 {
     for (int i = 0; i < list->n; i++) {
@@ -170,7 +170,7 @@ static int join(struct list *list)
     return STATUS_DONE;
 }
 
-/* All particles in slots, images behind all others. */
+/* All particles in places, images behind all others. */
 static int sort(struct list *list, const struct cloud *cloud)
 {
     const bool repeats = list->own->images.home;
@@ -216,7 +216,7 @@ static bool finite_position(const double *x)
     return good;
 }
 
-/* Of the particles whose position is not finite, that with the smallest id, where
+/* Of the particles with a position that is not finite, that with the smallest id, where
  * `bad` is the lowest row of them: its row is noted, its number by ids returned. */
 static int note_bad(struct list *list, const struct cloud *cloud, int bad)
 {

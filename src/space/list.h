@@ -1,26 +1,26 @@
-/* list.h -- who is near whom.
+/* list.h -- which particles are near each other.
  *
  *     TRY(engine->create(&list, &def));
  *     TRY(engine->update(list, &cloud));    before every sum: cheap when fresh
- *     for groups g, for segments s of g: rows of slots s->j
+ *     for groups g, for segments s of g: rows of places s->j
  *     engine->free(&list);
  *
- * The list sorts everybody by kind and cell ("slots"), holds for each group of
- * LANES owners the rows of their neighbours, and is rebuilt only when somebody
+ * The list sorts all particles by kind and cell ("places"), holds for each group of
+ * LANES owners the rows of their neighbours, and is rebuilt only when one
  * moved so far that a pair may be missing (space/drift.h).  The
  * order is made from positions and ids alone (kind, then cell, then id), so a
  * rebuild at given positions gives given bits, whatever rows the particles stand
  * in.  What names a particle here names its row.  A lane's
- * neighbours stand in ascending order of slots, nobody is his own neighbour,
- * and all pairs closer than support + skin at the last rebuild are there.
+ * neighbours stand in ascending order of places, no particle is its own neighbour,
+ * and all pairs closer than support + margin at the last rebuild are there.
  *
- * Particles outside the box are left out: no slot, no cell, no pairs, until
- * they come back in, which forces a rebuild.  Those who leave the box stay in
- * the list until the next rebuild: whoever sums must mask them.
+ * Particles outside the box are left out: no place, no cell, no pairs, until
+ * they come back in, which forces a rebuild.  Particles that leave the box stay in
+ * the list until the next rebuild: sums must mask them.
  *
- * Along a periodic direction nobody is outside.  Positions may lie any number of
- * lengths away: offset[slot] brings them into the domain.  Who stands near a
- * periodic side then has images beyond the opposite one, in slots of their own
+ * Along a periodic direction none is outside.  Positions may lie any number of
+ * lengths away: offset[place] brings them into the domain.  One that stands near a
+ * periodic side then has images beyond the opposite one, in places of their own
  * after those of particles: neighbours as all others, but never owners
  * (space/images.h).  Offsets stay until the next rebuild. */
 #ifndef SPACE_LIST_H
@@ -34,11 +34,11 @@ struct list_def {
     int from[KINDS + 1];         /* rows of kind k: from[k] .. from[k+1]-1   */
     unsigned acts[KINDS];        /* partner kinds by owner kind, KIND_BITs   */
     double support;              /* largest kernel support H           [m]   */
-    double skin;                 /* extra radius of the list           [m]   */
-    double low[DIM], high[DIM];  /* box outside of which nobody counts; infinite
+    double skin;                 /* Verlet margin: extra radius        [m]   */
+    double low[DIM], high[DIM];  /* box outside of which none counts; infinite
                                     along periodic directions         [m]   */
     double period[DIM];          /* of a periodic direction its length, at least
-                                    2 (support + skin); else 0        [m]   */
+                                    2 (support + margin); else 0      [m]   */
     double side[DIM];            /* of a periodic direction: where it begins [m] */
 };
 
@@ -46,26 +46,26 @@ struct list_def {
 struct list_segment {
     int partner;  /* enum kind                                               */
     int rows;
-    const int *j; /* [rows][lanes] slots; `listed` where a lane has no more  */
+    const int *j; /* [rows][lanes] places; `listed` where a lane has no more */
 };
 
 struct list {
     struct list_def def;
     int lanes;             /* width of the rows                              */
     int n;                 /* particles                                      */
-    int listed;            /* slots in use; slot `listed` is the dummy       */
-    int start[KINDS + 1];  /* kind k: slots start[k] .. start[k+1]-1         */
-    int image[KINDS + 1];  /* images of kind k: slots image[k] .. image[k+1]-1,
+    int listed;            /* places in use; place `listed` is the dummy     */
+    int start[KINDS + 1];  /* kind k: places start[k] .. start[k+1]-1        */
+    int image[KINDS + 1];  /* images of kind k: places image[k] .. image[k+1]-1,
                               start[KINDS] = image[0], image[KINDS] = listed */
-    int *order;            /* [listed] row of the particle in a slot, of an image
+    int *order;            /* [listed] row of the particle in a place, of an image
                               that of its original                           */
     double (*offset)[DIM]; /* [listed] whole lengths, to be added to the position:
-                              where the slot stands; NULL: nothing is periodic [m] */
-    int *slot;             /* [n] slot of the particle in a row, -1: left out */
+                              where it stands; NULL: nothing is periodic [m] */
+    int *slot;             /* [n] place of the particle in a row, -1: left out */
     int groups;            /* groups of owners, all kinds                    */
     int group_from[KINDS + 1]; /* owners of kind k: groups [k] .. [k+1]-1;
                               none when def.acts[k] is 0                     */
-    const int *group_slot; /* [groups] first slot of a group: multiples of
+    const int *group_slot; /* [groups] first place of a group: multiples of
                               lanes after start[kind]; the last group of a
                               kind may reach beyond start[kind + 1]          */
     const int *group_kind; /* [groups] enum kind of its owners               */
@@ -85,8 +85,8 @@ struct list_engine {
     int (*create)(struct list **list, const struct list_def *def);
     void (*free)(struct list **list); /* NULL is welcome */
 
-    /* Makes the list right for these positions: nothing when nobody moved more
-     * than the skin allows, else a rebuild.  0, or STATUS_FAILED with
+    /* Makes the list right for these positions: nothing when none moved more
+     * than the margin allows, else a rebuild.  0, or STATUS_FAILED with
      * list->bad when a position is not finite. */
     int (*update)(struct list *list, const struct cloud *cloud);
 
@@ -102,7 +102,7 @@ struct list_engine {
 };
 extern const struct list_engine list_engine_lanes2, list_engine_lanes4, list_engine_lanes8;
 
-/* Inside the box? NaN is outside.  Without a loop or branches: everybody is asked in
+/* Inside the box? NaN is outside.  Without a loop or branches: each particle is asked in
  * every right-hand side. */
 static inline bool list_inside(const struct list_def *def, const double *x)
 {
@@ -122,7 +122,7 @@ void list_forget(struct list *list);
 /* Entries in all rows, padding included. */
 double list_entries(const struct list *list);
 
-/* Bytes that a list of n particles in so many slots, with so many entries, takes. */
+/* Bytes that a list of n particles in so many places, with so many entries, takes. */
 double list_bytes(double n, double slots, double entries);
 
 #endif

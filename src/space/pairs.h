@@ -63,7 +63,7 @@ struct sum {
     lanes drho;   /* own mass times rate of density     [kg * kg/m^D / s]       */
 };
 
-/* What a field adds up for its owners before there are forces. */
+/* What a summed density adds up for its owners before there are forces. */
 struct field_sum {
     lanes s[PAIRS_FIELD];
 };

@@ -1,4 +1,4 @@
-/* record.h -- what the pair loop gathers of a neighbour: pairs of fields that
+/* record.h -- what the pair loop gathers of a neighbour: pairs of numbers that
  * one 16-byte load fetches, one cache line in 2D.
  *
  *   2D  {x,y} {vx,vy} {rho,p2} {m,irho}

@@ -1,4 +1,4 @@
-/* scan-sift.h -- a part of scan.c: sifts those who are near the owners' box out of all
+/* scan-sift.h -- a part of scan.c: sifts what is near the owners' box out of all
  * candidates, and compares the rest with one owner after the other. */
 #ifndef SPACE_SCAN_SIFT_H
 #define SPACE_SCAN_SIFT_H
@@ -9,7 +9,7 @@
 
 /* What candidates are compared with before all others: the box around the owners. */
 struct sieve {
-    int *const *places;                               /* of all slots        */
+    int *const *places;                               /* of all places       */
     scan_places centre[LIST_WORDS], half[LIST_WORDS]; /* of the box; half its size */
     scan_ints bound;                                  /* see scan.h          */
 };
@@ -26,7 +26,7 @@ static inline __mmask16 below(scan_sums a, scan_ints bound)
     return _mm512_cmplt_epi32_mask((__m512i)a, (__m512i)bound);
 }
 
-/* Appends those numbers whose bits are set. */
+/* Appends the numbers of bits that are set. */
 static inline void keep(int *to, scan_ints numbers, __mmask16 hits)
 {
     const __m512i kept = _mm512_maskz_compress_epi32(hits, (__m512i)numbers);
@@ -34,8 +34,8 @@ static inline void keep(int *to, scan_ints numbers, __mmask16 hits)
     memcpy(to, &kept, sizeof kept);
 }
 
-/* Appends those of the first n who were sifted and are near an owner to his neighbours;
- * nobody is his own. */
+/* Appends those of the first n that were sifted and are near an owner to its neighbours;
+ * none is its own. */
 static void compare(struct scan *s, int lane, int n)
 {
     const struct scan_work *of = &s->work;
@@ -50,7 +50,7 @@ static void compare(struct scan *s, int lane, int n)
         const scan_ints slot = (scan_ints)scan_places_at(of->slot + at);
         scan_sums r2 = { 0 };
 
-        for (int w = 0; w < LIST_WORDS; w++) /* of somebody far away it may wrap */
+        for (int w = 0; w < LIST_WORDS; w++) /* of one far away it may wrap */
             r2 += (scan_sums)squares(scan_places_at(of->place[w] + at) - owner[w]);
         const __mmask16 hits = _mm512_mask_cmpneq_epi32_mask(below(r2, bound), (__m512i)slot,
                                                              (__m512i)self);
@@ -60,7 +60,7 @@ static void compare(struct scan *s, int lane, int n)
     s->count[lane] = (int)(end - s->near[lane]);
 }
 
-/* Registers are filled up with somebody far away: after the last of n. */
+/* Registers are filled up with one far away: after the last of n. */
 static void compare_all(struct scan *s, const struct sieve *sieve, int n)
 {
     const scan_places far = sieve->centre[0] ^ (scan_places)((1 << 15) - (scan_ints){ 0 });
@@ -81,7 +81,7 @@ static inline scan_places outside(scan_places place, scan_places centre, scan_pl
 
 static const scan_ints counting = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
 
-/* Of SCAN_WIDE slots from `at` on, but before `end`, those who are near the box become
+/* Of SCAN_WIDE places from `at` on, but before `end`, those near the box become
  * number n and following; returns the next n. */
 static inline int sift(struct scan_work *to, const struct sieve *sieve, int at, int end, int n)
 {
@@ -156,7 +156,7 @@ static void take_runs(struct scan *s)
     s->work.runs = 0;
 }
 
-/* The slots from..to-1, in ascending runs. */
+/* The places from..to-1, in ascending runs. */
 static inline void take_run(struct scan *s, int from, int to)
 {
     if (s->work.runs == SCAN_RUNS)

@@ -1,5 +1,5 @@
 /* scan-table.h -- a part of scan.c: compares runs of candidates with two or four owners
- * at a time; who is near is looked up by the mask of the comparison. */
+ * at a time; what is near is looked up by the mask of the comparison. */
 #ifndef SPACE_SCAN_TABLE_H
 #define SPACE_SCAN_TABLE_H
 
@@ -70,7 +70,7 @@ static void flush(struct scan *s)
 
         for (int l = 0; l < LANES; l++) {
             scan_sums r2 = (scan_sums)squares(scan_places_at(place[0] + at) - owner[l][0]);
-            for (int w = 1; w < LIST_WORDS; w++) /* of somebody far away it may wrap */
+            for (int w = 1; w < LIST_WORDS; w++) /* of one far away it may wrap */
                 r2 += (scan_sums)squares(scan_places_at(place[w] + at) - owner[l][w]);
             const unsigned hits = below((scan_ints)r2, bound) & s->work.there[c][l];
             const scan_ints slots = s->work.hit[hits] + at;
@@ -84,7 +84,7 @@ static void flush(struct scan *s)
     s->work.chunks = 0;
 }
 
-/* Nobody is his own neighbour: takes owners out of a run from slot `from` on
+/* No particle is its own neighbour: takes owners out of a run from place `from` on
  * that was collected last, in chunks from number `first` on. */
 static void leave_out_owners(struct scan *s, int from, int first)
 {
@@ -96,7 +96,7 @@ static void leave_out_owners(struct scan *s, int from, int first)
     }
 }
 
-/* Collects the slots from..to-1, SCAN_BLOCK chunks at a time without asking
+/* Collects the places from..to-1, SCAN_BLOCK chunks at a time without asking
  * whether they are all needed: a mispredicted branch costs more. */
 static inline void collect(struct scan *s, int from, int to)
 {
@@ -115,7 +115,7 @@ static inline void collect(struct scan *s, int from, int to)
         leave_out_owners(s, from, first);
 }
 
-/* The slots from..to-1, in ascending runs. */
+/* The places from..to-1, in ascending runs. */
 static inline void take_run(struct scan *s, int from, int to)
 {
     enum { MOST = SCAN_CHUNKS * SCAN_WIDE };

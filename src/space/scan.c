@@ -1,4 +1,4 @@
-/* scan.c -- finds neighbours among all who are in the cells around. */
+/* scan.c -- finds neighbours among all particles of the cells around. */
 #include "space/scan.h"
 
 #if LANES == 8
@@ -15,7 +15,7 @@ enum {
     APART = LANES < 8 ? 1 : 2 /* owners spread over so many radii look alone */
 };
 
-/* Everybody in the window, in ascending slots. */
+/* All in the window, in ascending places. */
 static void take_window(struct scan *s, const struct cells *c, const struct cells_window *w)
 {
     const int more = w->high[0] - w->low[0] + 1;
@@ -88,7 +88,7 @@ void scan_group(struct scan *s, int group, int owners)
         s->apart |= s->high[d] - s->low[d] > APART * s->reach;
 }
 
-/* Everybody of a kind, then of its images, who may be near the box. */
+/* All of a kind, then of its images, that may be near the box. */
 static void take_box(struct scan *s, int kind)
 {
     const struct list_private *own = s->list->own;

@@ -4,14 +4,14 @@
  *     scan_group(&scan, group, owners);            for each group
  *     scan_near(&scan, kind);                      near and count are made
  *
- * scan.c says which runs of slots hold all neighbours; who of them is one is found by
+ * scan.c says which runs of places hold all neighbours; which of them are is found by
  * scan-sift.h where the machine can compress a register (8 lanes), else by
  * scan-table.h.
  *
- * Places are whole numbers of 16 bits, so that one instruction squares and adds
+ * Positions are whole numbers of 16 bits, so that one instruction squares and adds
  * two differences of each of SCAN_WIDE candidates.  They count modulo 8 radii:
  * those in the cells around are nearer than 4, and where cells had to be coarse
- * somebody far away may be listed, which changes no sum.  The radius is widened
+ * one far away may be listed, which changes no sum.  The radius is widened
  * by more than all roundings together, so no pair is ever missed. */
 #ifndef SPACE_SCAN_H
 #define SPACE_SCAN_H
@@ -22,7 +22,7 @@
 #include <string.h>
 
 enum { SCAN_WIDE = 2 * LANES }; /* candidates compared at a time */
-_Static_assert(4 * SCAN_WIDE <= (int)LIST_PAD, "places are read as far beyond a run");
+_Static_assert(4 * SCAN_WIDE <= (int)LIST_PAD, "positions are read as far beyond a run");
 
 typedef int scan_ints __attribute__((vector_size(4 * SCAN_WIDE)));
 typedef unsigned scan_sums __attribute__((vector_size(4 * SCAN_WIDE)));
@@ -35,13 +35,13 @@ enum {
 };
 
 struct scan_run {
-    int from, to; /* slots from..to-1 */
+    int from, to; /* places from..to-1 */
 };
 
 struct scan_work {
     int runs;
     struct scan_run run[SCAN_RUNS];
-    _Alignas(64) int slot[SCAN_MOST + SCAN_WIDE]; /* who is near the box     */
+    _Alignas(64) int slot[SCAN_MOST + SCAN_WIDE]; /* places near the box     */
     _Alignas(64) int place[LIST_WORDS][SCAN_MOST + SCAN_WIDE]; /* their places */
 };
 #else
@@ -54,19 +54,19 @@ enum {
 struct scan_work {
     scan_places owner[LANES][LIST_WORDS]; /* places of owners                */
     unsigned char looks[LANES]; /* all bits: looks for neighbours, else 0    */
-    int chunks;                 /* of SCAN_WIDE consecutive slots            */
-    int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first slot of each chunk          */
-    unsigned char there[SCAN_CHUNKS + SCAN_BLOCK][LANES]; /* bit i: slot i counts */
+    int chunks;                 /* of SCAN_WIDE consecutive places           */
+    int slot[SCAN_CHUNKS + SCAN_BLOCK]; /* first place of each chunk         */
+    unsigned char there[SCAN_CHUNKS + SCAN_BLOCK][LANES]; /* bit i: place i counts */
     scan_ints hit[SCAN_HITS];   /* the set bits of a mask in turn            */
 };
 #endif
 
 struct scan {
     int count[LANES];  /* neighbours found of each owner                     */
-    int *near[LANES];  /* [count, and SCAN_WIDE more] their slots            */
+    int *near[LANES];  /* [count, and SCAN_WIDE more] their places           */
 
     /* The group at work. */
-    int group, owners;          /* first slot, lanes in use                  */
+    int group, owners;          /* first place, lanes in use                 */
     bool apart;                 /* they are far from one another             */
     int first, last;            /* lanes first..last-1 look for neighbours   */
     double low[DIM], high[DIM]; /* the box around these                [m]   */

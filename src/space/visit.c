@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { WORTH_THREADS = 500 }; /* slots whose sums repay waking the threads */
+enum { WORTH_THREADS = 500 }; /* places from which threads repay waking   */
 
 static int groups_of(const struct list *list, unsigned kinds, int kind)
 {

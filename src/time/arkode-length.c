@@ -87,7 +87,7 @@ static int cautious(struct arkode *a, double t_stop, double *h)
     return STATUS_DONE;
 }
 
-/* ARKStep asks nobody then, and every step is like the first. */
+/* ARKStep has no estimate then, and every step is like the first. */
 static void choose_constant(struct arkode *a)
 {
     a->choice[0] = (struct choice){ .h = a->def.seconds, .limiter = METHOD_STABILITY,

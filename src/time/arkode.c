@@ -65,7 +65,7 @@ static int collapse(struct arkode *a, int flag)
                             c->refusal[0] ? c->refusal : where);
 }
 
-/* The slot that the step wrote to becomes the newest node. */
+/* The vector that the step wrote to becomes the newest node. */
 static void rotate(struct arkode *a, double t)
 {
     const struct arkode_node fresh = a->node[a->nodes - 1];

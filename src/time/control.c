@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-static const double least_error = 1e-8; /* nobody's error is smaller: 0 has no logarithm */
+static const double least_error = 1e-8; /* no error counts as smaller: 0 has no logarithm */
 
 void control_start(struct control *c, const struct control_row *row, int order, int embedded)
 {

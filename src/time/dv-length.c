@@ -75,7 +75,8 @@ double dv_haste(struct paced *frame)
     double most = 0;
 
     if (bodies
-        && moment_eval(frame->moment, ASK_IMPLICIT_SIDE, frame->t, frame->y, x->right) != STATUS_DONE)
+        && moment_eval(frame->moment, ASK_IMPLICIT_SIDE, frame->t, frame->y, x->right)
+               != STATUS_DONE)
         return 0;
     for (long i = 0; i < frame->n; i++) {
         const double own = bodies ? x->right[i] : 0;

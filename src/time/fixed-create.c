@@ -24,7 +24,8 @@ int fixed_rearrange(void *self, int blocks, const struct vector_rows *block)
     const struct fixed *x = self;
 
     return vector_rows_move(blocks, block, VECTORS,
-                            (double *[VECTORS]){ x->y, x->f, x->y_old, x->f_old, x->try, x->rates });
+                            (double *[VECTORS]){ x->y, x->f, x->y_old, x->f_old, x->try,
+                                                 x->rates });
 }
 
 int fixed_vectors(const struct method *m, const struct plan *plan)

@@ -28,7 +28,8 @@ int fixed_euler_advance(struct fixed *x, double h)
     vector_copy(x->n, x->y_old, x->try);
     vector_copy(rho - u, x->y + u, x->try + u);
     fixed_hold(x, x->try);
-    TRY(moment_eval(x->moment, (struct ask){ .sides = x->kind->sides }, x->t_old, x->try, x->rates));
+    TRY(moment_eval(x->moment, (struct ask){ .sides = x->kind->sides }, x->t_old, x->try,
+                    x->rates));
     vector_combine(2, c, (const double *[]){ x->y_old + rho, x->rates + rho }, x->n - rho,
                    x->y + rho);
     return STATUS_DONE;

@@ -73,7 +73,7 @@ double fixed_explicit_step(struct fixed *x);
 void fixed_hold(const struct fixed *x, double *to);
 
 /* length() and advance() of fixed_euler; bodies with steps of their own are held
- * where others look at them, and their entries of y are left to who calls. */
+ * where others look at them, and their entries of y are left to the caller. */
 double fixed_euler_length(struct fixed *x);
 int fixed_euler_advance(struct fixed *x, double h);
 

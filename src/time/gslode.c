@@ -31,7 +31,8 @@ static struct limit fastest(const struct gslode *x)
 {
     struct limit limit[2];
 
-    moment_limit(x->rates.moment, x->node[0].t, x->node[0].y, plan_stiff(moment_plan(x->rates.moment)), limit);
+    moment_limit(x->rates.moment, x->node[0].t, x->node[0].y,
+                 plan_stiff(moment_plan(x->rates.moment)), limit);
     return limit[limit[1].rate > limit[0].rate];
 }
 
@@ -147,7 +148,7 @@ static int accept(struct gslode *x, double *h, double *next, bool *shortened)
     }
 }
 
-/* The slot that the step wrote to becomes the newest node. */
+/* The vector that the step wrote to becomes the newest node. */
 static void rotate(struct gslode *x, double t)
 {
     const struct gslode_node fresh = x->node[GSLODE_NODES - 1];

@@ -41,7 +41,7 @@ struct method {
     const char *name;   /* "imex3", "leapfrog", or an ARKODE table's name     */
     struct {
         const char *about, *source;
-    } told;             /* to who asks for it                                 */
+    } told;             /* for help and lists                                 */
     bool adaptive;      /* has an error estimate (else `@` gives the step)    */
     int order;          /* nominal, of the error; 0: changes from step to step */
     const char *varies; /* NULL, or why its steps cannot be all of one length */

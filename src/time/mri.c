@@ -53,7 +53,7 @@ static int slow(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
     return 0;
 }
 
-/* Only MRIStep's interpolant wants it, and nobody asks that. */
+/* Only MRIStep's interpolant wants it, which is not asked. */
 static int no_rates(MRIStepInnerStepper inner, sunrealtype t, N_Vector y, N_Vector f, int mode)
 {
     (void)inner, (void)t, (void)y, (void)mode;

@@ -167,8 +167,8 @@ static void expect_sunk(struct tank *t, double time, const double *x, const char
     observe_sunk(t->moment, time, t->y, &sunk);
     check(sunk.n == (solid != NULL), "%d in solids at (%g, %g), t = %g s", sunk.n, x[0], x[DIM - 1],
           time);
-    check(!solid || (sunk.who == LOST && strcmp(sunk.solid, solid) == 0), "particle %d in %s",
-          sunk.who, sunk.n ? sunk.solid : "nothing");
+    check(!solid || (sunk.particle == LOST && strcmp(sunk.solid, solid) == 0), "particle %d in %s",
+          sunk.particle, sunk.n ? sunk.solid : "nothing");
 }
 
 /* A ball above the water that moves along the lid. */

@@ -200,7 +200,7 @@ static void show_rest(struct runner *r, double t, const double *y)
 
     observe_sunk(r->tank.moment, t, y, &sunk);
     show(r, sunk.n);
-    show(r, sunk.who);
+    show(r, sunk.particle);
     moment_limit(r->tank.moment, t, y, true, limit);
     for (int i = 0; i < 2; i++) {
         show(r, limit[i].rate);
