@@ -136,8 +136,8 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     snprintf(m->refusal, sizeof m->refusal,
              "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
              "particles were pushed together or torn apart faster than the step could follow",
-             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], particle, o->name, place, v->t,
-             m->density_low, m->density_high);
+             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], particle, o->name, place,
+             v->t, m->density_low, m->density_high);
     moment_note(m, MOMENT_DENSITY_OUT, particle, v->t);
     return STATUS_FAILED;
 }
