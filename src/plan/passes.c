@@ -121,7 +121,8 @@ static int add_line(struct plan *p, const struct pass *line)
 }
 
 /* Densities that are no sums are rows of y or those at rest; with them there is a pressure
- * as soon as there are records. */
+ * as soon as there are records.  Those that are sums are results: limits and outputs look at
+ * them, though no law may. */
 int passes_make(struct plan *p, const struct pass *table)
 {
     const unsigned summed = summed_fields(p);
@@ -139,7 +140,7 @@ int passes_make(struct plan *p, const struct pass *table)
             to->pass[i].needs |= densities;
         }
     to->n = passes_order(to->pass, to->n, PASS_POSITION | PASS_VELOCITY | densities | idle,
-                         results);
+                         results | (summed & (PASS_DENSITY | PASS_SOLID_DENSITY)));
     return to->n < 0 ? STATUS_FAILED : STATUS_DONE;
 }
 

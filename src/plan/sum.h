@@ -31,7 +31,7 @@ struct sum_job {
                                           pressures that rates lead to so long
                                           after the records; 0: of the records */
     const double (*push)[DIM];         /* accelerations of the fluid by other
-                                          things than pairs, creation order;
+                                          things than pairs, by row;
                                           for later != 0, NULL: velocities stay */
     part_moduli *moduli;               /* of the equation of state `eos`: what rates
                                           of density make of pressures; for
