@@ -1,6 +1,7 @@
 /* body-contacts.c -- tests of the contract of contacts with one kind: a spring between two
  * blocks, one above the other, in a plan and in runs. */
 #include "float.h"
+#include "tank-run.h"
 
 #include "../physics/tank.h"
 #include "base/status.h"
@@ -162,24 +163,6 @@ static void one_body_meets_none(void **state)
     tank_free(&t);
 }
 
-static void run(struct tank *t, const char *name, double tol, double until)
-{
-    struct method_def method = method_def_default();
-    struct method_step step = { 0 };
-    const struct method *m;
-    void *self;
-
-    assert_int_equal(method_find(name, &method, &m), STATUS_DONE);
-    method.tol = tol;
-    if (m->create(m, &method, t->moment, 0, t->y, &self) != STATUS_DONE)
-        fail_msg("%s: %s", name, status_message());
-    while (step.t < until)
-        if (m->step(self, until, &step) != STATUS_DONE)
-            fail_msg("%s: %s", name, status_message());
-    memcpy(t->y, m->state(self), (size_t)t->n * sizeof *t->y);
-    m->free(&self);
-}
-
 static double work_of(const struct book_sheet *s, const struct plan *p, const char *name)
 {
     char names[BOOK_WORKS][BOOK_NAME];
@@ -211,7 +194,7 @@ static void books_close(void **state)
         const struct places at = places_of(&t);
         const double begun = gap_of(&at, t.y);
         observe_sheet(t.moment, 0, t.y, &first);
-        run(&t, method[i].name, 1e-5, 0.006);
+        tank_run(&t, method[i].name, 1e-5, 0.006);
         observe_sheet(t.moment, 0.006, t.y, &s);
         const double ended = fmin(gap_of(&at, t.y), 0);
         const double given = 0.5 * stiffness * (begun * begun - ended * ended);

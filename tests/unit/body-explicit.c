@@ -1,6 +1,7 @@
 /* body-explicit.c -- tests of the contract of bodies with a kind that has no implicit side:
  * by its members, in a plan, and in a run. */
 #include "float.h"
+#include "tank-run.h"
 
 #include "../physics/tank.h"
 #include "base/status.h"
@@ -157,25 +158,6 @@ static void all_its_rates_are_explicit(void **state)
     tank_free(&t);
 }
 
-/* Steps to `until`; y there into t->y. */
-static void run(struct tank *t, const char *name, double tol, double until)
-{
-    struct method_def method = method_def_default();
-    struct method_step step = { 0 };
-    const struct method *m;
-    void *self;
-
-    assert_int_equal(method_find(name, &method, &m), STATUS_DONE);
-    method.tol = tol;
-    if (m->create(m, &method, t->moment, 0, t->y, &self) != STATUS_DONE)
-        fail_msg("%s: %s", name, status_message());
-    while (step.t < until)
-        if (m->step(self, until, &step) != STATUS_DONE)
-            fail_msg("%s: %s", name, status_message());
-    memcpy(t->y, m->state(self), (size_t)t->n * sizeof *t->y);
-    m->free(&self);
-}
-
 static const char *const methods[] = { "erk3", "imex3", "dv", "adams", "leapfrog", "ab3" };
 enum { METHODS = sizeof methods / sizeof methods[0] };
 
@@ -188,7 +170,7 @@ static void it_swings_by_every_method(void **state)
     for (int i = 0; i < METHODS; i++) {
         struct tank t;
         tank_make(&t, "dimension = 2; until = 1.0;", FLOAT, NULL);
-        run(&t, methods[i], 1e-5, until);
+        tank_run(&t, methods[i], 1e-5, until);
         check_close(t.y[tank_at(&t, "beam.it.s", NULL)], 1e-3 * cos(4.2), 3e-5, methods[i]);
         tank_free(&t);
     }
@@ -203,7 +185,7 @@ static void books_close_in_water(void **state)
         struct tank t;
         tank_make(&t, tank_parted_water, TANK_EFFECTS, tank_frame, FLOAT, NULL);
         observe_sheet(t.moment, 0, t.y, &at_start);
-        run(&t, methods[i], 1e-3, 0.02);
+        tank_run(&t, methods[i], 1e-3, 0.02);
         observe_sheet(t.moment, 0.02, t.y, &s);
         assert_true(fabs(t.y[tank_at(&t, "beam.it.s", NULL)] - 1e-3) > 1e-4);
         for (int d = 0; d < DIM; d++)
