@@ -19,6 +19,7 @@ enum {
     FIRST = 52 - 10,       /* g below the exponent of the largest term: BLOCK parts
                               add up to less than 2^(g + 53)                   */
     NEXT = 54 - 10,        /* the next g below it: what is left is 2^(g - 1) at most */
+    BIAS = 1023,           /* of a double's exponent                           */
     LEAST = -1074,         /* exponent of the least double                     */
     FULL = 1 << 29         /* additions to a digit that are safe               */
 };
@@ -133,13 +134,24 @@ static inline __attribute__((always_inline)) void cut_once(int n, struct cut *cu
     cut->left = rest > 0;
 }
 
-/* Exponents of parts: 2^g and finer. */
+/* 1.5 2^e of a normal number, by its bits: ldexp() would cost as much as cutting. */
+static double one_and_a_half(int e)
+{
+    const uint64_t bits = (uint64_t)(e + BIAS) << 52 | UINT64_C(1) << 51;
+    double x;
+
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Exponents of parts: 2^g and finer.  Terms that are all subnormal have exponent -BIAS
+ * here, which is below theirs, but then g is LEAST anyhow. */
 static void choose(double most, struct cut *cut)
 {
-    int g = ilogb(most) - FIRST;
+    int g = (int)(bits_of(most) >> 52) - BIAS - FIRST;
 
     for (int k = 0; k < 3; k++, g -= NEXT)
-        cut->c[k] = ldexp(1.5, 52 + (g > LEAST ? g : LEAST));
+        cut->c[k] = one_and_a_half(52 + (g > LEAST ? g : LEAST));
 }
 
 /* The block's parts (NaN, if a term is) and what is left of its terms; false: to be
