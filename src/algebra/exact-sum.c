@@ -21,6 +21,7 @@ enum {
     NEXT = 54 - 10,        /* the next g below it: what is left is 2^(g - 1) at most */
     BIAS = 1023,           /* of a double's exponent                           */
     LEAST = -1074,         /* exponent of the least double                     */
+    HEADROOM = 64,         /* of terms of the next rows over those of the last */
     FULL = 1 << 29         /* additions to a digit that are safe               */
 };
 
@@ -197,7 +198,7 @@ static cut_block *cut_best(void)
 }
 #endif
 
-static void add_all(struct exact_sum *s, const double *x, int n)
+void exact_sum_terms(struct exact_sum *s, int n, const double *x)
 {
     for (int i = 0; i < n; i++)
         if (x[i] != 0)
@@ -214,13 +215,25 @@ void exact_sum_add(struct exact_sum *s, long n, const double *x)
         struct cut cut;
 
         if (!cut_them(x, size, &cut, left)) {
-            add_all(s, x, size);
+            exact_sum_terms(s, size, x);
             continue;
         }
-        add_all(s, cut.part, 3);
+        exact_sum_terms(s, 3, cut.part);
         if (cut.left)
-            add_all(s, left, size);
+            exact_sum_terms(s, size, left);
     }
+}
+
+/* --- rows ---------------------------------------------------------------- */
+
+void exact_sum_choose(struct exact_cut *cut, double most)
+{
+    struct cut at;
+
+    if (!(most > 0) || most >= beyond / HEADROOM)
+        return;
+    choose(HEADROOM * most, &at);
+    *cut = (struct exact_cut){ at.c[0], at.c[1], HEADROOM * most };
 }
 
 /* --- the value ----------------------------------------------------------- */

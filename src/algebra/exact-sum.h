@@ -40,6 +40,21 @@ struct exact_sum {
 };
 
 void exact_sum_add(struct exact_sum *s, long n, const double *x);
+
+/* The same, one term after the other: for a few. */
+void exact_sum_terms(struct exact_sum *s, int n, const double *x);
+
+/* Constants that cut terms (exact-rows.h); { 0 } serves terms of 0 only. */
+struct exact_cut {
+    double coarse, fine;   /* adding and taking off again rounds to what adds up without
+                              rounding, and what is left to what is 2^44 times finer   */
+    double limit;          /* |terms| served                                   */
+};
+
+/* Serves terms that are at most 64 times larger than `most`; nothing is left of those that
+ * are no less than 10^-8 of it.  Stays as it is where `most` is 0 or too large. */
+void exact_sum_choose(struct exact_cut *cut, double most);
+
 void exact_sum_merge(struct exact_sum *to, const struct exact_sum *from);
 double exact_sum_value(const struct exact_sum *s);
 

@@ -100,6 +100,7 @@ void workspace_free(struct workspace **workspace)
     free(w->speeds);
     free(w->rates);
     free(w->scratch.power);
+    free(w->scratch.cut);
     free(w);
     *workspace = NULL;
 }

@@ -4,7 +4,7 @@
  * table order.  Powers are exact sums, which have no order. */
 #include "plan/sum.h"
 
-#include "algebra/exact-sum.h"
+#include "algebra/exact-rows.h"
 #include "base/status.h"
 #include "base/threads.h"
 #include "effects/fused.h"
@@ -13,10 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+_Static_assert((int)VISIT_GROUPS <= (int)EXACT_ROWS, "rows of a chunk");
+
 /* Powers of the owners of one chunk, by row of the book. */
 struct chunk_power {
-    int n;
-    double term[SUM_SLOTS][VISIT_CHUNK]; /* [slots][n] [W] */
+    struct exact_rows rows[SUM_SLOTS];  /* [slots] [W]                         */
 };
 
 /* Laws one after the other, each on all rows. */
@@ -130,9 +131,8 @@ static void finish_group(const struct sum_job *job, int kind, int first, int own
 
         for (int d = 0; d < DIM; d++)
             power += a->v[d] * part[s].f[d];
-        memcpy(&book->term[s][book->n], &power, sizeof power);
+        exact_rows_add(&book->rows[s], power);
     }
-    book->n += LANES;
     write_rates(job, kind, first, owners, a->m, all);
     if (job->apart)
         set_apart(job, first, owners, part);
@@ -180,21 +180,24 @@ static void sum_group(const struct sum_job *job, int g, struct block *b,
 struct pass {
     const struct sum_job *job;
     struct exact_sum *power; /* [threads][slots] */
+    struct exact_cut *cut;   /* [threads][slots] */
 };
 
 static void sum_chunk(const void *of, int chunk, int from, int to, struct block *b)
 {
     const struct pass *pass = of;
     const int slots = pass->job->slots;
-    struct exact_sum *power = pass->power + (size_t)threads_me() * (size_t)slots;
+    const size_t mine = (size_t)threads_me() * (size_t)slots;
+    struct exact_cut *const cut = pass->cut + mine;
     struct chunk_power book;
 
     (void)chunk;
-    book.n = 0;
+    for (int s = 0; s < slots; s++)
+        exact_rows_open(&book.rows[s], &cut[s]);
     for (int g = from; g < to; g++)
         sum_group(pass->job, g, b, &book);
-    for (int s = 0; s < slots && book.n > 0; s++)
-        exact_sum_add(&power[s], book.n, book.term[s]);
+    for (int s = 0; s < slots; s++)
+        exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
 }
 
 /* Kinds that own nothing have rates of exactly 0. */
@@ -214,10 +217,12 @@ static int make_room(struct sum_scratch *scratch, int slots)
 
     if (threads > scratch->threads || slots != scratch->slots) {
         free(scratch->power);
+        free(scratch->cut);
         *scratch = (struct sum_scratch){ .threads = threads, .slots = slots };
         scratch->power = malloc((size_t)threads * (size_t)(slots + 1) * sizeof *scratch->power);
+        scratch->cut = calloc((size_t)threads * (size_t)(slots + 1), sizeof *scratch->cut);
     }
-    if (!scratch->power)
+    if (!scratch->power || !scratch->cut)
         return status_fail(STATUS_FAILED, "no memory to sum the power of %d effects", slots);
     memset(scratch->power, 0, (size_t)scratch->threads * (size_t)slots * sizeof *scratch->power);
     return STATUS_DONE;
@@ -232,7 +237,7 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
                            SUM_SLOTS);
     TRY(make_room(scratch, slots));
     clear_idle(job);
-    visit_chunks(job->list, VISIT_ALL, sum_chunk, &(struct pass){ job, scratch->power });
+    visit_chunks(job->list, VISIT_ALL, sum_chunk, &(struct pass){ job, scratch->power, scratch->cut });
     for (int s = 0; s < slots; s++) {
         for (int t = 1; t < scratch->threads; t++)
             exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);

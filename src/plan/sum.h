@@ -10,6 +10,7 @@
 struct pairs_table;
 struct kernel_use;
 struct exact_sum; /* algebra/exact-sum.h */
+struct exact_cut;
 
 enum {
     SUM_SLOTS = 16 /* rows of the book at most                                */
@@ -61,10 +62,11 @@ struct sum_field_job {
     double (*sum)[PART_SUMS];        /* [particles] of owners; others untouched */
 };
 
-/* Starts as { 0 }; memory is taken at the first call.  The caller frees `power` at the end. */
+/* Starts as { 0 }; memory is taken at the first call.  The caller frees both arrays at the end. */
 struct sum_scratch {
     int threads, slots;
     struct exact_sum *power; /* [threads][slots] of each thread               */
+    struct exact_cut *cut;   /* [threads][slots] that served the last rows    */
 };
 
 struct sum_engine {
