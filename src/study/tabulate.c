@@ -47,7 +47,7 @@ static int times(const struct study *s, int c, bool cpu, double *to)
     for (int i = c; i < s->trials; i += cases) {
         const struct trial *t = &s->trial[i];
         const double took = cpu ? t->result.cpu : t->result.wall;
-        if (t->ended && t->code == s->trial[c].code && !isnan(took))
+        if (t->run.ended && t->run.code == s->trial[c].run.code && !isnan(took))
             to[n++] = took;
     }
     return n;
@@ -104,7 +104,7 @@ static void row(FILE *to, const struct study *s, int c)
 {
     const struct trial *t = &s->trial[c];
 
-    fprintf(to, "%s,%s,%s", t->method, *t->tol ? t->tol : "nan", trial_status(t));
+    fprintf(to, "%s,%s,%s", t->method, *t->tol ? t->tol : "nan", member_status(&t->run));
     row_costs(to, s, c);
     for (int i = 0; i < RESULT_ERRORS; i++)
         number(to, t->result.error[i]);
@@ -112,15 +112,15 @@ static void row(FILE *to, const struct study *s, int c)
     for (int k = 0; k < s->sweeps; k++)
         field(to, t->point->value[k]);
     number(to, t->result.t_end);
-    field(to, t->name);
+    field(to, t->run.name);
     fputc(',', to);
-    text(to, t->message);
+    text(to, t->run.message);
     fputc('\n', to);
 }
 
 static void head(FILE *to, const struct study *s)
 {
-    const char *energy = s->point[0].dimension == 2 ? "J/m" : "J";
+    const char *energy = s->point[0].facts.dimension == 2 ? "J/m" : "J";
 
     fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,%s", energy);
     for (int k = 0; k <= s->sweeps; k++)
@@ -135,14 +135,14 @@ static void head(FILE *to, const struct study *s)
 
 int tabulate_csv(const struct study *s)
 {
-    char path[INSIDE_PATH];
+    char path[MEMBER_PATH];
     struct aside a;
 
-    TRY(aside_join(path, s->directory, "compare.csv"));
+    TRY(aside_join(path, s->home.directory, "compare.csv"));
     TRY(aside_open(&a, path));
     head(a.to, s);
     for (int i = 0; i < s->points * s->cases; i++)
-        if (s->trial[i].ended)
+        if (s->trial[i].run.ended)
             row(a.to, s, i);
     return aside_close(&a);
 }

@@ -225,7 +225,7 @@ static void test_median(void **state)
 static struct trial ended_trial(struct point *p, const char *method, double cpu, double passes,
                                 double front, double energy)
 {
-    struct trial t = { .point = p, .ended = true };
+    struct trial t = { .point = p, .run.ended = true };
 
     snprintf(t.method, sizeof t.method, "%s", method);
     t.result = (struct result){ .cpu = cpu, .passes = passes, .energy_defect = energy };
@@ -258,7 +258,7 @@ static void expect_line(const char *text, const char *line)
 static void test_cheapest(void **state)
 {
     const struct compare_order order = { .quiet = true };
-    struct point p = { .title = "Four", .dimension = 2 };
+    struct point p = { .facts = { .title = "Four", .dimension = 2 } };
     struct trial trial[] = {
         ended_trial(&p, "slow", 2, 100, 1e-3, 1e-2), ended_trial(&p, "quick", 1, 200, 1e-3, 1e-2),
         ended_trial(&p, "rough", 0.5, 50, 0.2, -5), ended_trial(&p, "lost", 0.1, 10, NAN, 1e-9),
@@ -268,9 +268,9 @@ static void test_cheapest(void **state)
     char text[4096];
 
     (void)state;
-    trial[3].code = STATUS_FAILED;
-    strcpy(trial[3].message, "it | ran away");
-    snprintf(s.directory, sizeof s.directory, "%s", dir);
+    trial[3].run.code = STATUS_FAILED;
+    strcpy(trial[3].run.message, "it | ran away");
+    snprintf(s.home.directory, sizeof s.home.directory, "%s", dir);
     assert_int_equal(tabulate_best(&s), STATUS_DONE);
     read_file("compare.md", text, sizeof text);
     expect_line(text, "\n| CPU time; error at most | front | energy [J/m] |\n");
