@@ -2,9 +2,9 @@
 #include "study/compare.h"
 
 #include "base/status.h"
-#include "output/figures.h"
 #include "run/stop.h"
 #include "study/crew.h"
+#include "study/picture.h"
 #include "study/point.h"
 #include "study/tabulate.h"
 #include "study/trial.h"
@@ -144,30 +144,13 @@ static int all_runs(struct study *s)
     return carry_out(s, "runs", s->trial, s->trials, s->order->budget);
 }
 
-static int draw(const struct study *s)
-{
-    struct figures_constants c = { .title = s->point[0].facts.title, .dim = s->point[0].facts.dimension,
-                                   .until = s->point[0].facts.until, .beam_x = NAN,
-                                   .dx = s->point[0].facts.dx };
-    char path[MEMBER_PATH];
-
-    trial_path(s, &s->reference[0], "run.json", path);
-    c.E0 = result_number(path, "energy_initial");
-    TRY(figures_constants(s->home.directory, &c));
-    if (figures_draw(s->home.directory, s->order->scripts, s->order->scripts) != STATUS_DONE) {
-        status_warn("%s", status_message());
-        status_clear();
-    }
-    return STATUS_DONE;
-}
-
 /* The tables of what is there, also after a signal. */
 static int conclude(struct study *s, int status)
 {
     if (status != STATUS_DONE && status != STATUS_STOPPED)
         return status;
     TRY(tabulate_best(s));
-    TRY(draw(s));
+    TRY(picture_draw(&s->home, &s->point[0].facts, &s->reference[0].run, s->order->scripts));
     return status;
 }
 

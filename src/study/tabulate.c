@@ -2,6 +2,7 @@
 #include "study/tabulate.h"
 
 #include "base/status.h"
+#include "study/table.h"
 #include "study/trial.h"
 
 #include <gsl/gsl_sort.h>
@@ -19,23 +20,6 @@ void tabulate_spread(double *value, int n, double *median, double *range)
     *median = gsl_stats_median_from_sorted_data(value, 1, n);
     if (n > 1)
         *range = value[n - 1] - value[0];
-}
-
-static void number(FILE *to, double value)
-{
-    if (isnan(value))
-        fputs(",nan", to);
-    else
-        fprintf(to, ",%.8g", value);
-}
-
-/* A text in quotes: commas may stand there, quotes and line ends may not. */
-static void text(FILE *to, const char *what)
-{
-    fputc('"', to);
-    for (; *what; what++)
-        fputc(*what == '"' ? '\'' : *what == '\n' ? ' ' : *what, to);
-    fputc('"', to);
 }
 
 /* CPU or clock times of a case and its repeats that ended like it. */
@@ -78,26 +62,16 @@ static void row_costs(FILE *to, const struct study *s, int c)
     double median, range;
 
     spent(s, c, true, &median, &range);
-    number(to, median);
-    number(to, range);
+    table_put(to, median);
+    table_put(to, range);
     spent(s, c, false, &median, &range);
-    number(to, median);
-    number(to, r->steps);
-    number(to, r->rejected);
-    number(to, r->rhs_explicit);
-    number(to, r->rhs_implicit);
-    number(to, r->passes);
-    number(to, r->mean_step);
-}
-
-/* A word of the command line, which may hold commas. */
-static void field(FILE *to, const char *what)
-{
-    fputc(',', to);
-    if (strpbrk(what, ",\""))
-        text(to, what);
-    else
-        fputs(what, to);
+    table_put(to, median);
+    table_put(to, r->steps);
+    table_put(to, r->rejected);
+    table_put(to, r->rhs_explicit);
+    table_put(to, r->rhs_implicit);
+    table_put(to, r->passes);
+    table_put(to, r->mean_step);
 }
 
 static void row(FILE *to, const struct study *s, int c)
@@ -107,14 +81,13 @@ static void row(FILE *to, const struct study *s, int c)
     fprintf(to, "%s,%s,%s", t->method, *t->tol ? t->tol : "nan", member_status(&t->run));
     row_costs(to, s, c);
     for (int i = 0; i < RESULT_ERRORS; i++)
-        number(to, t->result.error[i]);
-    number(to, t->result.energy_defect);
+        table_put(to, t->result.error[i]);
+    table_put(to, t->result.energy_defect);
     for (int k = 0; k < s->sweeps; k++)
-        field(to, t->point->value[k]);
-    number(to, t->result.t_end);
-    field(to, t->run.name);
-    fputc(',', to);
-    text(to, t->run.message);
+        table_put_word(to, t->point->value[k]);
+    table_put(to, t->result.t_end);
+    table_put_word(to, t->run.name);
+    table_put_text(to, t->run.message);
     fputc('\n', to);
 }
 
