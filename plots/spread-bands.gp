@@ -6,6 +6,8 @@
 #     what = 'x'; scale = 1; tone = pick(1); eval draw_band
 load 'runs.gp'
 few = sprintf('%d runs, %g spacings apart at the start', runs, size)
+legend = sprintf('line: mean, band: least to largest, dashed: the band is wider than %g %% of the largest mean', \
+    100 * share)
 is_number(text) = strlen(text) > 0 && text ne 'nan'
 # When the band of a column is lost: as spread.csv has it.
 lost_of(name) = system("awk -F, -v name='".name."' '$2 == name { print $NF; exit }' ../spread.csv")
@@ -23,8 +25,5 @@ draw_band = "at = column_of(what.'.mean'); \
             lc rgb grey }; \
     plot 0 lc rgb grey lw 1 notitle, \
         table using 1:(scale * column(at + 1)):(scale * column(at + 2)) skip 2 \
-            with filledcurves fs transparent solid 0.35 noborder lc rgb tone \
-            title 'least to largest', \
-        table using 1:(scale * column(at)) skip 2 with lines lw 2 lc rgb tone title 'mean', \
-        keyentry with lines dt '-' lw 1.5 lc rgb grey \
-            title (is_number(when) ? sprintf('band wider than %g %%', 100 * share) : '')"
+            with filledcurves fs transparent solid 0.35 noborder lc rgb tone notitle, \
+        table using 1:(scale * column(at)) skip 2 with lines lw 2 lc rgb tone notitle"

@@ -22,13 +22,12 @@ do for [k = 1:words(means)] {
 }
 if (words(shown) == 0) { exit }
 
-set terminal pngcairo size 1200, 420 * words(shown) + 90 font 'Sans,18'
+set terminal pngcairo size 1200, 420 * words(shown) + 120 font 'Sans,18'
 set output 'spread-beam.png'
-set multiplot layout words(shown), 1 title title."\n".few noenhanced
+set multiplot layout words(shown), 1 title title."\n".few."\n".legend noenhanced
 set lmargin 12
 set rmargin 3
 set xrange [0:until]
-set key top right samplen 2
 do for [k = 1:words(shown)] {
     what = word(shown, k)
     tone = pick(k)

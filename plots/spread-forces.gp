@@ -25,13 +25,12 @@ do for [k = 1:words(means)] {
 if (words(shown) == 0) { exit }
 impulse(name) = name[1:strlen(name) - 2].'i'.name[strlen(name):*]
 
-set terminal pngcairo size 1800, 420 * words(shown) + 90 font 'Sans,18'
+set terminal pngcairo size 1800, 420 * words(shown) + 120 font 'Sans,18'
 set output 'spread-forces.png'
-set multiplot layout words(shown), 2 title title."\n".few noenhanced
+set multiplot layout words(shown), 2 title title."\n".few."\n".legend noenhanced
 set lmargin 12
 set rmargin 3
 set xrange [0:until]
-set key top right samplen 2
 scale = 1
 do for [k = 1:words(shown)] {
     tone = pick(k)

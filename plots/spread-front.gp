@@ -6,11 +6,10 @@ table = '../spread-front.csv'
 eval read_names
 set terminal pngcairo size 1200, 1000 font 'Sans,18'
 set output 'spread-front.png'
-set multiplot layout 2, 1 title title."\n".few noenhanced
+set multiplot layout 2, 1 title title."\n".few."\n".legend noenhanced
 set lmargin 10
 set rmargin 3
 set xrange [0:until]
-set key bottom right samplen 2
 scale = 1
 what = 'x'
 tone = pick(1)
@@ -20,6 +19,5 @@ what = 'height'
 tone = pick(2)
 set xlabel 'time [s]'
 set ylabel 'height [m]'
-set key top right
 eval draw_band
 unset multiplot

@@ -8,13 +8,12 @@ eval names_of_means
 unit_of(name) = system("awk -F, -v name='".name."' '$2 == name { print $4; exit }' ../spread.csv")
 panels = words(means) < 8 ? words(means) : 8
 
-set terminal pngcairo size 1200, 360 * panels + 90 font 'Sans,18'
+set terminal pngcairo size 1200, 360 * panels + 120 font 'Sans,18'
 set output 'spread-probes.png'
-set multiplot layout panels, 1 title title."\n".few noenhanced
+set multiplot layout panels, 1 title title."\n".few."\n".legend noenhanced
 set lmargin 12
 set rmargin 3
 set xrange [0:until]
-set key top right samplen 2
 do for [k = 1:panels] {
     what = word(means, k)
     tone = pick(k)

@@ -35,10 +35,10 @@ static bool is_told(const struct bundle *b, int table, int column)
     return size > 0 && size >= least_share * largest(b, table, column);
 }
 
-static void cell(FILE *to, double value)
+static void cell(FILE *to, int digits, double value)
 {
     if (isfinite(value))
-        fprintf(to, " %.4g |", value);
+        fprintf(to, " %.*g |", digits, value);
     else
         fputs(" - |", to);
 }
@@ -67,11 +67,11 @@ static void write_column(FILE *to, const struct spread *s, int table, int column
         bundle_scalar(b, column, k, s->window, &sample);
         fprintf(to, "| %s %s [%s] |", quantity_tables[table], b->table[0].name[column], unit);
         what_is_it(to, s, k);
-        cell(to, sample.mean);
-        cell(to, sample.half);
-        cell(to, sample.sd);
-        cell(to, sample.low);
-        cell(to, sample.high);
+        cell(to, 5, sample.mean);
+        cell(to, 2, sample.half);
+        cell(to, 2, sample.sd);
+        cell(to, 5, sample.low);
+        cell(to, 5, sample.high);
         fputc('\n', to);
     }
 }
@@ -120,7 +120,7 @@ static int write_lost(FILE *to, const struct spread *s)
             if (isnan(lost))
                 continue;
             n++;
-            fprintf(to, "- %s %s: band wider than %g %% of its largest mean from %.4g s on\n",
+            fprintf(to, "- %s %s: band wider than %g %% of its largest mean, first at %.4g s\n",
                     quantity_tables[i], s->bundle[i].table[0].name[c], 100 * s->order->share,
                     lost);
         }
@@ -134,7 +134,7 @@ static void write_predictable(FILE *to, const struct spread *s)
     fputs("\nUntil when one run tells what all would:\n\n", to);
     n = write_lost(to, s);
     if (isfinite(s->apart.lost))
-        fprintf(to, "- particles: %g spacings apart (root mean square) from %.4g s on\n",
+        fprintf(to, "- particles: %g spacings apart (root mean square) first at %.4g s\n",
                 s->order->share, s->apart.lost);
     else if (s->apart.n > 0)
         fprintf(to, "- particles: at most %.2g spacings apart (root mean square) to the end\n",
