@@ -41,6 +41,8 @@ says FROM,TO
 expect 2 $dam --window 0.2,0.1 -o wrong
 says --window 0.3
 expect 2 $dam --window 0.1,0.4 -o wrong
+expect 2 "$scenes/beam-alone.scene" -o wrong
+says "no fluid"
 expect 2 no-such.scene -o wrong
 says no-such.scene
 [ ! -e wrong ] || complain "a mistake leaves a directory"

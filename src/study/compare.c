@@ -126,8 +126,8 @@ static int check_references(struct study *s)
     for (int i = 0; i < s->points; i++) {
         const struct trial *t = &s->reference[i];
         if (t->run.code == STATUS_BAD_SCENE || t->run.code == STATUS_IO)
-            return status_fail(t->run.code, "%s%s%s", s->point[i].label, *s->point[i].label ? ": " : "",
-                               t->run.message);
+            return status_fail(t->run.code, "%s%s%s", s->point[i].label,
+                               *s->point[i].label ? ": " : "", t->run.message);
         if (t->run.code != STATUS_DONE)
             status_warn("the reference%s%s did not come to its end, so there are no errors: %s; "
                         "name another one with --reference METHOD:TOL",

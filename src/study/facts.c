@@ -90,6 +90,7 @@ int facts_read(struct scene *scene, struct facts *f)
     f->dimension = t.dimension;
     memcpy(f->gravity, t.gravity, sizeof f->gravity);
     f->beam = scene_count(scene_child(root, "beam")) > 0;
+    f->fluid = scene_count(scene_child(root, "fluid")) > 0;
     return read_periods(scene, f);
 }
 

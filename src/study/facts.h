@@ -12,7 +12,7 @@ struct facts {
     double gravity[3];    /* [m/s^2]                                                 */
     double period[3];     /* length after which it repeats along an axis [m]; 0: never */
     int dimension;
-    bool beam;
+    bool beam, fluid;
 };
 
 /* Reads them; all else is the run's to read and to refuse. */

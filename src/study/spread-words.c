@@ -78,12 +78,17 @@ static void write_column(FILE *to, const struct spread *s, int table, int column
 
 static void write_table(FILE *to, const struct spread *s)
 {
-    fputs("\n| quantity | what | mean | +- 95 % | sd | least | most |\n"
-          "| --- | --- | --- | --- | --- | --- | --- |\n", to);
+    int n = 0;
+
     for (int i = 0; i < SPREAD_INSIDE_TABLES; i++)
-        for (int c = 1; c < s->bundle[i].columns; c++)
-            if (is_told(&s->bundle[i], i, c))
-                write_column(to, s, i, c);
+        for (int c = 1; c < s->bundle[i].columns; c++) {
+            if (!is_told(&s->bundle[i], i, c))
+                continue;
+            if (n++ == 0)
+                fputs("\n| quantity | what | mean | +- 95 % | sd | least | most |\n"
+                      "| --- | --- | --- | --- | --- | --- | --- |\n", to);
+            write_column(to, s, i, c);
+        }
 }
 
 static void write_failures(FILE *to, const struct spread *s)
@@ -102,11 +107,11 @@ static void write_failures(FILE *to, const struct spread *s)
 /* What few runs can say. */
 static void write_certainty(FILE *to, const struct spread *s)
 {
-    fprintf(to, "\nMost and least of %d runs: of further runs like these %.0f %% fall between them, "
-            "in the mean, so a band of few runs is too narrow. The mean lies within +- 95 %% with "
-            "that certainty, if chance is normal. The standard deviation (sd) of %d runs is itself "
-            "uncertain by %.0f %%.\n", s->done, 100 * sample_inside(s->done), s->done,
-            100 * sample_doubt(s->done));
+    fprintf(to, "\nLeast and most of %d runs: of further runs like these %.0f %% fall between "
+            "them, in the mean, so a band of few runs is too narrow. +- 95 %%: with that certainty "
+            "the mean of ever more runs is so near, if chance is normal. The standard deviation "
+            "(sd) of %d runs is itself uncertain by %.0f %%.\n", s->done,
+            100 * sample_inside(s->done), s->done, 100 * sample_doubt(s->done));
 }
 
 /* The columns that are told, with the time at which their bands became wide. */
@@ -127,23 +132,32 @@ static int write_lost(FILE *to, const struct spread *s)
     return n;
 }
 
+static void write_apart(FILE *to, const struct spread *s)
+{
+    if (isfinite(s->apart.lost))
+        fprintf(to, "- particles: %g spacings apart (root mean square) first at %.4g s\n",
+                s->order->share, s->apart.lost);
+    else if (s->apart.n > 0)
+        fprintf(to, "- particles: %.2g spacings apart (root mean square) at the end\n",
+                s->apart.rms[s->apart.n - 1]);
+}
+
 static void write_predictable(FILE *to, const struct spread *s)
 {
     int n;
 
     fputs("\nUntil when one run tells what all would:\n\n", to);
     n = write_lost(to, s);
-    if (isfinite(s->apart.lost))
-        fprintf(to, "- particles: %g spacings apart (root mean square) first at %.4g s\n",
-                s->order->share, s->apart.lost);
-    else if (s->apart.n > 0)
-        fprintf(to, "- particles: at most %.2g spacings apart (root mean square) to the end\n",
-                s->apart.rms[s->apart.n - 1]);
+    write_apart(to, s);
     if (n > 0)
         fputs("\nFrom these times on a single run is one of many that are as right: only "
               "statistics mean anything. Compare bands with bands; a value or a peak of one run, "
               "or its difference from another run or an experiment, is chance where it is within "
               "the band.\n", to);
+    else if (isfinite(s->apart.lost))
+        fprintf(to, "\nWhere each particle is became chance, but no band above is wider than %g %% "
+                "of its largest mean: these numbers are those of all runs.\n",
+                100 * s->order->share);
     else
         fprintf(to, "\nNo band became wider than %g %% of its largest mean: up to %.4g s chance "
                 "decides nothing here, and one run tells what all would.\n",

@@ -42,6 +42,15 @@ static int choose_window(struct spread *s)
                        s->facts.until);
 }
 
+static int check_fluid(const struct spread *s)
+{
+    if (s->facts.fluid)
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s: spread shifts particles of fluid at the start, and "
+                       "there is no fluid: all runs would be one and the same; `stiffwater run` "
+                       "tells what it is", s->order->scene);
+}
+
 static int prepare(struct spread *s)
 {
     s->home = (struct member_home){
@@ -49,6 +58,7 @@ static int prepare(struct spread *s)
         .override = s->order->override, .threads = s->order->threads, .budget = s->order->budget,
     };
     TRY(read_scene(s));
+    TRY(check_fluid(s));
     TRY(choose_window(s));
     TRY(member_home_make(&s->home, s->order->directory, "-spread"));
     s->member = status_alloc(s->order->runs, sizeof *s->member);
@@ -127,8 +137,8 @@ static int count(struct spread *s)
     }
     if (s->done >= 2)
         return STATUS_DONE;
-    return status_fail(STATUS_FAILED, "%d of %d runs came to their end, and a band needs two%s%s%s%s",
-                       s->done, s->order->runs, bad ? "; " : "", bad ? bad->name : "",
+    return status_fail(STATUS_FAILED, "%d of %d runs came to their end, and a band needs two"
+                       "%s%s%s%s", s->done, s->order->runs, bad ? "; " : "", bad ? bad->name : "",
                        bad ? ": " : "", bad ? bad->message : "");
 }
 

@@ -7,6 +7,8 @@
 
 #include <cmocka.h>
 
+#include "scratch.h"
+
 #include "base/status.h"
 #include "plan/disturb.h"
 #include "study/quantity.h"
@@ -16,30 +18,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char dir[64];
-
-static int make_dir(void **state)
-{
-    (void)state;
-    strcpy(dir, P_tmpdir "/spread.XXXXXX");
-    return mkdtemp(dir) ? 0 : -1;
-}
-
-static int remove_dir(void **state)
-{
-    char command[128];
-
-    (void)state;
-    snprintf(command, sizeof command, "rm -r %s", dir);
-    return system(command);
-}
-
-static void near(double found, double wanted, double tolerance)
-{
-    if (!(fabs(found - wanted) <= tolerance))
-        fail_msg("%.15g instead of %.15g", found, wanted);
-}
 
 /* A textbook's numbers: mean 5, variance 32/7; 2.364624 is the 97.5 % point with 7 degrees of
  * freedom, 12.706205 that with 1. */
@@ -87,7 +65,7 @@ static void test_sample_of_equals(void **state)
 
 enum { RUNS = 3 };
 
-/* Three runs below dir, the second of which failed, each with a FILE. */
+/* Three runs below scratch, the second of which failed, each with a FILE. */
 static struct spread_order order = { .runs = RUNS, .share = 0.1, .quiet = true, .size = 1e-6 };
 
 static void make_runs(struct spread *s, struct member *member, const char *file,
@@ -95,7 +73,7 @@ static void make_runs(struct spread *s, struct member *member, const char *file,
 {
     *s = (struct spread){ .order = &order, .member = member, .done = 2,
                           .facts = { .until = 4, .dimension = 2 } };
-    snprintf(s->home.directory, sizeof s->home.directory, "%s", dir);
+    snprintf(s->home.directory, sizeof s->home.directory, "%s", scratch);
     for (int i = 0; i < RUNS; i++) {
         char path[MEMBER_PATH];
         FILE *to;
@@ -289,12 +267,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sample),
         cmocka_unit_test(test_sample_of_equals),
-        cmocka_unit_test_setup_teardown(test_bundle, make_dir, remove_dir),
-        cmocka_unit_test_setup_teardown(test_scalars, make_dir, remove_dir),
-        cmocka_unit_test_setup_teardown(test_unlike, make_dir, remove_dir),
-        cmocka_unit_test_setup_teardown(test_apart, make_dir, remove_dir),
+        cmocka_unit_test_setup_teardown(test_bundle, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(test_scalars, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(test_unlike, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(test_apart, scratch_make, scratch_remove),
         cmocka_unit_test(test_quantities),
-        cmocka_unit_test_setup_teardown(test_lost, make_dir, remove_dir),
+        cmocka_unit_test_setup_teardown(test_lost, scratch_make, scratch_remove),
         cmocka_unit_test(test_disturbance),
     };
 
