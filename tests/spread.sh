@@ -72,7 +72,7 @@ expect 0 $dam --runs 3 --seed 7 --jobs 2 --window 0.1,0.2 --size 1e-3 --share 1e
 }
 says "3 runs that differ by 0.001 spacings at the start" "| quantity | what | mean |" \
     "| forces tank.fx [N/m] | peak |" "| forces tank.fx [N/m] | time of the peak [s] |" \
-    "mean, 0.1 to 0.2 s |" "| forces tank.ix [N s/m] | at the end, 0.3 s |" \
+    "are those from 0.1 to 0.2 s, ends those at 0.3 s" "| forces tank.ix [N s/m] | at the end |" \
     "3 of 3 runs came to their end." "50 % fall between them" "uncertain by 50 %" \
     "band wider than 0.01 % of its largest mean" "- particles: 0.0001 spacings apart" \
     "only statistics mean anything"

@@ -46,7 +46,7 @@ static const struct argp_option spread_options[] = {
       0 },
     { "seed", 'S', "N", 0, "Seed of the first run; the others count on from there (default: 1)",
       0 },
-    { "window", 'w', "FROM,TO", 0, "Times between which means are taken [s] (default: all)", 0 },
+    { "window", 'w', "FROM,TO", 0, "Times between which peaks and means are taken [s] (default: all)", 0 },
     { "share", 'p', "X", 0,
       "A band this wide, in parts of the largest mean, ends what one run can tell; and particles "
       "this far apart [spacings] (default: 0.1)", 0 },
@@ -96,8 +96,8 @@ const struct commands_row commands_table[] = {
       "After an impact water is chaotic and a single run is one of many answers that are as right; "
       "this says from when on, and how far they lie apart.  Leaves spread.md, which is printed "
       "too; spread.csv, a row for each peak, its time, mean and end; spread-front.csv and its "
-      "like, mean and band at each time; spread-positions.csv; spread.json; figures/spread-*.png; the "
-      "runs themselves in runs/.  Runs that fail are left out, with a warning.  The same command "
+      "like, mean and band at each time; spread-positions.csv; spread.json; figures/spread-*.png; "
+      "the runs themselves in runs/.  Runs that fail are left out, with a warning.  The same command "
       "again runs only what is not there yet; a larger --runs adds to it.", spread_options, true },
     { 0 },
 };

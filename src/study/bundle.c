@@ -116,14 +116,22 @@ double bundle_lost(const struct bundle *b, int column, double width)
     return NAN;
 }
 
+static bool is_within(const struct table *t, int row, const double window[2])
+{
+    const double slack = 1e-9 * fabs(table_at(t, t->rows - 1, 0)), now = table_at(t, row, 0);
+
+    return now >= window[0] - slack && now <= window[1] + slack;
+}
+
 /* The row of one run with the largest value times sign; -1: it has none. */
-static int peak_row(const struct table *t, int column, double sign)
+static int peak_row(const struct table *t, int column, const double window[2], double sign)
 {
     int best = -1;
 
     for (int row = 0; row < t->rows; row++) {
         const double v = sign * table_at(t, row, column);
-        if (isfinite(v) && (best < 0 || v > sign * table_at(t, best, column)))
+        if (is_within(t, row, window) && isfinite(v)
+            && (best < 0 || v > sign * table_at(t, best, column)))
             best = row;
     }
     return best;
@@ -132,15 +140,14 @@ static int peak_row(const struct table *t, int column, double sign)
 /* By the trapezoidal rule over the rows within the window; of one row its value. */
 static double average(const struct table *t, int column, const double window[2])
 {
-    const double slack = 1e-9 * fabs(table_at(t, t->rows - 1, 0));
     double sum = 0, span = 0, one = NAN;
 
     for (int row = 0, before = -1; row < t->rows; row++) {
-        const double now = table_at(t, row, 0), v = table_at(t, row, column);
-        if (now < window[0] - slack || now > window[1] + slack || !isfinite(v))
+        const double v = table_at(t, row, column);
+        if (!is_within(t, row, window) || !isfinite(v))
             continue;
         if (before >= 0) {
-            const double h = now - table_at(t, before, 0);
+            const double h = table_at(t, row, 0) - table_at(t, before, 0);
             sum += h * (v + table_at(t, before, column)) / 2;
             span += h;
         }
@@ -151,12 +158,14 @@ static double average(const struct table *t, int column, const double window[2])
 }
 
 /* Where the mean goes furthest: up or down. */
-static double direction(const struct bundle *b, int column)
+static double direction(const struct bundle *b, int column, const double window[2])
 {
     double low = 0, high = 0;
 
     for (int row = 0; row < b->rows; row++) {
         const double v = mean(b, row, column);
+        if (!is_within(&b->table[0], row, window))
+            continue;
         low = fmin(low, v);
         high = fmax(high, v);
     }
@@ -166,7 +175,7 @@ static double direction(const struct bundle *b, int column)
 static double of_run(const struct table *t, int column, enum bundle_scalar what,
                      const double window[2], double sign)
 {
-    const int peak = peak_row(t, column, sign);
+    const int peak = peak_row(t, column, window, sign);
 
     switch (what) {
     case BUNDLE_PEAK: return peak < 0 ? NAN : table_at(t, peak, column);
@@ -179,7 +188,7 @@ static double of_run(const struct table *t, int column, enum bundle_scalar what,
 void bundle_scalar(const struct bundle *b, int column, enum bundle_scalar what,
                    const double window[2], struct sample *s)
 {
-    const double sign = direction(b, column);
+    const double sign = direction(b, column, window);
     double value[MOST];
 
     for (int i = 0; i < b->runs; i++)

@@ -28,12 +28,12 @@ double bundle_size(const struct bundle *b, int column, bool change, bool vector)
 /* First time at which the band, largest - least, is wider than `width'; NAN: never. */
 double bundle_lost(const struct bundle *b, int column, double width);
 
-/* What one run shows in a column. */
+/* What one run shows in a column, all but the last within the times window[0] to window[1]. */
 enum bundle_scalar {
     BUNDLE_PEAK,    /* largest value, downwards where the mean goes further down than up */
     BUNDLE_WHEN,    /* its time [s]                                                       */
-    BUNDLE_AVERAGE, /* mean over the times window[0] to window[1]                         */
-    BUNDLE_END,     /* last value                                                         */
+    BUNDLE_AVERAGE, /* mean over time                                                     */
+    BUNDLE_END,     /* last value of the run                                              */
     BUNDLE_SCALARS
 };
 

@@ -43,15 +43,9 @@ static void cell(FILE *to, int digits, double value)
         fputs(" - |", to);
 }
 
-static void what_is_it(FILE *to, const struct spread *s, enum bundle_scalar k)
-{
-    switch (k) {
-    case BUNDLE_PEAK: fputs(" peak |", to); break;
-    case BUNDLE_WHEN: fputs(" time of the peak [s] |", to); break;
-    case BUNDLE_AVERAGE: fprintf(to, " mean, %.4g to %.4g s |", s->window[0], s->window[1]); break;
-    default: fprintf(to, " at the end, %.4g s |", s->facts.until);
-    }
-}
+static const char *const told_as[BUNDLE_SCALARS] = {
+    "peak", "time of the peak [s]", "mean over time", "at the end"
+};
 
 static void write_column(FILE *to, const struct spread *s, int table, int column)
 {
@@ -65,8 +59,8 @@ static void write_column(FILE *to, const struct spread *s, int table, int column
         if (!(q->tells >> k & 1))
             continue;
         bundle_scalar(b, column, k, s->window, &sample);
-        fprintf(to, "| %s %s [%s] |", quantity_tables[table], b->table[0].name[column], unit);
-        what_is_it(to, s, k);
+        fprintf(to, "| %s %s [%s] | %s |", quantity_tables[table], b->table[0].name[column], unit,
+                told_as[k]);
         cell(to, 5, sample.mean);
         cell(to, 2, sample.half);
         cell(to, 2, sample.sd);
@@ -89,6 +83,9 @@ static void write_table(FILE *to, const struct spread *s)
                       "| --- | --- | --- | --- | --- | --- | --- |\n", to);
             write_column(to, s, i, c);
         }
+    if (n > 0)
+        fprintf(to, "\nPeaks, their times and means are those from %.4g to %.4g s, ends those at "
+                "%.4g s.\n", s->window[0], s->window[1], s->facts.until);
 }
 
 static void write_failures(FILE *to, const struct spread *s)

@@ -12,7 +12,7 @@ struct spread_order {
     int runs, seed;              /* run i starts with seed + i                           */
     double size;                 /* of the disturbance [spacings]                        */
     double share;                /* of the mean that a band may have                     */
-    double window[2];            /* of the mean over time [s]; NAN: start, end           */
+    double window[2];            /* of peaks and means over time [s]; NAN: start, end    */
     int jobs, threads;           /* 0: 1                                                 */
     double budget;               /* [s] of the clock for a run; 0: any                   */
     bool quiet;

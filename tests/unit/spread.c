@@ -128,7 +128,8 @@ static void test_bundle(void **state)
 
 static void test_scalars(void **state)
 {
-    const double all[] = { 0, 4 }, part[] = { 1, 2 }, one[] = { 2, 3 };
+    const double all[] = { 0, 4 }, part[] = { 1, 2 }, one[] = { 2, 3 },
+                 start[] = { 0, 0.5 };
     struct member member[RUNS];
     struct spread s;
     struct bundle b;
@@ -145,6 +146,10 @@ static void test_scalars(void **state)
     bundle_scalar(&b, 1, BUNDLE_AVERAGE, all, &found); /* (-1 - 2 - 1)/4, (0 - 4 - 7)/4 */
     near(found.high, -1, 1e-15);
     near(found.low, -2.75, 1e-15);
+    bundle_scalar(&b, 1, BUNDLE_PEAK, start, &found); /* upwards there: 1 and 1 */
+    near(found.low, 1, 0);
+    bundle_scalar(&b, 1, BUNDLE_PEAK, one, &found); /* -1 and -7 */
+    near(found.mean, -4, 0);
     bundle_scalar(&b, 1, BUNDLE_AVERAGE, part, &found);
     near(found.high, -2, 1e-15);
     near(found.low, -4, 1e-15);
