@@ -6,9 +6,9 @@ table = '../spread-probes.csv'
 eval read_names
 eval names_of_means
 unit_of(name) = system("awk -F, -v name='".name."' '$2 == name { print $4; exit }' ../spread.csv")
-panels = words(means) < 8 ? words(means) : 8
+panels = words(means) < 12 ? words(means) : 12
 
-set terminal pngcairo size 1200, 360 * panels + 120 font 'Sans,18'
+set terminal pngcairo size 1200, 300 * panels + 120 font 'Sans,18'
 set output 'spread-probes.png'
 set multiplot layout panels, 1 title title."\n".few."\n".legend noenhanced
 set lmargin 12
