@@ -5,6 +5,7 @@
 #include "plan/catalogue.h"
 #include "run/run.h"
 #include "study/compare.h"
+#include "study/spread.h"
 #include "time/method.h"
 
 #include <errno.h>
@@ -47,16 +48,27 @@ static int explain(const char *name)
     return catalogue_explain(name, stdout);
 }
 
+/* What a directory has that can be drawn. */
+static bool has_results(const char *directory)
+{
+    static const char *const files[] = { "run.json", "compare.csv", "spread.csv" };
+    char path[4200];
+
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        snprintf(path, sizeof path, "%.4096s/%s", directory, files[i]);
+        if (access(path, R_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
 static int plot(const char *directory)
 {
-    char scripts[4200], reference[4200], report[4200], table[4200];
+    char scripts[4200], reference[4200];
 
-    snprintf(report, sizeof report, "%.4096s/run.json", directory);
-    snprintf(table, sizeof table, "%.4096s/compare.csv", directory);
-    if (access(report, R_OK) != 0 && access(table, R_OK) != 0)
-        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s cannot be read)", directory,
-                           report);
-
+    if (!has_results(directory))
+        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s/run.json cannot be read)",
+                           directory, directory);
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
     snprintf(reference, sizeof reference, "%.4096s/data/reference", cli_data());
     return figures_draw(directory, scripts, reference);
@@ -78,6 +90,21 @@ static int compare(const struct cli *c)
     return compare_scene(&order);
 }
 
+static int spread(const struct cli *c)
+{
+    char scripts[4200];
+    const struct spread_order order = {
+        .scene = c->subject, .overrides = c->overrides, .override = c->override,
+        .directory = c->directory, .runs = c->spread.runs, .seed = c->spread.seed,
+        .size = c->spread.size, .share = c->spread.share,
+        .window = { c->spread.window[0], c->spread.window[1] }, .jobs = c->jobs,
+        .threads = c->threads, .budget = c->budget, .quiet = c->quiet, .scripts = scripts,
+    };
+
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    return spread_scene(&order);
+}
+
 static int carry_out(const struct cli *c)
 {
     const struct run_order order = {
@@ -91,9 +118,10 @@ static int carry_out(const struct cli *c)
     case CLI_PLOT: return plot(c->subject);
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
-    case CLI_COMPARE: break;
+    case CLI_COMPARE: return compare(c);
+    case CLI_SPREAD: break;
     }
-    return compare(c);
+    return spread(c);
 }
 
 /* What was printed has to reach its reader: a full disk is told when the last of it is

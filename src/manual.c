@@ -34,6 +34,8 @@ static const struct group {
     { "domain", "domain.", "The box that counts; a wall of type \"frame\" surrounds it",
       { settings_domain_params } },
     { "reference", "reference.", "Scales of the flow", { settings_reference_params } },
+    { "disturbance", "disturbance.", "A start that differs by next to nothing, as `spread` makes it",
+      { settings_disturbance_params } },
     { "eos", "eos.", "Equation of state; beside these, the keys of its type: see EQUATIONS OF "
                      "STATE",
       { settings_eos_params } },

@@ -7,7 +7,7 @@ ask=
 asking
 
 # --- help and versions --------------------------------------------------------------------
-commands='run check plot list explain compare'
+commands='run check plot list explain compare spread'
 for word in --help -h help; do
     expect 0 $word
     # shellcheck disable=SC2086 # one pattern a command

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-enum cli_command { CLI_RUN, CLI_CHECK, CLI_COMPARE, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
+enum cli_command { CLI_RUN, CLI_CHECK, CLI_COMPARE, CLI_SPREAD, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
 
 enum { CLI_OVERRIDES = 128 };
 
@@ -25,6 +25,11 @@ struct cli {
     int repeat, jobs;
     double budget, early;
     bool growth;
+
+    struct cli_spread { /* of spread, as struct spread_order has them */
+        int runs, seed;
+        double size, share, window[2];
+    } spread;
 };
 
 /* Fills c from the arguments.  --help and --version print and end the program;

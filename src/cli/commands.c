@@ -39,6 +39,29 @@ static const struct argp_option compare_options[] = {
     { 0 },
 };
 
+static const struct argp_option spread_options[] = {
+    { "runs", 'N', "N", 0, "Runs, 2 to 999 (default: 8)", 0 },
+    { "size", 'd', "X", 0,
+      "Largest shift of a particle of fluid at the start [spacings], 0 to 0.01 (default: 1e-6)",
+      0 },
+    { "seed", 'S', "N", 0, "Seed of the first run; the others count on from there (default: 1)",
+      0 },
+    { "window", 'w', "FROM,TO", 0, "Times between which peaks and means are taken [s] (default: all)", 0 },
+    { "share", 'p', "X", 0,
+      "A band this wide, in parts of the largest mean, ends what one run can tell; and particles "
+      "this far apart [spacings] (default: 0.1)", 0 },
+    { "method", 'm', "NAME", 0, "Time integration, see `stiffwater list methods`", 0 },
+    { "tol", 't', "X", 0, "Error allowed in a step", 0 },
+    { "until", 'u', "T", 0, "Time at which each run ends [s]", 0 },
+    { "budget", 'b', "SECONDS", 0, "A run that takes longer (by the clock) is stopped", 0 },
+    { "jobs", 'j', "N", 0, "Runs at a time (default: 1)", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads of each run (default: 1)", 0 },
+    { "output", 'o', "DIR", 0,
+      "Directory for the results (default: the scene's name and -spread)", 0 },
+    { "quiet", 'q', NULL, 0, "No progress line, no table on the screen", 0 },
+    { 0 },
+};
+
 static const struct argp_option no_options[] = { { 0 } };
 
 const struct commands_row commands_table[] = {
@@ -51,7 +74,8 @@ const struct commands_row commands_table[] = {
     { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
       "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "
       "Simulates nothing, writes nothing.", run_options, true },
-    { "plot", CLI_PLOT, "DIR", "Draws the figures of a run or comparison again, by gnuplot.",
+    { "plot", CLI_PLOT, "DIR",
+      "Draws the figures of a run, comparison or spread again, by gnuplot.",
       no_options, false },
     { "list", CLI_LIST, "TABLE",
       "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
@@ -66,5 +90,14 @@ const struct commands_row commands_table[] = {
       "reference; compare.md, the cheapest run for each accuracy; figures/work-precision.png; the "
       "runs themselves in runs/.  The same command again goes on where it was interrupted and "
       "runs only what is not there yet.", compare_options, true },
+    { "spread", CLI_SPREAD, "SCENE [KEY=VALUE ...]",
+      "Runs a scene many times from starts that differ by next to nothing: mean and band of "
+      "front, forces, impulses, tips, probes.\v"
+      "After an impact water is chaotic and a single run is one of many answers that are as right; "
+      "this says from when on, and how far they lie apart.  Leaves spread.md, which is printed "
+      "too; spread.csv, a row for each peak, its time, mean and end; spread-front.csv and its "
+      "like, mean and band at each time; spread-positions.csv; spread.json; figures/spread-*.png; "
+      "the runs themselves in runs/.  Runs that fail are left out, with a warning.  The same command "
+      "again runs only what is not there yet; a larger --runs adds to it.", spread_options, true },
     { 0 },
 };

@@ -4,6 +4,7 @@
 #include "base/status.h"
 
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,14 +31,19 @@ static void add_override(struct argp_state *argp, const char *key, const char *v
     s->cli->override[s->cli->overrides++] = value ? text : key;
 }
 
-static int positive(struct argp_state *argp, const char *option, const char *arg)
+static int whole(struct argp_state *argp, const char *option, const char *arg, int low, int high)
 {
     char *end;
     const long n = strtol(arg, &end, 10);
 
-    if (*end || n < 1 || n > 4096)
-        argp_error(argp, "--%s %s: a number from 1 to 4096 is expected", option, arg);
+    if (*end || end == arg || n < low || n > high)
+        argp_error(argp, "--%s %s: a number from %d to %d is expected", option, arg, low, high);
     return (int)n;
+}
+
+static int positive(struct argp_state *argp, const char *option, const char *arg)
+{
+    return whole(argp, option, arg, 1, 4096);
 }
 
 static double seconds(struct argp_state *argp, const char *option, const char *arg)
@@ -73,6 +79,40 @@ static void take_word(struct argp_state *argp, const char *word)
         argp_error(argp, "%s: one word too many", word);
 }
 
+/* Numbers between commas, `n' of them, from low to high. */
+static void numbers(struct argp_state *argp, const char *option, const char *arg, int n,
+                    const double between[2], double *to)
+{
+    const char *at = arg;
+
+    for (int i = 0; i < n; i++) {
+        char *end;
+        to[i] = strtod(at, &end);
+        if (end == at || *end != (i < n - 1 ? ',' : '\0')
+            || !(to[i] >= between[0] && to[i] <= between[1]))
+            argp_error(argp, "--%s %s: %s from %g to %g %s expected", option, arg,
+                       n > 1 ? "two numbers, FROM,TO," : "a number", between[0], between[1],
+                       n > 1 ? "are" : "is");
+        at = end + 1;
+    }
+}
+
+static error_t take_spread(int key, char *arg, struct argp_state *argp)
+{
+    static const double sizes[] = { 0, 0.01 }, shares[] = { 1e-9, 10 }, times[] = { 0, 1e6 };
+    struct cli_spread *s = &((struct state *)argp->input)->cli->spread;
+
+    switch (key) {
+    case 'N': s->runs = whole(argp, "runs", arg, 2, 999); break;
+    case 'S': s->seed = whole(argp, "seed", arg, 0, 999999000); break;
+    case 'd': numbers(argp, "size", arg, 1, sizes, &s->size); break;
+    case 'p': numbers(argp, "share", arg, 1, shares, &s->share); break;
+    case 'w': numbers(argp, "window", arg, 2, times, s->window); break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
 static error_t take_comparison(int key, char *arg, struct argp_state *argp)
 {
     struct cli *c = ((struct state *)argp->input)->cli;
@@ -87,7 +127,7 @@ static error_t take_comparison(int key, char *arg, struct argp_state *argp)
     case 'b': c->budget = seconds(argp, "budget", arg); break;
     case 'e': c->early = seconds(argp, "early", arg); break;
     case 'g': c->growth = true; break;
-    default: return ARGP_ERR_UNKNOWN;
+    default: return take_spread(key, arg, argp);
     }
     return 0;
 }
@@ -165,7 +205,8 @@ void cli_parse(int argc, char **argv, struct cli *c)
     struct argp argp = { .parser = take };
 
     hold_streams();
-    *c = (struct cli){0};
+    *c = (struct cli){ .spread = { .runs = 8, .seed = 1, .size = 1e-6, .share = 0.1,
+                                   .window = { NAN, NAN } } };
     argp_err_exit_status = STATUS_BAD_SCENE;
     if (argc < 2) {
         help(stderr);

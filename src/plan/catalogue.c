@@ -16,8 +16,8 @@
 #include "plan/kernels.h"
 
 const char *const catalogue_groups[] = {
-    "kernel", "domain", "reference", "eos", "effects", "fluid", "wall", "beam", "probe",
-    "output", NULL
+    "kernel", "domain", "reference", "disturbance", "eos", "effects", "fluid", "wall", "beam",
+    "probe", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -30,6 +30,8 @@ static const struct group {
     { "domain", "the box that counts; a wall of type \"frame\" surrounds it",
       { settings_domain_params } },
     { "reference", "scales of the flow", { settings_reference_params } },
+    { "disturbance", "a start that differs by next to nothing, as `spread` makes it",
+      { settings_disturbance_params } },
     { "eos", "equation of state; its own keys: see `explain tait`, `explain linear`",
       { settings_eos_params } },
     { "output", "how often files are written", { settings_output_params } },

@@ -27,6 +27,8 @@ static int read_top(struct scene *scene, struct input *in)
                    DIM, &in->domain));
     TRY(scene_fill(scene, scene_child(root, "reference"), "reference",
                    settings_reference_params, NULL, DIM, &in->reference));
+    TRY(scene_fill(scene, scene_child(root, "disturbance"), "disturbance",
+                   settings_disturbance_params, NULL, DIM, &in->disturbance));
     return scene_fill(scene, scene_child(root, "output"), "output", settings_output_params,
                       NULL, DIM, &in->output);
 }

@@ -47,6 +47,7 @@ struct input {
     struct settings_kernel kernel;
     struct settings_domain domain;
     struct settings_reference reference;
+    struct settings_disturbance disturbance;
     struct settings_eos eos;
     struct settings_output output;
     const struct part *pressure; /* equation of state */

@@ -86,6 +86,15 @@ const struct param settings_reference_params[] = {
     { 0 },
 };
 
+const struct param settings_disturbance_params[] = {
+    { .key = "size", .unit = "spacings", AT(settings_disturbance, size), .max = 0.01,
+      .about = "largest shift of a fluid particle along each axis at the start, by chance; 0: none" },
+    { .key = "seed", .unit = "", .type = PARAM_INTEGER, AT(settings_disturbance, seed),
+      .fallback = 1, .max = 1e9, .about = "which chance: another seed is another shift of each "
+      "particle, the same seed the same" },
+    { 0 },
+};
+
 const struct param settings_eos_params[] = {
     { .key = "type", .unit = "", .type = PARAM_WORD, AT(settings_eos, type), .words = eos_words,
       .about = "equation of state (see `list eos`)" },

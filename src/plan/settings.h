@@ -39,6 +39,11 @@ struct settings_reference {
     double speed; /* U [m/s] */
 };
 
+struct settings_disturbance {
+    double size; /* of the displacement of fluid particles at the start [dx] */
+    int seed;
+};
+
 struct settings_eos { /* beside the keys of the equation of state itself */
     const char *type;
     double lowest, highest; /* density bounds in rho0 */
@@ -71,7 +76,7 @@ struct settings_probe {
 };
 
 extern const struct param settings_params[], settings_kernel_params[], settings_domain_params[],
-    settings_reference_params[], settings_eos_params[], settings_output_params[],
+    settings_reference_params[], settings_disturbance_params[], settings_eos_params[], settings_output_params[],
     settings_fluid_params[], settings_wall_params[], settings_probe_params[];
 
 /* Fills in the words that come from tables of other rooms; call first. */

@@ -2,6 +2,7 @@
 #include "plan/inside.h"
 
 #include "matter/eos.h"
+#include "plan/disturb.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -123,6 +124,7 @@ static void start_motion(const struct plan *p, double *y)
         }
         f++;
     }
+    disturb_positions(&p->in.disturbance, p->scales.dx, x, particles_count(all, KIND_FLUID));
 }
 
 /* Of the fluid at t = 0, the largest [m/s]. */

@@ -5,27 +5,11 @@
 #include <stddef.h>
 #include <string.h>
 
-static double at(const struct table *t, int row, int column)
-{
-    return t->value[(size_t)row * t->columns + column];
-}
-
 static bool ends_in(const char *name, const char *end)
 {
     const size_t n = strlen(name), k = strlen(end);
 
     return n >= k && strcmp(name + n - k, end) == 0;
-}
-
-/* Same names and as many rows: the same objects at the same times. */
-static bool alike(const struct table *a, const struct table *b)
-{
-    if (a->columns != b->columns || a->rows != b->rows || a->rows == 0)
-        return false;
-    for (int i = 0; i < a->columns; i++)
-        if (strcmp(a->name[i], b->name[i]) != 0)
-            return false;
-    return true;
 }
 
 double error_positions(const struct table *run, const struct table *reference)
@@ -35,15 +19,15 @@ double error_positions(const struct table *run, const struct table *reference)
     double sum = 0;
     long n = 0;
 
-    if (!alike(run, reference) || kind < 0)
+    if (!table_alike(run, reference) || kind < 0)
         return NAN;
     for (int i = 0; i < run->rows; i++) {
-        if (at(run, i, kind) != 0)
+        if (table_at(run, i, kind) != 0)
             continue;
         n++;
         for (int d = 0; d < 3; d++) {
             const int c = table_column(run, axes[d]);
-            const double far = c < 0 ? 0 : at(run, i, c) - at(reference, i, c);
+            const double far = c < 0 ? 0 : table_at(run, i, c) - table_at(reference, i, c);
             sum += far * far;
         }
     }
@@ -59,19 +43,11 @@ static double distance2(const struct table *a, int i, const struct table *b, int
 
     for (int c = 1; c < a->columns; c++)
         for (const char *const *end = ends; *end; end++) {
-            const double far = at(a, i, c) - at(b, j, c);
+            const double far = table_at(a, i, c) - table_at(b, j, c);
             if (ends_in(a->name[c], *end) && isfinite(far))
                 sum += far * far;
         }
     return sum;
-}
-
-static bool same_times(const struct table *a, const struct table *b)
-{
-    for (int i = 0; i < a->rows; i++)
-        if (!(fabs(at(a, i, 0) - at(b, i, 0)) <= 1e-9 * fabs(at(b, b->rows - 1, 0))))
-            return false;
-    return true;
 }
 
 static double error_of(const struct table *run, const struct table *reference,
@@ -79,7 +55,7 @@ static double error_of(const struct table *run, const struct table *reference,
 {
     double sum = 0, most = 0;
 
-    if (!alike(run, reference) || !same_times(run, reference))
+    if (!table_alike(run, reference) || !table_same_times(run, reference))
         return NAN;
     for (int i = 0; i < run->rows; i++) {
         sum += distance2(run, i, reference, i, ends);

@@ -2,7 +2,6 @@
 #include "study/point.h"
 
 #include "base/status.h"
-#include "output/hash.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -32,25 +31,7 @@ int point_sweeps(struct study *s)
     return STATUS_DONE;
 }
 
-struct facts {
-    const char *title;
-    double until, spacing, gravity[3];
-    int dimension;
-};
-
 enum { LEAST_PICTURES = 20 }; /* of a reference: enough to see a disturbance grow */
-
-#define AT(member) .offset = offsetof(struct facts, member)
-
-static const struct param rows[] = {
-    { .key = "title", .unit = "", .type = PARAM_TEXT, AT(title), .about = "" },
-    { .key = "until", .unit = "s", AT(until), .min = 1e-9, .max = 1e6, .required = 1, .about = "" },
-    { .key = "spacing", .unit = "m", AT(spacing), .about = "" },
-    { .key = "gravity", .unit = "m/s^2", .type = PARAM_VECTOR, AT(gravity), .about = "" },
-    { .key = "dimension", .unit = "", .type = PARAM_INTEGER, AT(dimension), .fallback = 2,
-      .min = 2, .max = 3, .about = "" },
-    { 0 },
-};
 
 int point_pieces(double until, double dx, double g, double early)
 {
@@ -58,40 +39,6 @@ int point_pieces(double until, double dx, double g, double early)
     const double wanted = until / (early > 0 ? early : fall);
 
     return (int)fmax(1, fmin(ceil(wanted - 1e-6), early > 0 ? 999 : 50));
-}
-
-/* Only what a comparison has to know; all else is the run's to read and to refuse. */
-static int read_facts(const struct study *s, struct scene *scene, struct point *p)
-{
-    const struct scene_node *root = scene_root(scene);
-    const struct scene_node *dimension = scene_child(root, "dimension");
-    const int n = scene_count(root);
-    const char **also = status_alloc(n + 1, sizeof *also);
-    struct facts f = { .title = "" };
-    const double *g = f.gravity;
-    int status;
-
-    if (!also)
-        return STATUS_FAILED;
-    for (int i = 0; i < n; i++)
-        also[i] = scene_name(scene_at(root, i));
-    status = scene_fill(scene, NULL, "", rows + 4, NULL, 2, &f);
-    if (status == STATUS_DONE && dimension)
-        status = scene_fill(scene, root, "", rows + 4, also, 2, &f);
-    if (status == STATUS_DONE)
-        status = scene_fill(scene, root, "", rows, also, f.dimension, &f);
-    free(also);
-    TRY(status);
-    snprintf(p->title, sizeof p->title, "%s", f.title);
-    p->until = f.until;
-    p->dx = f.spacing;
-    p->dimension = f.dimension;
-    memcpy(p->gravity, f.gravity, sizeof p->gravity);
-    p->beam = scene_count(scene_child(root, "beam")) > 0;
-    p->pieces = point_pieces(p->until, p->dx, sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]),
-                             s->order->early);
-    p->fine = (LEAST_PICTURES + p->pieces - 1) / p->pieces;
-    return STATUS_DONE;
 }
 
 static int set_all(const struct study *s, struct scene *scene, struct point *p)
@@ -105,7 +52,11 @@ static int set_all(const struct study *s, struct scene *scene, struct point *p)
         snprintf(p->label + strlen(p->label), sizeof p->label - strlen(p->label), "%s%s",
                  k ? " " : "", text);
     }
-    return read_facts(s, scene, p);
+    TRY(facts_read(scene, &p->facts));
+    p->pieces = point_pieces(p->facts.until, p->facts.dx, facts_gravity(&p->facts),
+                             s->order->early);
+    p->fine = (LEAST_PICTURES + p->pieces - 1) / p->pieces;
+    return STATUS_DONE;
 }
 
 int point_all(struct study *s)
@@ -125,56 +76,5 @@ int point_all(struct study *s)
         scene_free(&scene);
         TRY(status);
     }
-    return STATUS_DONE;
-}
-
-/* Files that nodes come from, each once. */
-enum { FILES = 32 };
-
-struct files {
-    int n;
-    const char *name[FILES];
-};
-
-static void collect(const struct scene_node *node, struct files *f)
-{
-    const char *name = scene_file(node);
-    bool known = false;
-
-    for (int i = 0; i < f->n; i++)
-        known |= strcmp(f->name[i], name) == 0;
-    if (!known && f->n < FILES)
-        f->name[f->n++] = name;
-    for (int i = 0; i < scene_count(node); i++)
-        collect(scene_at(node, i), f);
-}
-
-static uint64_t hash_file(uint64_t hash, const char *path)
-{
-    FILE *from = fopen(path, "r");
-    char bytes[4096];
-    size_t n;
-
-    while (from && (n = fread(bytes, 1, sizeof bytes, from)) > 0)
-        hash = hash_bytes(hash, bytes, n);
-    if (from)
-        fclose(from);
-    return hash;
-}
-
-int point_hash(const char *path, char *to, unsigned long size)
-{
-    struct scene *scene = NULL;
-    uint64_t hash = hash_file(HASH_START, path);
-    struct files f = {0};
-    char text[HASH_TEXT];
-
-    TRY(scene_read(path, &scene));
-    collect(scene_root(scene), &f);
-    for (int i = 0; i < f.n; i++)
-        if (strcmp(f.name[i], path) != 0)
-            hash = hash_file(hash, f.name[i]);
-    scene_free(&scene);
-    snprintf(to, size, "%s", hash_text(hash, text));
     return STATUS_DONE;
 }

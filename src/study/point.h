@@ -10,9 +10,6 @@ int point_sweeps(struct study *s);
 /* Makes s->point: reads the scene at each combination. */
 int point_all(struct study *s);
 
-/* Files of the scene, includes too, as one number. */
-int point_hash(const char *scene, char *to, unsigned long size);
-
 /* When positions are compared: `early' [s] as asked for, 0: after free fall by ten spacings,
  * sqrt(20 dx / g) -- early enough for particles to be told apart by their errors rather than
  * by chance.  Returns until / that, rounded up to a whole number from 1 to 999 (chosen: 50). */

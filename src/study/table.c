@@ -50,6 +50,7 @@ static bool make_room(struct table *t, int *room)
 
 bool table_read(struct table *t, const char *path)
 {
+    static const char units[] = "# units: ";
     FILE *from = fopen(path, "r");
     char *line = NULL;
     size_t size = 0;
@@ -58,6 +59,8 @@ bool table_read(struct table *t, const char *path)
 
     *t = (struct table){0};
     while (fine && getline(&line, &size, from) >= 0) {
+        if (strncmp(line, units, strlen(units)) == 0 && !t->units)
+            t->units = strdup(line + strlen(units));
         if (*line == '#' || *line == '\n')
             continue;
         if (!t->name)
@@ -77,6 +80,7 @@ void table_free(struct table *t)
 {
     free(t->name);
     free(t->names);
+    free(t->units);
     free(t->value);
     *t = (struct table){0};
 }
@@ -87,4 +91,69 @@ int table_column(const struct table *t, const char *name)
         if (strcmp(t->name[i], name) == 0)
             return i;
     return -1;
+}
+
+double table_at(const struct table *t, int row, int column)
+{
+    return t->value[(size_t)row * t->columns + column];
+}
+
+void table_unit(const struct table *t, int column, char *to, unsigned long size)
+{
+    const char *at = t->units ? t->units : "";
+
+    for (; column > 0 && *at; column--) {
+        at += strcspn(at, ",");
+        at += *at == ',';
+    }
+    snprintf(to, size, "%.*s", (int)strcspn(at, ",\r\n"), at);
+}
+
+bool table_alike(const struct table *a, const struct table *b)
+{
+    if (a->columns != b->columns || a->rows != b->rows || a->rows == 0)
+        return false;
+    for (int i = 0; i < a->columns; i++)
+        if (strcmp(a->name[i], b->name[i]) != 0)
+            return false;
+    return true;
+}
+
+bool table_same_times(const struct table *a, const struct table *b)
+{
+    for (int i = 0; i < a->rows; i++)
+        if (!(fabs(table_at(a, i, 0) - table_at(b, i, 0))
+              <= 1e-9 * fabs(table_at(b, b->rows - 1, 0))))
+            return false;
+    return true;
+}
+
+void table_put(FILE *to, double value)
+{
+    if (isnan(value))
+        fputs(",nan", to);
+    else
+        fprintf(to, ",%.8g", value);
+}
+
+static void quote(FILE *to, const char *what)
+{
+    fputc('"', to);
+    for (; *what; what++)
+        fputc(*what == '"' ? '\'' : *what == '\n' ? ' ' : *what, to);
+    fputc('"', to);
+}
+
+void table_put_text(FILE *to, const char *what)
+{
+    fputc(',', to);
+    quote(to, what);
+}
+
+void table_put_word(FILE *to, const char *what)
+{
+    if (strpbrk(what, ",\""))
+        table_put_text(to, what);
+    else
+        fprintf(to, ",%s", what);
 }

@@ -30,7 +30,7 @@ static int cheapest(const struct study *s, const struct point *p, int column, do
 
     for (int i = 0; i < s->points * s->cases; i++) {
         const struct trial *t = &s->trial[i];
-        if (t->ended && t->point == p && t->code == STATUS_DONE && error(t, column) <= most
+        if (t->run.ended && t->point == p && t->run.code == STATUS_DONE && error(t, column) <= most
             && (best < 0 || price(s, i, what) < price(s, best, what)))
             best = i;
     }
@@ -72,7 +72,7 @@ static void head(FILE *to, const struct study *s, const struct point *p, enum pr
         if (has(s, p, q))
             fprintf(to, " %s |", result_errors[q]);
     if (has(s, p, ENERGY))
-        fprintf(to, " energy [%s] |", p->dimension == 2 ? "J/m" : "J");
+        fprintf(to, " energy [%s] |", p->facts.dimension == 2 ? "J/m" : "J");
     fputs("\n| --- |", to);
     for (int q = 0; q < COLUMNS; q++)
         fputs(has(s, p, q) ? " --- |" : "", to);
@@ -106,13 +106,13 @@ static void missed(FILE *to, const struct study *s)
 
     for (int i = 0; i < s->points * s->cases; i++) {
         const struct trial *t = &s->trial[i];
-        if (!t->ended || t->code == STATUS_DONE)
+        if (!t->run.ended || t->run.code == STATUS_DONE)
             continue;
         if (n++ == 0)
             fputs("\n| not done | how | why |\n| --- | --- | --- |\n", to);
         fprintf(to, "| %s%s%s%s%s | %s | ", t->method, *t->tol ? " " : "", t->tol,
-                *t->point->label ? ", " : "", t->point->label, trial_status(t));
-        word(to, t->message);
+                *t->point->label ? ", " : "", t->point->label, member_status(&t->run));
+        word(to, t->run.message);
         fputs(" |\n", to);
     }
 }
@@ -122,8 +122,8 @@ static void count(FILE *to, const struct study *s)
     int n = 0, done = 0;
 
     for (int i = 0; i < s->points * s->cases; i++) {
-        n += s->trial[i].ended;
-        done += s->trial[i].ended && s->trial[i].code == STATUS_DONE;
+        n += s->trial[i].run.ended;
+        done += s->trial[i].run.ended && s->trial[i].run.code == STATUS_DONE;
     }
     fprintf(to, "\n%d of %d runs came to their end; positions in spacings, energy at the end, the "
             "others in parts of the largest change.\n", done, n);
@@ -131,7 +131,7 @@ static void count(FILE *to, const struct study *s)
 
 static void best(FILE *to, const struct study *s)
 {
-    fprintf(to, "# %s: the cheapest run for each accuracy\n", s->point[0].title);
+    fprintf(to, "# %s: the cheapest run for each accuracy\n", s->point[0].facts.title);
     for (int i = 0; i < s->points; i++) {
         if (*s->point[i].label)
             fprintf(to, "\n%s\n", s->point[i].label);
@@ -144,14 +144,14 @@ static void best(FILE *to, const struct study *s)
 
 int tabulate_best(const struct study *s)
 {
-    char path[INSIDE_PATH];
+    char path[MEMBER_PATH];
     struct aside a;
 
     if (!s->order->quiet) {
         best(stdout, s);
         fflush(stdout);
     }
-    TRY(aside_join(path, s->directory, "compare.md"));
+    TRY(aside_join(path, s->home.directory, "compare.md"));
     TRY(aside_open(&a, path));
     best(a.to, s);
     return aside_close(&a);

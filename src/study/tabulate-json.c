@@ -16,7 +16,7 @@
 /* RMS distance of particles in picture i of both runs [m]. */
 static double apart(const struct study *s, const struct point *p, int i)
 {
-    char name[64], path[INSIDE_PATH];
+    char name[64], path[MEMBER_PATH];
     struct table a, b;
     double d = NAN;
 
@@ -35,16 +35,14 @@ static double apart(const struct study *s, const struct point *p, int i)
 static void write_growth(struct json *j, const struct study *s, const struct point *p)
 {
     const int n = p->pieces * p->fine;
-    const double *g = p->gravity;
     double t[1024], d[1024];
     struct growth growth;
 
     for (int i = 0; i < n; i++) {
-        t[i] = p->until * (i + 1) / n;
+        t[i] = p->facts.until * (i + 1) / n;
         d[i] = apart(s, p, i + 1);
     }
-    growth_fit(&growth, n, t, d, TRIAL_DISTURBANCE,
-               sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), p->dx);
+    growth_fit(&growth, n, t, d, TRIAL_DISTURBANCE, facts_gravity(&p->facts), p->facts.dx);
     json_number(j, "growth_rate", growth.rate);
     json_number(j, "positions_until", growth.until);
 }
@@ -54,24 +52,24 @@ static void write_point(struct json *j, const struct study *s, const struct poin
     const struct trial *t = p->reference;
 
     json_object(j, *p->label ? p->label : "scene");
-    json_number(j, "until", p->until);
-    json_number(j, "early", p->until / p->pieces);
-    json_number(j, "spacing", p->dx);
-    json_text(j, "reference_status", t->ended ? trial_status(t) : "missing");
-    json_text(j, "reference_message", t->message);
-    json_number(j, "reference_cpu_s", t->ended ? t->result.cpu : NAN);
-    json_number(j, "reference_steps", t->ended ? t->result.steps : NAN);
-    if (p->disturbed && p->disturbed->ended)
+    json_number(j, "until", p->facts.until);
+    json_number(j, "early", p->facts.until / p->pieces);
+    json_number(j, "spacing", p->facts.dx);
+    json_text(j, "reference_status", t->run.ended ? member_status(&t->run) : "missing");
+    json_text(j, "reference_message", t->run.message);
+    json_number(j, "reference_cpu_s", t->run.ended ? t->result.cpu : NAN);
+    json_number(j, "reference_steps", t->run.ended ? t->result.steps : NAN);
+    if (p->disturbed && p->disturbed->run.ended)
         write_growth(j, s, p);
     json_end(j);
 }
 
 int tabulate_json(const struct study *s)
 {
-    char path[INSIDE_PATH];
+    char path[MEMBER_PATH];
     struct json *j;
 
-    TRY(aside_join(path, s->directory, "compare.json"));
+    TRY(aside_join(path, s->home.directory, "compare.json"));
     TRY(json_open(&j, path));
     json_text(j, "scene", s->order->scene);
     json_text(j, "version", PACKAGE_VERSION);

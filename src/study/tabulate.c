@@ -2,6 +2,7 @@
 #include "study/tabulate.h"
 
 #include "base/status.h"
+#include "study/table.h"
 #include "study/trial.h"
 
 #include <gsl/gsl_sort.h>
@@ -21,23 +22,6 @@ void tabulate_spread(double *value, int n, double *median, double *range)
         *range = value[n - 1] - value[0];
 }
 
-static void number(FILE *to, double value)
-{
-    if (isnan(value))
-        fputs(",nan", to);
-    else
-        fprintf(to, ",%.8g", value);
-}
-
-/* A text in quotes: commas may stand there, quotes and line ends may not. */
-static void text(FILE *to, const char *what)
-{
-    fputc('"', to);
-    for (; *what; what++)
-        fputc(*what == '"' ? '\'' : *what == '\n' ? ' ' : *what, to);
-    fputc('"', to);
-}
-
 /* CPU or clock times of a case and its repeats that ended like it. */
 static int times(const struct study *s, int c, bool cpu, double *to)
 {
@@ -47,7 +31,7 @@ static int times(const struct study *s, int c, bool cpu, double *to)
     for (int i = c; i < s->trials; i += cases) {
         const struct trial *t = &s->trial[i];
         const double took = cpu ? t->result.cpu : t->result.wall;
-        if (t->ended && t->code == s->trial[c].code && !isnan(took))
+        if (t->run.ended && t->run.code == s->trial[c].run.code && !isnan(took))
             to[n++] = took;
     }
     return n;
@@ -78,49 +62,38 @@ static void row_costs(FILE *to, const struct study *s, int c)
     double median, range;
 
     spent(s, c, true, &median, &range);
-    number(to, median);
-    number(to, range);
+    table_put(to, median);
+    table_put(to, range);
     spent(s, c, false, &median, &range);
-    number(to, median);
-    number(to, r->steps);
-    number(to, r->rejected);
-    number(to, r->rhs_explicit);
-    number(to, r->rhs_implicit);
-    number(to, r->passes);
-    number(to, r->mean_step);
-}
-
-/* A word of the command line, which may hold commas. */
-static void field(FILE *to, const char *what)
-{
-    fputc(',', to);
-    if (strpbrk(what, ",\""))
-        text(to, what);
-    else
-        fputs(what, to);
+    table_put(to, median);
+    table_put(to, r->steps);
+    table_put(to, r->rejected);
+    table_put(to, r->rhs_explicit);
+    table_put(to, r->rhs_implicit);
+    table_put(to, r->passes);
+    table_put(to, r->mean_step);
 }
 
 static void row(FILE *to, const struct study *s, int c)
 {
     const struct trial *t = &s->trial[c];
 
-    fprintf(to, "%s,%s,%s", t->method, *t->tol ? t->tol : "nan", trial_status(t));
+    fprintf(to, "%s,%s,%s", t->method, *t->tol ? t->tol : "nan", member_status(&t->run));
     row_costs(to, s, c);
     for (int i = 0; i < RESULT_ERRORS; i++)
-        number(to, t->result.error[i]);
-    number(to, t->result.energy_defect);
+        table_put(to, t->result.error[i]);
+    table_put(to, t->result.energy_defect);
     for (int k = 0; k < s->sweeps; k++)
-        field(to, t->point->value[k]);
-    number(to, t->result.t_end);
-    field(to, t->name);
-    fputc(',', to);
-    text(to, t->message);
+        table_put_word(to, t->point->value[k]);
+    table_put(to, t->result.t_end);
+    table_put_word(to, t->run.name);
+    table_put_text(to, t->run.message);
     fputc('\n', to);
 }
 
 static void head(FILE *to, const struct study *s)
 {
-    const char *energy = s->point[0].dimension == 2 ? "J/m" : "J";
+    const char *energy = s->point[0].facts.dimension == 2 ? "J/m" : "J";
 
     fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,%s", energy);
     for (int k = 0; k <= s->sweeps; k++)
@@ -135,14 +108,14 @@ static void head(FILE *to, const struct study *s)
 
 int tabulate_csv(const struct study *s)
 {
-    char path[INSIDE_PATH];
+    char path[MEMBER_PATH];
     struct aside a;
 
-    TRY(aside_join(path, s->directory, "compare.csv"));
+    TRY(aside_join(path, s->home.directory, "compare.csv"));
     TRY(aside_open(&a, path));
     head(a.to, s);
     for (int i = 0; i < s->points * s->cases; i++)
-        if (s->trial[i].ended)
+        if (s->trial[i].run.ended)
             row(a.to, s, i);
     return aside_close(&a);
 }

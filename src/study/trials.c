@@ -22,18 +22,19 @@ static void set(struct trial *t, struct point *p, const char *method, const char
 {
     t->point = p;
     t->repeat = repeat;
+    t->run.until = p->facts.until;
     snprintf(t->method, sizeof t->method, "%s", method);
     snprintf(t->tol, sizeof t->tol, "%s", tol);
-    add_safe(t->name, 200, before);
-    add_safe(t->name, 200, method);
+    add_safe(t->run.name, 200, before);
+    add_safe(t->run.name, 200, method);
     if (*tol)
-        add_safe(t->name, 200, "-");
-    add_safe(t->name, 200, tol);
+        add_safe(t->run.name, 200, "-");
+    add_safe(t->run.name, 200, tol);
     if (*p->label)
-        add_safe(t->name, 200, "-");
-    add_safe(t->name, 200, p->label);
+        add_safe(t->run.name, 200, "-");
+    add_safe(t->run.name, 200, p->label);
     if (repeat > 0)
-        snprintf(t->name + strlen(t->name), 16, "-%d", repeat + 1);
+        snprintf(t->run.name + strlen(t->run.name), 16, "-%d", repeat + 1);
 }
 
 /* Methods without error control, and steps of one length (NAME@1e-4s), have one case,

@@ -7,6 +7,8 @@
 
 #include <cmocka.h>
 
+#include "scratch.h"
+
 #include "base/status.h"
 #include "study/children.h"
 #include "study/error.h"
@@ -24,24 +26,6 @@
 #include <time.h>
 #include <unistd.h>
 
-static char dir[64];
-
-static int make_dir(void **state)
-{
-    (void)state;
-    strcpy(dir, P_tmpdir "/study.XXXXXX");
-    return mkdtemp(dir) ? 0 : -1;
-}
-
-static int remove_dir(void **state)
-{
-    char command[128];
-
-    (void)state;
-    snprintf(command, sizeof command, "rm -r %s", dir);
-    return system(command);
-}
-
 static const char *put(const char *name, const char *text)
 {
     static char path[4][128];
@@ -49,18 +33,12 @@ static const char *put(const char *name, const char *text)
     char *to = path[turn++ % 4];
     FILE *file;
 
-    snprintf(to, sizeof path[0], "%s/%s", dir, name);
+    snprintf(to, sizeof path[0], "%s/%s", scratch, name);
     file = fopen(to, "w");
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
     return to;
-}
-
-static void near(double found, double wanted, double tolerance)
-{
-    if (!(fabs(found - wanted) <= tolerance))
-        fail_msg("%.12g instead of %.12g", found, wanted);
 }
 
 static void test_words(void **state)
@@ -118,7 +96,7 @@ static void test_numbers_of_a_run(void **state)
     put("run.json", "{\n  \"status\": \"done\",\n  \"steps\": 83,\n  \"cpu_s\": 0.5,\n"
                     "  \"limited_by\": {\n    \"error\": 45\n  },\n  \"energy_defect\": -8e-05,\n"
                     "  \"mean_step\": null\n}\n");
-    result_read(&r, dir);
+    result_read(&r, scratch);
     near(r.steps, 83, 0);
     near(r.cpu, 0.5, 0);
     near(r.energy_defect, -8e-5, 0);
@@ -225,7 +203,7 @@ static void test_median(void **state)
 static struct trial ended_trial(struct point *p, const char *method, double cpu, double passes,
                                 double front, double energy)
 {
-    struct trial t = { .point = p, .ended = true };
+    struct trial t = { .point = p, .run.ended = true };
 
     snprintf(t.method, sizeof t.method, "%s", method);
     t.result = (struct result){ .cpu = cpu, .passes = passes, .energy_defect = energy };
@@ -240,7 +218,7 @@ static void read_file(const char *name, char *to, size_t size)
     char path[128];
     FILE *from;
 
-    snprintf(path, sizeof path, "%s/%s", dir, name);
+    snprintf(path, sizeof path, "%s/%s", scratch, name);
     from = fopen(path, "r");
     assert_non_null(from);
     to[fread(to, 1, size - 1, from)] = '\0';
@@ -258,7 +236,7 @@ static void expect_line(const char *text, const char *line)
 static void test_cheapest(void **state)
 {
     const struct compare_order order = { .quiet = true };
-    struct point p = { .title = "Four", .dimension = 2 };
+    struct point p = { .facts = { .title = "Four", .dimension = 2 } };
     struct trial trial[] = {
         ended_trial(&p, "slow", 2, 100, 1e-3, 1e-2), ended_trial(&p, "quick", 1, 200, 1e-3, 1e-2),
         ended_trial(&p, "rough", 0.5, 50, 0.2, -5), ended_trial(&p, "lost", 0.1, 10, NAN, 1e-9),
@@ -268,9 +246,9 @@ static void test_cheapest(void **state)
     char text[4096];
 
     (void)state;
-    trial[3].code = STATUS_FAILED;
-    strcpy(trial[3].message, "it | ran away");
-    snprintf(s.directory, sizeof s.directory, "%s", dir);
+    trial[3].run.code = STATUS_FAILED;
+    strcpy(trial[3].run.message, "it | ran away");
+    snprintf(s.home.directory, sizeof s.home.directory, "%s", scratch);
     assert_int_equal(tabulate_best(&s), STATUS_DONE);
     read_file("compare.md", text, sizeof text);
     expect_line(text, "\n| CPU time; error at most | front | energy [J/m] |\n");
@@ -437,5 +415,5 @@ int main(void)
         cmocka_unit_test(test_no_such_program),
     };
 
-    return cmocka_run_group_tests_name("study", tests, make_dir, remove_dir);
+    return cmocka_run_group_tests_name("study", tests, scratch_make, scratch_remove);
 }
