@@ -198,6 +198,11 @@ static void elastica_limit(const struct body *b, struct limit *out)
     snprintf(out->part, sizeof out->part, "%s", b->path);
 }
 
+static double elastica_body_swing(const struct body *b)
+{
+    return bending_swing(&b->beam->def.bending);
+}
+
 static void elastica_energies(const struct body *b, struct body_work *w, const struct layout *l,
                               const double *y, struct energies *to)
 {
@@ -270,6 +275,7 @@ static void elastica_show(const struct body *b, struct body_work *w, const struc
 
 static const struct body_implicit implicit = {
     .stiff = elastica_stiff, .solve = elastica_body_solve, .limit = elastica_limit,
+    .swing = elastica_body_swing,
 };
 
 const struct body_kind bodies_elastica = {
