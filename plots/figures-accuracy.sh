@@ -72,7 +72,7 @@ beam='spacing=0.01 beam.elements=10'
 implicit='imex2 imex3 imex4 imex5 dv'
 # shellcheck disable=SC2086 # lists of words
 compare beam toth-beam $beam --until 0.3 --budget 60 \
-    --methods "$(those $implicit mri@0.25 mri@0.5 mri@1 staggered@0.25 staggered@0.1 \
+    --methods "$(those $implicit bdf mri@0.25 mri@0.5 mri@1 staggered@0.25 staggered@0.1 \
         cks43@2e-6s leapfrog@0.25)" --tols 1e-1,1e-2,1e-3,1e-4,1e-5 --reference cks43:1e-5
 show beam work-precision beam
 show beam step-lengths beam-steps

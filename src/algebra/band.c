@@ -178,8 +178,8 @@ bool band_factor_definite(struct band_factor *f, const struct band *b)
     return f->cholesky;
 }
 
-/* LU with row exchanges; GSL says nothing of a zero or NaN on the diagonal. */
-static bool eliminate(struct band_factor *f, const struct band *b)
+/* Room for LU holds b. */
+static void unfold(struct band_factor *f, const struct band *b)
 {
     const int p = f->half, columns = 3 * p + 1;
 
@@ -187,7 +187,29 @@ static bool eliminate(struct band_factor *f, const struct band *b)
         for (int k = -2 * p; k <= p; k++)
             f->lu[j * columns + 2 * p + k] =
                 k < -p || j + k < 0 || j + k >= f->n ? 0 : band_at(b, j + k, j);
+}
 
+/* Adds the skew matrix of s. */
+static void twist(struct band_factor *f, const struct band *s)
+{
+    const int p = f->half, columns = 3 * p + 1;
+
+    for (int j = 0; j < f->n; j++)
+        for (int k = 1; k <= p && j + k < f->n; k++) {
+            const double below = band_at(s, j + k, j);
+            f->lu[j * columns + 2 * p + k] += below;
+            f->lu[(j + k) * columns + 2 * p - k] -= below;
+        }
+}
+
+/* LU with row exchanges; GSL says nothing of a zero or NaN on the diagonal. */
+static bool eliminate(struct band_factor *f)
+{
+    const int p = f->half, columns = 3 * p + 1;
+
+    f->cholesky = false;
+    if (f->n == 0)
+        return true;
     gsl_error_handler_t *const before = gsl_set_error_handler_off();
     gsl_matrix_view a = lu(f);
     const int failed = gsl_linalg_LU_band_decomp((size_t)f->n, (size_t)p, (size_t)p, &a.matrix,
@@ -202,12 +224,25 @@ static bool eliminate(struct band_factor *f, const struct band *b)
     return !failed;
 }
 
-int band_factor_set(struct band_factor *f, const struct band *b)
+static int refuse(const struct band_factor *f)
 {
-    if (band_factor_definite(f, b) || eliminate(f, b))
-        return STATUS_DONE;
     return status_fail(STATUS_FAILED, "a banded matrix of %d rows is singular or not finite: "
                        "there is an unknown that nothing holds, or a NaN came in", f->n);
+}
+
+int band_factor_set(struct band_factor *f, const struct band *b)
+{
+    if (band_factor_definite(f, b))
+        return STATUS_DONE;
+    unfold(f, b);
+    return eliminate(f) ? STATUS_DONE : refuse(f);
+}
+
+int band_factor_set_skew(struct band_factor *f, const struct band *b, const struct band *s)
+{
+    unfold(f, b);
+    twist(f, s);
+    return eliminate(f) ? STATUS_DONE : refuse(f);
 }
 
 void band_factor_solve(const struct band_factor *f, double *x)

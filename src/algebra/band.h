@@ -45,6 +45,10 @@ void band_factor_free(struct band_factor **f); /* NULL is welcome */
 /* Factorizes; STATUS_FAILED when the matrix is singular or not finite. */
 int band_factor_set(struct band_factor *f, const struct band *b);
 
+/* The same of a matrix that is not symmetric, by LU: b + s, where entry (i, j) of s below
+ * the diagonal stands for -(j, i), and its diagonal for nothing. */
+int band_factor_set_skew(struct band_factor *f, const struct band *b, const struct band *s);
+
 /* True if Cholesky went through; changes f, which then may only be set anew. */
 bool band_factor_definite(struct band_factor *f, const struct band *b);
 

@@ -56,9 +56,11 @@ const struct param beam_def_params[] = {
       .about = "damping by mass, D = alpha M + beta K; damps slow modes, ratio alpha/(2 omega)" },
     { .key = "beta", .unit = "s", AT(beta), .max = 1e3,
       .about = "damping by stiffness; damps fast modes, ratio beta omega/2; in water "
-               "its entry in the book needs a small tol: prefer damping_ratio" },
+               "its entry in the book needs a small tol: prefer damping_ratio; elastica: the "
+               "moment is EI (kappa + beta dkappa/dt), which brakes no turn as a whole" },
     { .key = "damping_ratio", .unit = "", AT(damping_ratio), .max = 10,
-      .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha" },
+      .about = "of the first mode: adds 2 damping_ratio omega_1 to alpha; elastica: "
+               "2 damping_ratio/omega_1 to beta, which turns with the beam" },
     { .key = "drag", .unit = "N s/m^2", AT(drag), .max = 1e9,
       .about = "(45) of Toth (2012): one number on the deflection and on the rotation (N s) of "
                "every node, so that damping grows with elements; with the paper's 0.01 a beam of "
@@ -141,11 +143,6 @@ static int check_linear(const struct beam_def *d, const char *path)
 
 static int check_elastica(const struct beam_def *d, const char *path)
 {
-    if (d->beta > 0)
-        return status_fail(STATUS_BAD_SCENE, "%s: beta = %g s is damping by the stiffness of the "
-                           "straight beam, which would brake every turn of a beam that bends "
-                           "far; set damping_ratio or alpha instead, or theory = \"linear\"",
-                           path, d->beta);
     if ((d->bent != 0 || d->bent_rate != 0) && end_of(d->tip) != BENDING_FREE)
         return status_fail(STATUS_BAD_SCENE, "%s: bent and bent_rate make a bow, whose tip is "
                            "not where a tip that is %s stays; set tip = \"free\"", path, d->tip);
@@ -200,7 +197,10 @@ struct bending_def beam_def_bending(const struct beam_def *d)
         .root = end_of(d->root), .tip = end_of(d->tip),
     };
 
-    b.alpha += 2 * d->damping_ratio * bending_first(&b);
+    if (beam_def_far(d))
+        b.beta += 2 * d->damping_ratio / bending_first(&b);
+    else
+        b.alpha += 2 * d->damping_ratio * bending_first(&b);
     return b;
 }
 

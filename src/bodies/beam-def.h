@@ -19,7 +19,7 @@ struct beam_def {
     const char *inertia;       /* "consistent", "lumped", "lumped-ends"       */
     const char *root, *tip;    /* "clamped", "pinned", "free"                 */
     double alpha, beta;        /* Rayleigh damping [1/s], [s]                 */
-    double damping_ratio;      /* of the first mode, adds to alpha            */
+    double damping_ratio;      /* of the first mode, adds to alpha; elastica: to beta */
     double drag;               /* of every node, (45) [N s/m and N m s, 2D: per metre of width] */
     int layers;                /* of the skin; 0: as many as the kernel needs */
     bool slip;

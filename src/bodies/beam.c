@@ -231,8 +231,14 @@ static const struct body_kind *beam_choose(const void *params)
     return beam_def_far(params) ? &bodies_elastica : &bodies_beam;
 }
 
+static double beam_swing(const struct body *b)
+{
+    return bending_swing(&b->bending->def);
+}
+
 static const struct body_implicit implicit = {
     .stiff = beam_stiff, .solve = beam_solve, .limit = beam_limit,
+    .swing = beam_swing,
 };
 
 static const struct body_coupled coupled = {

@@ -84,3 +84,11 @@ double bending_first(const struct bending_def *def)
 
     return x * x * sqrt(def->EI / def->mu);
 }
+
+/* alpha and beta alone: drag is no mode's own. */
+double bending_swing(const struct bending_def *def)
+{
+    const double omega = bending_first(def);
+
+    return def->alpha + def->beta * omega * omega < 2 * omega ? omega : 0;
+}

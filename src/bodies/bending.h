@@ -123,4 +123,7 @@ double bending_damping(const struct bending *b, const double *v); /* power, <= 0
  * both be free. */
 double bending_first(const struct bending_def *def);
 
+/* The same [rad/s], or 0 if damping lets it creep back and not vibrate. */
+double bending_swing(const struct bending_def *def);
+
 #endif

@@ -72,6 +72,9 @@ struct body_implicit {
 
     /* The fastest rate of f_I, for methods that take it explicitly. */
     void (*limit)(const struct body *b, struct limit *out);
+
+    /* Frequency of its slowest vibration, which lasts [rad/s]; 0, or NULL: there is none. */
+    double (*swing)(const struct body *b);
 };
 
 /* The same where the fluid's viscosity is implicit, too, and pulls at the skin by

@@ -4,8 +4,8 @@
  *   M q'' + D q' + dE/dq = F,   E as in (BE4)                          (BE4)-(BE6)
  *
  * The linear beam of beam.c without its limit on deflections, and with an axial stiffness:
- * M, EI, mass options, ends and damping by mass and drag are the same, and small
- * deflections agree.  F is the transpose of the skin's motion applied to the forces on its
+ * M, EI, mass options, ends and damping by mass and drag are the same, damping by beta and
+ * damping_ratio turns with the beam (BE7), and small deflections agree.  F is the transpose of the skin's motion applied to the forces on its
  * points, plus weight and prescribed loads.  M^-1 F is explicit; q' = v and
  * v' = -M^-1 (dE/dq + D v) are stiff and implicit.
  * Checked in tests/unit/elastica*.c. */
@@ -142,7 +142,7 @@ static void elastica_load(const struct body *b, struct body_work *w, const struc
         ydot[place(b, l, i, false)] = 0;
         ydot[place(b, l, i, true)] = w->load[i];
     }
-    out->damping = elastica_damping(b->beam, w->v);
+    out->damping = elastica_damping(b->beam, w->q, w->v);
     out->driven = vectors_dot(n, w->given, w->v);
     total(b, w->inertia, moved);
     total(b, w->force, loads);
@@ -196,6 +196,11 @@ static void elastica_limit(const struct body *b, struct limit *out)
     bending_rates_limit(&e->def.bending, e->fastest, e->decay, out);
     out->where = e->def.bending.elements / 2;
     snprintf(out->part, sizeof out->part, "%s", b->path);
+}
+
+static double elastica_body_swing(const struct body *b)
+{
+    return bending_swing(&b->beam->def.bending);
 }
 
 static void elastica_energies(const struct body *b, struct body_work *w, const struct layout *l,
@@ -270,13 +275,15 @@ static void elastica_show(const struct body *b, struct body_work *w, const struc
 
 static const struct body_implicit implicit = {
     .stiff = elastica_stiff, .solve = elastica_body_solve, .limit = elastica_limit,
+    .swing = elastica_body_swing,
 };
 
 const struct body_kind bodies_elastica = {
     .identity = {
         .name = "elastica", .about = "the same beam, bending as far as it likes (2D)",
         .equation = "M q'' + D q' + dE/dq = F, E = int EA/4 (|r'|^2 - 1 - ln |r'|^2) + "
-                    "EI/2 kappa^2 ds, kappa = (r' x r'')/|r'|^2  (BE4)-(BE6)",
+                    "EI/2 kappa^2 ds, kappa = (r' x r'')/|r'|^2  (BE4)-(BE6), bending moment EI (kappa + "
+                    "beta dkappa/dt)  (BE7)",
         .source = "Reissner 1972 without shear; cubic centre line as Gerstmayr, Shabana 2006",
         .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
     },

@@ -15,6 +15,7 @@
  * Checked in tests/unit/elastica.c. */
 #include "bodies/elastica-element.h"
 
+#include "bodies/elastica-turn.h"
 #include "bodies/element.h"
 #include <math.h>
 #include <string.h>
@@ -41,18 +42,6 @@ void elastica_element_make(double EA, double EI, double l, struct elastica_eleme
     look_at(0.5 + gauss, 0.5, l, &out->bend[1]);
 }
 
-/* r' - e and r'' at a point. */
-static void derive(const struct elastica_point *p, const double *q, double *slope, double *curve)
-{
-    for (int c = 0; c < 2; c++) {
-        slope[c] = curve[c] = 0;
-        for (int k = 0; k < 4; k++) {
-            slope[c] += p->slope[k] * q[elastica_entry(k, c)];
-            curve[c] += p->curve[k] * q[elastica_entry(k, c)];
-        }
-    }
-}
-
 /* --- stretch -------------------------------------------------------------- */
 
 /* r' goes to a; returns |r'|^2 - 1 without taking nearly equal numbers apart. */
@@ -60,7 +49,7 @@ static double stretch_of(const struct elastica_point *p, const double *q, double
 {
     double d[2], unused[2];
 
-    derive(p, q, d, unused);
+    elastica_turn_derive(p, q, d, unused);
     a[0] = 1 + d[0];
     a[1] = d[1];
     return 2 * d[0] + d[0] * d[0] + d[1] * d[1];
@@ -96,60 +85,24 @@ static void add_stretch_tangent(const struct elastica_element *e, const struct e
 
 /* --- bending -------------------------------------------------------------- */
 
-struct turn { /* kappa at a point and its derivatives by z = (r', r'') */
-    double kappa, by[4], twice[4][4];
-};
-
-static struct turn turn_of(const struct elastica_point *p, const double *q)
-{
-    struct turn t = {0};
-    double a[2], b[2];
-
-    derive(p, q, a, b);
-    a[0] += 1;
-    const double s = a[0] * a[0] + a[1] * a[1], cross = a[0] * b[1] - a[1] * b[0];
-    const double cross_a[2] = { b[1], -b[0] }, cross_b[2] = { -a[1], a[0] };
-
-    t.kappa = cross / s;
-    for (int i = 0; i < 2; i++) {
-        t.by[i] = (cross_a[i] - 2 * t.kappa * a[i]) / s;
-        t.by[2 + i] = cross_b[i] / s;
-    }
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++) {
-            t.twice[i][j] = -2 * (t.by[i] * a[j] + t.by[j] * a[i] + (i == j) * t.kappa) / s;
-            t.twice[i][2 + j] = t.twice[2 + j][i] = (j - i - 2 * a[i] * t.by[2 + j]) / s;
-        }
-    return t;
-}
-
 static void add_bending_force(const struct elastica_element *e, const struct elastica_point *p,
                               const double *q, double *f)
 {
-    const struct turn t = turn_of(p, q);
-    const double moment = p->weight * e->EI * t.kappa;
+    const struct elastica_turn t = elastica_turn_at(p, q);
 
-    for (int k = 0; k < 4; k++)
-        for (int c = 0; c < 2; c++)
-            f[elastica_entry(k, c)] += moment * (t.by[c] * p->slope[k] + t.by[2 + c] * p->curve[k]);
+    elastica_turn_spread(p, t.by, p->weight * e->EI * t.kappa, f);
 }
 
 static void add_bending_tangent(const struct elastica_element *e, const struct elastica_point *p,
                                 const double *q, double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
 {
-    const struct turn t = turn_of(p, q);
+    const struct elastica_turn t = elastica_turn_at(p, q);
     double h[4][4];
 
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             h[i][j] = p->weight * e->EI * (t.by[i] * t.by[j] + t.kappa * t.twice[i][j]);
-    for (int i = 0; i < 4; i++)
-        for (int j = 0; j < 4; j++)
-            for (int c = 0; c < 2; c++)
-                for (int d = 0; d < 2; d++)
-                    k[elastica_entry(i, c)][elastica_entry(j, d)] +=
-                        p->slope[i] * (h[c][d] * p->slope[j] + h[c][2 + d] * p->curve[j])
-                        + p->curve[i] * (h[2 + c][d] * p->slope[j] + h[2 + c][2 + d] * p->curve[j]);
+    elastica_turn_spread_twice(p, h, k);
 }
 
 /* --- the element ---------------------------------------------------------- */
@@ -163,7 +116,7 @@ double elastica_element_energy(const struct elastica_element *e, const double *q
         sum += 0.25 * e->stretch[i].weight * e->EA * (d - log1p(d));
     }
     for (int i = 0; i < ELASTICA_BENDS; i++)
-        sum += 0.5 * e->bend[i].weight * e->EI * pow(turn_of(&e->bend[i], q).kappa, 2);
+        sum += 0.5 * e->bend[i].weight * e->EI * pow(elastica_turn_at(&e->bend[i], q).kappa, 2);
     return sum;
 }
 

@@ -6,11 +6,13 @@
  *   R(v) = M (v - r_v) + gamma [dE/dq(r_q + gamma v) + D v] = 0                   (BE5)
  *
  * and Newton's method solves it with dR/dv = M + gamma D + gamma^2 d2E/dq2: banded,
- * symmetric, by Cholesky, or by LU where a pressed beam makes it indefinite.
+ * symmetric, by Cholesky, or by LU where a pressed beam makes it indefinite, or where
+ * damping by the rate of bending (BE7), which depends on q, makes it not symmetric.
  * Checked in tests/unit/elastica*.c. */
 #include "bodies/elastica.h"
 
 #include "base/status.h"
+#include "bodies/elastica-friction.h"
 #include <math.h>
 
 /* Size of a step of Newton's method in units of the scales: deflections and rates of a
@@ -50,9 +52,30 @@ static void lack(const struct elastica *e, struct elastica_work *w, double gamma
         f[i] = elastica_held(e, i) ? 0 : -push[i] - gamma * f[i];
 }
 
-/* w->factor for M + gamma D + gamma^2 d2E/dq2 at q. */
+/* Adds what beta gives, its half that is skew to w->skew. */
+static void add_friction(const struct elastica *e, struct elastica_work *w, double gamma,
+                         const double *q, const double *v)
+{
+    double even[ELASTICA_ELEMENT][ELASTICA_ELEMENT], odd[ELASTICA_ELEMENT][ELASTICA_ELEMENT];
+
+    band_sum(w->skew, 0, e->mass, 0, e->mass);
+    for (int n = 0; n < e->def.bending.elements; n++) {
+        double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT] = { { 0 } };
+        elastica_friction_tangent(&e->element, e->def.bending.beta, gamma, q + ELASTICA_NODE * n,
+                                  v + ELASTICA_NODE * n, k);
+        for (int i = 0; i < ELASTICA_ELEMENT; i++)
+            for (int j = 0; j < ELASTICA_ELEMENT; j++) {
+                even[i][j] = (k[i][j] + k[j][i]) / 2;
+                odd[i][j] = (k[i][j] - k[j][i]) / 2;
+            }
+        band_add_block(w->sum, ELASTICA_NODE * n, ELASTICA_ELEMENT, &even[0][0]);
+        band_add_block(w->skew, ELASTICA_NODE * n, ELASTICA_ELEMENT, &odd[0][0]);
+    }
+}
+
+/* w->factor for M + gamma D + gamma^2 d2E/dq2 at (q, v). */
 static int factorize(const struct elastica *e, struct elastica_work *w, double gamma,
-                     const double *q)
+                     const double *q, const double *v)
 {
     const struct bending_def *b = &e->def.bending;
 
@@ -60,8 +83,11 @@ static int factorize(const struct elastica *e, struct elastica_work *w, double g
     band_sum(w->sum, 1 + gamma * b->alpha, e->mass, gamma * gamma, w->tangent);
     for (int i = 0; i < e->dofs; i++)
         band_add(w->sum, i, i, gamma * b->drag);
+    if (w->skew)
+        add_friction(e, w, gamma, q, v);
     elastica_hold(e, w);
-    return band_factor_set(w->factor, w->sum);
+    return w->skew ? band_factor_set_skew(w->factor, w->sum, w->skew)
+                   : band_factor_set(w->factor, w->sum);
 }
 
 /* Held entries get those of r, and v what makes q the guess. */
@@ -84,7 +110,7 @@ static int iterate(const struct elastica *e, struct elastica_work *w, double gam
     double *dv = w->vector + 2 * e->dofs;
 
     lack(e, w, gamma, rv, q, v, dv);
-    TRY(factorize(e, w, gamma, q));
+    TRY(factorize(e, w, gamma, q, v));
     band_factor_solve(w->factor, dv);
     for (int i = 0; i < e->dofs; i++)
         if (!elastica_held(e, i)) {

@@ -3,6 +3,7 @@
 #include "bodies/elastica.h"
 
 #include "base/status.h"
+#include "bodies/elastica-friction.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,14 +34,19 @@ static void spread_mass(struct elastica *e)
 void elastica_hold(const struct elastica *e, struct elastica_work *w)
 {
     for (int i = 0; i < e->dofs; i++)
-        if (elastica_held(e, i))
+        if (elastica_held(e, i)) {
             band_hold(w->sum, i, 1);
+            if (w->skew)
+                band_hold(w->skew, i, 0);
+        }
 }
 
 static int take_work(const struct elastica *e, struct elastica_work *w)
 {
     TRY(band_create(e->dofs, BANDWIDTH, &w->tangent));
     TRY(band_create(e->dofs, BANDWIDTH, &w->sum));
+    if (e->def.bending.beta > 0)
+        TRY(band_create(e->dofs, BANDWIDTH, &w->skew));
     TRY(band_factor_create(e->dofs, BANDWIDTH, &w->factor));
     w->vector = status_alloc((unsigned long)e->dofs * 3, sizeof *w->vector);
     return w->vector ? STATUS_DONE : STATUS_FAILED;
@@ -65,6 +71,7 @@ void elastica_work_free(struct elastica_work **w)
         return;
     band_free(&(*w)->tangent);
     band_free(&(*w)->sum);
+    band_free(&(*w)->skew);
     band_factor_free(&(*w)->factor);
     free((*w)->vector);
     free(*w);
@@ -163,6 +170,9 @@ void elastica_resist(const struct elastica *e, struct elastica_work *w, const do
     const struct bending_def *b = &e->def.bending;
 
     bend(e, q, to);
+    for (int i = 0; i < b->elements && b->beta > 0; i++)
+        elastica_friction_force(&e->element, b->beta, q + ELASTICA_NODE * i, v + ELASTICA_NODE * i,
+                                to + ELASTICA_NODE * i);
     band_multiply(e->mass, v, w->vector);
     for (int i = 0; i < e->dofs; i++)
         to[i] += b->alpha * w->vector[i] + b->drag * v[i];
@@ -216,11 +226,15 @@ double elastica_elastic(const struct elastica *e, const double *q)
     return sum;
 }
 
-double elastica_damping(const struct elastica *e, const double *v)
+double elastica_damping(const struct elastica *e, const double *q, const double *v)
 {
-    double squares = 0;
+    const struct bending_def *b = &e->def.bending;
+    double squares = 0, bending = 0;
 
     for (int i = 0; i < e->dofs; i++)
         squares += v[i] * v[i];
-    return -e->def.bending.alpha * band_form(e->mass, v) - e->def.bending.drag * squares;
+    for (int i = 0; i < b->elements && b->beta > 0; i++)
+        bending += elastica_friction_power(&e->element, b->beta, q + ELASTICA_NODE * i,
+                                           v + ELASTICA_NODE * i);
+    return bending - b->alpha * band_form(e->mass, v) - b->drag * squares;
 }

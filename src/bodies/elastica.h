@@ -2,7 +2,8 @@
  *
  * Four degrees of freedom a node (elastica-element.h), nodes from the root (0) to the tip,
  * component 0 along the straight beam and 1 across; F holds what does work on them.  M and
- * D are those of the linear beam (bending.h), once for each component.  Ends take degrees
+ * D are those of the linear beam (bending.h), once for each component; but what beta damps is
+ * the rate at which the beam bends (elastica-friction.h).  Ends take degrees
  * of freedom away: those stay in the vectors as entries that nothing moves ("held").
  * Per metre of width in 2D. */
 #ifndef BODIES_ELASTICA_H
@@ -13,7 +14,7 @@
 #include "bodies/elastica-element.h"
 
 struct elastica_def {
-    struct bending_def bending; /* length, EI, mass, ends; its beta is left out      */
+    struct bending_def bending; /* length, EI, mass, ends; its beta is that of (BE7)  */
     double EA;                  /* axial stiffness [N, 2D: N/m]                       */
     double thickness, speed;    /* scales of deflection and its rate [m], [m/s]       */
     const char *path;           /* for messages, stays where it is                    */
@@ -33,6 +34,7 @@ struct elastica {
 
 struct elastica_work { /* scratch */
     struct band *tangent, *sum;
+    struct band *skew;          /* beside sum, where beta makes it not symmetric      */
     struct band_factor *factor;
     double *vector;             /* [3][dofs]                                          */
 };
@@ -79,6 +81,7 @@ void elastica_follow(const struct elastica *e, double load, double tip, const do
 
 double elastica_kinetic(const struct elastica *e, const double *v); /* [J, 2D: J/m]        */
 double elastica_elastic(const struct elastica *e, const double *q); /* [J, 2D: J/m]        */
-double elastica_damping(const struct elastica *e, const double *v); /* power, <= 0 [W, ..] */
+double elastica_damping(const struct elastica *e, const double *q,
+                        const double *v);                           /* power, <= 0 [W, ..] */
 
 #endif

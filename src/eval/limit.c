@@ -53,3 +53,19 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
         keep_fastest(&one, "contacts", limit);
     }
 }
+
+void moment_swing(const struct moment *m, double most, struct limit *out)
+{
+    const struct plan *p = m->plan;
+
+    *out = (struct limit){ .where = -1 };
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        const double rate = b->kind->implicit && b->kind->implicit->swing
+                          ? b->kind->implicit->swing(b->body) : 0;
+        if (!(rate > out->rate && rate <= most))
+            continue;
+        out->rate = rate;
+        snprintf(out->part, sizeof out->part, "%.50s, first mode", b->path);
+    }
+}

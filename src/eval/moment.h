@@ -98,6 +98,10 @@ void moment_solve_tolerance(struct moment *moment, double tol);
 void moment_limit(struct moment *moment, double t, const double *y, bool stiff,
                   struct limit limit[2]);
 
+/* Of bodies with an implicit side: the highest frequency of a first mode that is not above
+ * `most` [rad/s], with the body's name; rate 0: there is none. */
+void moment_swing(const struct moment *moment, double most, struct limit *out);
+
 /* For methods that move bodies by other stages than those at which they ask for
  * right-hand sides.  Adds to ydot, the book alone, `share` times what bodies get there at
  * (t, y) under the forces of the last right-hand side: impulse of supports and of

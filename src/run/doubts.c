@@ -132,10 +132,20 @@ int run_doubt_scene(const struct run *r)
     return doubt_skins(r);
 }
 
+/* Has it a beam, whose vibrations this method damps? */
+static bool damps(const struct run *r)
+{
+    return plan_stiff(r->plan) && !plan_viscous(r->plan) && strcmp(r->method->name, "imex4") != 0
+        && outputs_energy_made(r->outputs) < 0.5 * outputs_defect_max(r->outputs);
+}
+
 static void advise_step(const struct run *r, char *to, size_t room)
 {
     if (r->def.seconds > 0)
         snprintf(to, room, "take steps shorter than %g s", r->def.seconds);
+    else if (r->method->adaptive && damps(r))
+        snprintf(to, room, "take method = \"imex4\", which hardly damps the vibration of a beam, "
+                 "or a tol below %g", r->def.tol);
     else if (r->method->adaptive)
         snprintf(to, room, "take a tol below %g", r->def.tol);
     else
@@ -148,7 +158,7 @@ static void advise_step(const struct run *r, char *to, size_t room)
 static int doubt_energy(const struct run *r)
 {
     const double defect = outputs_defect_max(r->outputs), there = outputs_energy_most(r->outputs);
-    char advice[128];
+    char advice[160];
 
     if (!(defect > energy_share * there))
         return STATUS_DONE;

@@ -67,7 +67,7 @@ static int refuse_method(const struct run *r)
 static int find_method(struct run *r)
 {
     const struct settings *s = plan_settings(r->plan);
-    const char *name = s->method[0] ? s->method : method_default(plan_stiff(r->plan));
+    const char *name = s->method[0] ? s->method : method_default(r->plan);
     const char *reason;
 
     r->def = method_def_default();

@@ -11,6 +11,7 @@
 #include <string.h>
 
 static const double safety = 0.95; /* of the stability bound */
+static const double dearer = 1.1;  /* steps that a beam in water may add */
 
 static double longest(double factor, const struct limit *limit)
 {
@@ -29,6 +30,22 @@ double arkode_bound(struct arkode *a, double t, const double *y)
     a->stable.limit = limit[decay < wave];
     a->stable.h = fmin(wave, decay);
     return a->stable.h;
+}
+
+/* Steps that are to follow the first mode of each beam: error tests allow a beam whose
+ * deflections are small against its thickness steps over whole periods, which damp it.
+ * But hardly more of them than without: a beam is to cost nothing, however stiff. */
+static void follow(struct arkode *a)
+{
+    const double most = a->stable.h < HUGE_VAL ? dearer * a->stable.swing / a->stable.h
+                                               : HUGE_VAL;
+    struct limit mode;
+
+    moment_swing(a->moment, most, &mode);
+    if (!(mode.rate * a->stable.h > a->stable.swing))
+        return;
+    a->stable.h = a->stable.swing / mode.rate;
+    a->stable.limit = mode;
 }
 
 /* ARKStep asks after every attempt: the error norm was taken just before.  Where the start of
@@ -60,8 +77,11 @@ int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
     struct arkode *a = self;
     struct choice *c = &a->choice[0];
 
-    if (a->error.accepted)
+    if (a->error.accepted) {
         arkode_bound(a, t, vector_read(y));
+        if (a->imex)
+            follow(a);
+    }
     *h = a->stable.h < HUGE_VAL ? a->stable.h : 0;
     if (a->stable.h < c->h) {
         c->h = a->stable.h;
@@ -134,7 +154,9 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
         *h = 0.3 * bound;
     else
         TRY(cautious(a, t_stop, h));
-    *h = fmin(*h, bound);
+    if (a->imex)
+        follow(a);
+    *h = fmin(*h, a->stable.h);
     if (bound < HUGE_VAL && (a->def.h_first == 0 || *h == bound))
         a->choice[0].limiter = METHOD_STABILITY;
     a->choice[0].h = *h;

@@ -91,6 +91,15 @@ static void keep(struct arkode *a, const ARKodeButcherTable from)
     a->stable.decay = stability_decay(&a->table);
 }
 
+/* Ten periods of a beam's first mode take a thousandth of its amplitude. */
+static void keep_implicit(struct arkode *a, const ARKodeButcherTable from)
+{
+    struct tableau t;
+
+    arkode_tables_read(from, &t);
+    a->stable.swing = stability_swing(&t, 1e-3);
+}
+
 static void name(struct arkode *a)
 {
     const struct arkode_row *row = a->row;
@@ -112,6 +121,8 @@ bool arkode_tables_set(struct arkode *a)
     name(a);
     if (fine)
         keep(a, erk);
+    if (fine && a->imex)
+        keep_implicit(a, dirk);
     ARKodeButcherTable_Free(dirk);
     ARKodeButcherTable_Free(erk);
     return fine;

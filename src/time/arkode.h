@@ -52,6 +52,7 @@ struct arkode {
     struct tableau table;        /* the explicit one                           */
     struct {
         double wave, decay;      /* stability factors of that table            */
+        double swing;            /* of the implicit one, see stability_swing() */
         double h;                /* largest stable step [s]                    */
         struct limit limit;      /* what bounds it                             */
     } stable;
@@ -134,7 +135,7 @@ int arkode_adapt(N_Vector y, sunrealtype t, sunrealtype h1, sunrealtype h2, sunr
                  sunrealtype e1, sunrealtype e2, sunrealtype e3, int q, int p, sunrealtype *next,
                  void *self);
 int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self);
-double arkode_bound(struct arkode *a, double t, const double *y);
+double arkode_bound(struct arkode *a, double t, const double *y);   /* of stability */
 int arkode_first(struct arkode *a, double t_stop, double *h);
 int arkode_stretch(struct arkode *a, double t_stop); /* a constant step; 0 if it may be */
 int arkode_constant_failed(struct arkode *a); /* STATUS_FAILED, with the bound it broke */

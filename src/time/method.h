@@ -25,7 +25,7 @@ struct method_def {
 };
 struct method_def method_def_default(void);
 
-/* METHOD_STABILITY: also a rule, and a constant step. */
+/* METHOD_STABILITY: also a rule, a constant step, and the first mode of a beam. */
 enum method_limiter { METHOD_ERROR, METHOD_STABILITY, METHOD_OUTPUT };
 
 /* What one accepted step was. */
@@ -90,7 +90,8 @@ extern const struct method *const method_table[]; /* NULL-ended, for `list`   */
  * is implicit, too. */
 const char *method_bodies_alone(const struct plan *plan);
 
-/* The name a scene gets that names none: by whether there is a stiff side. */
-const char *method_default(bool stiff);
+/* The name a scene gets that names none: by whether there is a stiff side, and anything
+ * beside bodies. */
+const char *method_default(const struct plan *plan);
 
 #endif

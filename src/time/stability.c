@@ -66,3 +66,29 @@ double stability_decay(const struct tableau *t)
 {
     return along(t, -1);
 }
+
+/* |R(i x)|, stage by stage. */
+static double ringing(const struct tableau *t, double x)
+{
+    double complex k[TABLEAU_STAGES], sum = 1;
+
+    for (int i = 0; i < t->stages; i++) {
+        double complex z = 1;
+        for (int j = 0; j < i; j++)
+            z += I * x * t->a[i][j] * k[j];
+        k[i] = z / (1 - I * x * t->a[i][i]);
+        sum += I * x * t->b[i] * k[i];
+    }
+    return cabs(sum);
+}
+
+double stability_swing(const struct tableau *t, double loss)
+{
+    const double step = 1e-3, farthest = 2 * M_PI / 12, periods = 10;
+    double c = step;
+
+    while (c < farthest
+           && fabs(pow(ringing(t, c + step), periods * 2 * M_PI / (c + step)) - 1) <= loss)
+        c += step;
+    return c;
+}

@@ -19,4 +19,9 @@ double stability_wave(const struct tableau *t, double damping);
 /* Largest C with |R| <= 1.001 on the real axis from -C to 0. */
 double stability_decay(const struct tableau *t);
 
+/* Largest C for which ten periods of a vibration of frequency omega change its amplitude by
+ * at most the part `loss`, in steps of h <= C / omega by this table, explicit or with a
+ * diagonal; a twelfth of a period at most, which dense output can follow. */
+double stability_swing(const struct tableau *t, double loss);
+
 #endif

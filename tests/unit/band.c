@@ -122,6 +122,32 @@ static void solves_by_lu_what_is_not_definite(void **state)
     check_solve(12, 3, 0.1, false); /* needs row exchanges */
 }
 
+/* Against products of both halves: (b + s) x with s(i, j) = -s(j, i), no diagonal. */
+static void solves_what_is_not_symmetric(void **state)
+{
+    enum { N = 15, HALF = 3 };
+    struct band *b = filled(N, HALF, 1, 5), *s = filled(N, HALF, 8, 6);
+    struct band_factor *f = NULL;
+    double x[N], r[N], back[N];
+    unsigned seed = 2;
+
+    (void)state;
+    for (int i = 0; i < N; i++)
+        x[i] = r[i] = noise(&seed);
+    assert_int_equal(band_factor_create(N, HALF, &f), STATUS_DONE);
+    assert_int_equal(band_factor_set_skew(f, b, s), STATUS_DONE);
+    band_factor_solve(f, x);
+    band_multiply(b, x, back);
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++)
+            back[i] += (i > j) * band_at(s, i, j) * x[j] - (i < j) * band_at(s, i, j) * x[j];
+        check_close(back[i], r[i], 1e-11, "(b + s) x - r");
+    }
+    band_factor_free(&f);
+    band_free(&b);
+    band_free(&s);
+}
+
 static void nothing_times_nothing_is_harmless(void **state)
 {
     struct band *b = made(0, 3);
@@ -197,6 +223,7 @@ int main(void)
         cmocka_unit_test(product_and_form_are_those_of_the_dense_matrix),
         cmocka_unit_test(solves_by_cholesky),
         cmocka_unit_test(solves_by_lu_what_is_not_definite),
+        cmocka_unit_test(solves_what_is_not_symmetric),
         cmocka_unit_test(nothing_times_nothing_is_harmless),
         cmocka_unit_test(singular_and_nan_are_refused_not_aborted),
         cmocka_unit_test(held_unknown_stands_alone),

@@ -233,6 +233,7 @@ static void solve_inverts_the_stiff_side(void **state)
     (void)state;
     def.bending.alpha = 2;
     def.bending.drag = 0.01;
+    def.bending.beta = 0.05 / bending_first(&def.bending);
     struct elastica_work *w;
     struct elastica *e = made(def, &w);
     for (int k = 0; k < 6; k++) {

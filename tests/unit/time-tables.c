@@ -148,6 +148,34 @@ static void check_stiff(const char *name, const struct tableau *t)
         fail_msg("%s: estimate %g", name, growth(t, t->d, -1e7));
 }
 
+/* What a table says by swinging: y' = i y, an amplitude after ten periods.  imex3 takes 0.1 %
+ * in 74 steps a period; imex4 would in 6.5, and takes twelve. */
+static void check_swing(const char *method, double steps, double most)
+{
+    struct method_def def = method_def_default();
+    const struct method *m;
+    struct tableau t;
+
+    assert_int_equal(method_find(method, &def, &m), STATUS_DONE);
+    ARKodeButcherTable table =
+        ARKodeButcherTable_LoadDIRKByName(((const struct arkode_row *)m)->dirk);
+    assert_non_null(table);
+    arkode_tables_read(table, &t);
+    ARKodeButcherTable_Free(table);
+    const double c = stability_swing(&t, 1e-3), left = pow(growth(&t, t.b, I * c), 20 * M_PI / c);
+    near(2 * M_PI / c, steps, 0.01 * steps);
+    if (!(left <= 1 && 1 - left <= most && 1 - left >= most / 2))
+        fail_msg("%s: ten periods leave %.6g", method, left);
+}
+
+void steps_that_follow_a_vibration(void **state)
+{
+    (void)state;
+    check_swing("imex3", 74, 1e-3);
+    check_swing("imex4", 12, 8e-5);
+    check_swing("imex5", 12, 3e-4);
+}
+
 void implicit_tables_are_l_stable(void **state)
 {
     static const char *const methods[] = { "imex3", "imex4", "imex5", "dirk3", "dirk4", "dirk5" };

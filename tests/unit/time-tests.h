@@ -40,6 +40,7 @@ void stability_factors_are_those_published(void **state);
 void stability_factors_of_sundials_tables(void **state);
 void halves_of_a_pair_go_together(void **state);
 void implicit_tables_are_l_stable(void **state);
+void steps_that_follow_a_vibration(void **state);
 
 void staggered_steps_water_and_bodies_in_turn(void **state);
 void staggered_counts_its_substeps(void **state);

@@ -257,6 +257,13 @@ void moment_limit(struct moment *p, double t, const double *y, bool stiff, struc
         limit[0] = (struct limit){ .rate = sqrt(p->stiffness), .where = 0, .part = "beam.b" };
 }
 
+/* Its beam is there for stiffness, not to be followed. */
+void moment_swing(const struct moment *p, double most, struct limit *out)
+{
+    (void)p, (void)most;
+    *out = (struct limit){ .where = -1 };
+}
+
 void moment_weights(const struct moment *p, double tol, double *weight)
 {
     layout_weights(&p->layout, tol, weight);
