@@ -50,15 +50,17 @@ struct part_law {
     enum part_kernel kernel;  /* that pairs() is weighed with                 */
     unsigned rows;            /* NEED_ bits of pairs()                        */
     unsigned columns;         /* COLUMN_ bits of pairs()                      */
-    unsigned acts[KINDS];     /* partner kinds by owner kind                  */
+    unsigned acts[KINDS];     /* partner kinds by owner kind; not read with kinds() */
     bool conservative;        /* its power only moves energy between kinetic
                                  and internal: booked as pressure_defect      */
 
     /* Adds to the owners' own sum; written symmetric in its two sides. */
     part_pairs *pairs;
 
-    /* Picks another law than pairs by what the parameters say, once. */
+    /* Picks another law than pairs, and other partner kinds than acts, [KINDS], by what
+     * the parameters say, once. */
     part_pairs *(*choose)(const void *self);
+    const unsigned *(*kinds)(const void *self);
 };
 
 typedef void part_couple(const void *self, const struct side *a, const struct block *b,

@@ -32,6 +32,10 @@ static const struct {
     { "effects = { continuity = { }; artificial-viscosity = { alpha = 0.5; }; };", NOWHERE },
     { "effects = { continuity = { };"
       " artificial-viscosity = { alpha = 0.5; only_approaching = true; }; };", NOWHERE },
+    { "effects = { continuity = { }; artificial-viscosity = { alpha = 0.5; stick = \"none\"; }; };",
+      NOWHERE },
+    { TANK_SLIPS, EVERYWHERE },
+    { "walls = \"adami\";" TANK_SLIPS, NOWHERE },
     { "effects = { continuity = { }; laminar-viscosity = { mu = 5.0; }; };", NOWHERE },
     { "effects = { continuity = { }; stress-viscosity = { mu = 5.0; }; };", NOWHERE },
     { "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };", NOWHERE },

@@ -17,6 +17,11 @@
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"  \
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };"
 
+/* Artificial viscosity that is no friction at solids. */
+#define TANK_SLIPS                                                                       \
+    "effects = { continuity = { }; pressure = { }; density-diffusion = { delta = 0.1; };"     \
+    " artificial-viscosity = { alpha = 0.1; stick = \"none\"; }; };"
+
 /* Summed densities, between walls that are fluid otherwise. */
 #define TANK_SUMMED "walls = \"ghost\"; effects = { summation = { }; pressure = { }; };"
 
