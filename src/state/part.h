@@ -115,6 +115,13 @@ struct part_force {
                                  the books know what it gives                 */
 };
 
+/* A rate of density of the fluid that no pair gives.  It acts where the pressure is 0, so
+ * that it has no power: the book has no column for it. */
+struct part_source {
+    /* Adds to the rate of density of the fluid, rate [n fluid] [kg/m^D/s], by row. */
+    void (*densify)(const void *self, const struct view *v, double *rate);
+};
+
 typedef void part_moduli(const void *self, int n, const double *rho, const double *p,
                          double *modulus);
 
@@ -139,6 +146,7 @@ struct part_roles {
     const struct part_operator *operator;
     const struct part_summed *summed;
     const struct part_force *force;
+    const struct part_source *source;
     const struct part_pressure *pressure;
     const struct part_wall *wall;
 };

@@ -41,6 +41,7 @@ static const struct {
     { "effects = { continuity = { }; density-diffusion = { delta = 0.3; }; };", NOWHERE },
     { TANK_EFFECTS, EVERYWHERE },
     { TANK_EFFECTS "eos = { tension = false; };", EVERYWHERE },
+    { TANK_HEALED "eos = { tension = false; };", EVERYWHERE },
     { TANK_EFFECTS "eos = { type = \"linear\"; k = 250.0; };", EVERYWHERE },
     { TANK_EFFECTS TANK_SEED_KERNELS, NOWHERE },
     { TANK_SUMMED, WITHOUT_BEAM },
