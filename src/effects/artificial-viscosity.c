@@ -10,11 +10,18 @@
  * The published form acts on approaching pairs (v.x < 0) only; that switch makes
  * f rough and costs two to three digits of accuracy in time, so it is off unless
  * the scene asks.  F_ab . v is never positive: this effect only takes energy out.
- * It is worth a kinematic viscosity of alpha c0 hs / (2 (D + 2)).
+ * It is worth a kinematic viscosity of alpha c0 hs / (2 (D + 2)), which keeps the fluid
+ * smooth and is no property of it: as friction at walls it brakes thin sheets of water and
+ * halves what they do to a wall.  stick = "none" leaves solids out.
  * Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574, eq. 4.1-4.2.
  * Checked in tests/physics/laws.c. */
 #include "effects/artificial-viscosity.h"
 #include "effects/effects.h"
+
+#include <string.h>
+
+/* The default first. */
+static const char *const sticks[] = { "particles", "none", NULL };
 
 static const struct param params[] = {
     { .key = "alpha", .unit = "1", .offset = offsetof(struct artificial_viscosity, alpha),
@@ -22,6 +29,10 @@ static const struct param params[] = {
     { .key = "only_approaching", .unit = "", .type = PARAM_FLAG,
       .offset = offsetof(struct artificial_viscosity, only_approaching), .fallback = 0,
       .max = 1, .about = "act on approaching pairs only, as published (rough in time)" },
+    { .key = "stick", .unit = "", .type = PARAM_WORD,
+      .offset = offsetof(struct artificial_viscosity, stick), .words = sticks,
+      .about = "which solids brake the fluid: it sticks where their \"particles\" are, or \"none\" "
+               "do and it slips along them" },
     { 0 },
 };
 
@@ -49,6 +60,14 @@ static part_pairs *choose(const void *self)
     return s->only_approaching ? pairs_approaching : pairs;
 }
 
+static const unsigned *kinds(const void *self)
+{
+    static const unsigned sticky[KINDS] = EFFECTS_ACT_STICKY, fluid[KINDS] = EFFECTS_ACT_FLUID;
+    const struct artificial_viscosity *s = self;
+
+    return strcmp(s->stick, "none") == 0 ? fluid : sticky;
+}
+
 /* Longitudinal waves feel three times the shear viscosity of (V2). */
 static int prepare(void *self, const struct scales *scales)
 {
@@ -74,9 +93,9 @@ static const struct part_law law = {
     .rows = NEED_X | NEED_IRHO | NEED_XV | NEED_GRADW_R2,
     .columns = COLUMN_FORCE,
     .kernel = PART_VISCOSITY,
-    .acts = EFFECTS_ACT_STICKY,
     .pairs = pairs,
     .choose = choose,
+    .kinds = kinds,
 };
 
 const struct part LANE_NAME(effects_artificial_viscosity) = {

@@ -10,6 +10,7 @@
 struct artificial_viscosity {
     double alpha;
     bool only_approaching;
+    const char *stick;
     double strength; /* alpha c0 hs / 2        [m^2/s] */
     double rate;     /* fastest decay          [1/s]   */
 };

@@ -12,6 +12,7 @@ extern const struct part LANE_NAME(effects_stress_viscosity);
 extern const struct part LANE_NAME(effects_laplacian_viscosity);
 extern const struct part LANE_NAME(effects_viscosity_printed);
 extern const struct part LANE_NAME(effects_density_diffusion);
+extern const struct part LANE_NAME(effects_density_healing);
 extern const struct part LANE_NAME(effects_particle_shifting);
 extern const struct part LANE_NAME(effects_gravity);
 extern const struct part LANE_NAME(effects_central_force);
@@ -28,6 +29,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_laplacian_viscosity),
     &LANE_NAME(effects_viscosity_printed),
     &LANE_NAME(effects_density_diffusion),
+    &LANE_NAME(effects_density_healing),
     &LANE_NAME(effects_particle_shifting),
     &LANE_NAME(effects_gravity),
     &LANE_NAME(effects_central_force),

@@ -30,21 +30,24 @@ LANES_INLINE void run(const struct pairs_table *table, const struct side *a,
 {
     const struct pairs_work *w = table->work;
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
-    struct sum one = sum[w[0].slot], two = sum[w[1].slot]; /* registers, not memory */
+    /* registers, not memory */
+    struct sum one = sum[w[0].slot], two = second ? sum[w[1].slot] : one;
     struct sum three = third ? sum[w[2].slot] : one, four = fourth ? sum[w[3].slot] : one;
 
     for (int k = 0; k < b->n; k++) {
         const struct row row = with_gradient(&c, b, k);
 
         first(w[0].self, a, &row, &one);
-        second(w[1].self, a, &row, &two);
+        if (second)
+            second(w[1].self, a, &row, &two);
         if (third)
             third(w[2].self, a, &row, &three);
         if (fourth)
             fourth(w[3].self, a, &row, &four);
     }
     sum[w[0].slot] = one;
-    sum[w[1].slot] = two;
+    if (second)
+        sum[w[1].slot] = two;
     if (third)
         sum[w[2].slot] = three;
     if (fourth)
@@ -69,6 +72,7 @@ LOOP(rate_pressure_laminar_diffusion, density_rate_row, pressure_force_row,
      laminar_viscosity_row, density_diffusion_row)
 LOOP(pressure_artificial, pressure_force_row, artificial_viscosity_row, NULL, NULL)
 LOOP(pressure_laminar, pressure_force_row, laminar_viscosity_row, NULL, NULL)
+LOOP(pressure_alone, pressure_force_row, NULL, NULL, NULL)
 LOOP(rate_diffusion, density_rate_row, density_diffusion_row, NULL, NULL)
 
 #define RATE &LANE_NAME(effects_continuity)
@@ -93,6 +97,7 @@ static const struct {
     { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion },
     { { PRESSURE, ARTIFICIAL }, pressure_artificial },
     { { PRESSURE, LAMINAR }, pressure_laminar },
+    { { PRESSURE }, pressure_alone },
     { { RATE, DIFFUSION }, rate_diffusion },
 };
 

@@ -111,6 +111,17 @@ static double field_rate(const struct blame *b, const struct plan_part *part)
     return size_of(b->rate[b->particle]);
 }
 
+static double source_rate(const struct blame *b, const struct plan_part *part)
+{
+    double *rate = b->rate[0];
+
+    if (!b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
+        return 0;
+    memset(rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *rate);
+    part->part->as.source->densify(part->self, b->v, rate);
+    return fabs(rate[b->particle]);
+}
+
 static int part_rate(const struct blame *b, const struct plan_part *part, double *rate)
 {
     *rate = 0;
@@ -120,6 +131,8 @@ static int part_rate(const struct blame *b, const struct plan_part *part, double
     }
     if (part->part->as.force)
         *rate += field_rate(b, part);
+    if (part->part->as.source)
+        *rate += source_rate(b, part);
     return STATUS_DONE;
 }
 

@@ -46,6 +46,14 @@ static bool apart(const struct plan *p)
     return p->stiff != NULL;
 }
 
+static bool sources(const struct plan *p)
+{
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->as.source)
+            return true;
+    return false;
+}
+
 #define FIELDS_OF_PAIRS (PASS_RECORDS | PASS_PAIRS)
 #define PLACES (PASS_POSITION | PASS_MOTION)
 
@@ -90,6 +98,9 @@ const struct pass passes_table[] = {
 { "body forces", PASS_POINTWISE,
     PLACES | PASS_VELOCITY, 0, 0, PASS_ACCELERATION,
     FORCES, fluid, passes_body_forces },
+{ "sources of density", PASS_POINTWISE,
+    PLACES | PASS_VELOCITY | PASS_DENSITY, 0, 0, PASS_DENSITY_RATE,
+    MOVES | PASS_FOR_DENSITIES, sources, passes_sources },
 { "drift", PASS_POINTWISE,
     PASS_DRIFT, 0, 0, PASS_POSITION_RATE | PASS_POWER,
     MOVES, drifts, passes_drift },

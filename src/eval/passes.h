@@ -26,8 +26,8 @@ passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, 
     passes_fluid;
 
 /* push.c */
-passes_run passes_body_forces, passes_drift, passes_solids, passes_skins, passes_contacts,
-    passes_load, passes_book, passes_half_book;
+passes_run passes_body_forces, passes_sources, passes_drift, passes_solids, passes_skins,
+    passes_contacts, passes_load, passes_book, passes_half_book;
 
 /* push.c: body forces at this view, added to rates of velocities of ydot; m->pull is what
  * those that are not the weight pull with in all. */

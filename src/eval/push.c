@@ -1,4 +1,4 @@
-/* push.c -- what follows from forces: body forces, drift, solids and bodies, the book. */
+/* push.c -- what follows from forces: body forces, sources of density, drift, solids and bodies, the book. */
 #include "eval/passes.h"
 
 #include "base/status.h"
@@ -41,6 +41,19 @@ int passes_body_forces(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
     passes_add_body_forces(e);
+    return STATUS_DONE;
+}
+
+/* Rates of density that no pair gives. */
+int passes_sources(struct evaluation *e, const struct plan_field *of)
+{
+    const struct plan *p = e->m->plan;
+    double *rate = e->ydot + layout_at(&e->m->layout, p->row.density[KIND_FLUID]);
+
+    (void)of;
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->as.source)
+            p->part[i].part->as.source->densify(p->part[i].self, &e->view, rate);
     return STATUS_DONE;
 }
 

@@ -13,13 +13,21 @@ static bool owns(const struct plan *p, const struct part_law *law, int owner)
     return !(solid && law->columns == COLUMN_DRHO && !p->in.walls->as.wall->as_fluid);
 }
 
+/* Partner kinds by owner kind. */
+static const unsigned *kinds_of(const struct plan_part *part)
+{
+    const struct part_law *law = part->part->as.law;
+
+    return law->kinds ? law->kinds(part->self) : law->acts;
+}
+
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
                    int owner, int partner)
 {
     const struct part_law *law = part->part->as.law;
     struct pairs_table *t = &table[owner * KINDS + partner];
 
-    if (!(law->acts[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
+    if (!(kinds_of(part)[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
         return STATUS_DONE;
     if (t->n == PAIRS_LAWS)
         return status_fail(STATUS_BAD_SCENE, "more than %d effects between particles", PAIRS_LAWS);

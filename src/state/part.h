@@ -50,15 +50,17 @@ struct part_law {
     enum part_kernel kernel;  /* that pairs() is weighed with                 */
     unsigned rows;            /* NEED_ bits of pairs()                        */
     unsigned columns;         /* COLUMN_ bits of pairs()                      */
-    unsigned acts[KINDS];     /* partner kinds by owner kind                  */
+    unsigned acts[KINDS];     /* partner kinds by owner kind; not read with kinds() */
     bool conservative;        /* its power only moves energy between kinetic
                                  and internal: booked as pressure_defect      */
 
     /* Adds to the owners' own sum; written symmetric in its two sides. */
     part_pairs *pairs;
 
-    /* Picks another law than pairs by what the parameters say, once. */
+    /* Picks another law than pairs, and other partner kinds than acts, [KINDS], by what
+     * the parameters say, once. */
     part_pairs *(*choose)(const void *self);
+    const unsigned *(*kinds)(const void *self);
 };
 
 typedef void part_couple(const void *self, const struct side *a, const struct block *b,
@@ -113,6 +115,13 @@ struct part_force {
                                  the books know what it gives                 */
 };
 
+/* A rate of density of the fluid that no pair gives.  It acts where the pressure is 0, so
+ * that it has no power: the book has no column for it. */
+struct part_source {
+    /* Adds to the rate of density of the fluid, rate [n fluid] [kg/m^D/s], by row. */
+    void (*densify)(const void *self, const struct view *v, double *rate);
+};
+
 typedef void part_moduli(const void *self, int n, const double *rho, const double *p,
                          double *modulus);
 
@@ -137,6 +146,7 @@ struct part_roles {
     const struct part_operator *operator;
     const struct part_summed *summed;
     const struct part_force *force;
+    const struct part_source *source;
     const struct part_pressure *pressure;
     const struct part_wall *wall;
 };

@@ -15,13 +15,14 @@ static const char *const physics[] = {
     " density-diffusion = { delta = 0.1; }; };",
     "walls = \"adami\"; effects = { continuity = { }; pressure = { };"
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };",
+    "walls = \"adami\"; " TANK_SLIPS,
 };
 enum { PHYSICS = sizeof physics / sizeof physics[0] };
 
 static const char *const wide[] = { "2", "4", "8" };
 enum { WIDTHS = sizeof wide / sizeof wide[0] };
 
-enum { HALVES = 3, TABLES = HALVES * KINDS * KINDS, LOOPS = 9 };
+enum { HALVES = 3, TABLES = HALVES * KINDS * KINDS, LOOPS = 10 };
 static const unsigned half[HALVES] = { 0, ASK_DENSITIES, ASK_VELOCITIES };
 
 /* All tables of a plan. */

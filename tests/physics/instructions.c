@@ -13,25 +13,33 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Where the code of libgomp lies.  It takes a team of threads from the heap for every loop,
- * which costs by how the heap happens to lie. */
+/* Where code lies. */
 struct code {
     uintptr_t from, to;
 };
 
-static int find_gomp(struct dl_phdr_info *info, size_t size, void *found)
+/* The program's own, and that of libgomp, which takes a team of threads from the heap for
+ * every loop: what it does and calls there costs by how the heap happens to lie. */
+struct codes {
+    struct code own, gomp;
+};
+
+static int find_code(struct dl_phdr_info *info, size_t size, void *found)
 {
-    struct code *code = found;
+    struct codes *codes = found;
+    struct code code = { 0 };
 
     (void)size;
-    if (!strstr(info->dlpi_name, "libgomp"))
-        return 0;
     for (int i = 0; i < info->dlpi_phnum; i++)
         if (info->dlpi_phdr[i].p_flags & PF_X)
-            *code = (struct code){ info->dlpi_addr + info->dlpi_phdr[i].p_vaddr,
-                                   info->dlpi_addr + info->dlpi_phdr[i].p_vaddr
-                                       + info->dlpi_phdr[i].p_memsz };
-    return 1;
+            code = (struct code){ info->dlpi_addr + info->dlpi_phdr[i].p_vaddr,
+                                  info->dlpi_addr + info->dlpi_phdr[i].p_vaddr
+                                      + info->dlpi_phdr[i].p_memsz };
+    if (info->dlpi_name[0] == '\0')
+        codes->own = code;
+    if (strstr(info->dlpi_name, "libgomp"))
+        codes->gomp = code;
+    return 0;
 }
 
 static void copy(void (*work)(void *with), void *with)
@@ -44,43 +52,49 @@ static void copy(void (*work)(void *with), void *with)
     _exit(0);
 }
 
-/* Is the next instruction in there?  Elsewhere than on x86-64 that is not asked. */
-static bool inside(pid_t pid, const struct code *code)
+static bool among(const struct code *code, uintptr_t at)
+{
+    return at >= code->from && at < code->to;
+}
+
+/* Is the next instruction libgomp's, or of a library that it has called?  `before`: was the
+ * last.  Elsewhere than on x86-64 that is not asked. */
+static bool apart(pid_t pid, const struct codes *codes, bool before)
 {
 #ifdef __x86_64__
     struct user_regs_struct at;
 
     if (ptrace(PTRACE_GETREGS, pid, 0, &at) == 0)
-        return at.rip >= code->from && at.rip < code->to;
+        return among(&codes->gomp, at.rip) || (before && !among(&codes->own, at.rip));
 #endif
     (void)pid;
-    (void)code;
-    return false;
+    (void)codes;
+    return before;
 }
 
 /* Steps until the copy stops itself again; -1: it ended, or may not be traced. */
-static long count(pid_t pid, const struct code *apart)
+static long count(pid_t pid, const struct codes *codes)
 {
+    bool beside = false;
     long n = 0;
     int status;
 
     if (waitpid(pid, &status, 0) != pid || !WIFSTOPPED(status))
         return -1;
     for (;;) {
-        const bool counts = !inside(pid, apart);
-
+        beside = apart(pid, codes, beside);
         if (ptrace(PTRACE_SINGLESTEP, pid, 0, 0) || waitpid(pid, &status, 0) != pid
             || !WIFSTOPPED(status))
             return -1;
         if (WSTOPSIG(status) != SIGTRAP)
             return n;
-        n += counts;
+        n += !beside;
     }
 }
 
 long instructions_of(void (*work)(void *with), void *with)
 {
-    struct code gomp = { 0 };
+    struct codes codes = { 0 };
     const pid_t pid = fork();
     long n;
 
@@ -88,8 +102,8 @@ long instructions_of(void (*work)(void *with), void *with)
         return -1;
     if (pid == 0)
         copy(work, with);
-    dl_iterate_phdr(find_gomp, &gomp);
-    n = count(pid, &gomp);
+    dl_iterate_phdr(find_code, &codes);
+    n = count(pid, &codes);
     kill(pid, SIGKILL);
     waitpid(pid, NULL, 0);
     return n;

@@ -17,6 +17,14 @@
     "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"  \
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };"
 
+/* Artificial viscosity that is no friction at solids; densities that heal. */
+#define TANK_SLIPS                                                                       \
+    "effects = { continuity = { }; pressure = { }; density-diffusion = { delta = 0.1; };"     \
+    " artificial-viscosity = { alpha = 0.1; stick = \"none\"; }; };"
+#define TANK_HEALED                                                                      \
+    "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.1; };"  \
+    " density-healing = { strength = 0.9; }; };"
+
 /* Summed densities, between walls that are fluid otherwise. */
 #define TANK_SUMMED "walls = \"ghost\"; effects = { summation = { }; pressure = { }; };"
 
