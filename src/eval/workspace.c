@@ -31,10 +31,18 @@ static int take_sums(const struct plan *p, struct workspace *w)
     w->f = workspace_lines(n * DIM);
     w->drho = workspace_lines(n);
     w->power = workspace_lines((size_t)p->slots + 1);
+    if (p->passes.press) {
+        const size_t solids = n - (size_t)particles_count(p->particles, KIND_FLUID);
+        w->p2 = workspace_lines(solids);
+        w->press = workspace_lines(4 * solids);
+        if (!w->p2 || !w->press)
+            return STATUS_FAILED;
+    }
+    if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = workspace_lines(n)))
+        return STATUS_FAILED;
     if (p->passes.fields > 0) {
-        w->rho = workspace_lines(n);
         w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);
-        if (!w->rho || !w->sum)
+        if (!w->sum)
             return STATUS_FAILED;
     }
     return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
@@ -94,6 +102,8 @@ void workspace_free(struct workspace **workspace)
     free(w->drho);
     free(w->power);
     free(w->rho);
+    free(w->p2);
+    free(w->press);
     free(w->sum);
     free(w->drift);
     free(w->points);
