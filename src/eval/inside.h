@@ -20,7 +20,8 @@ struct workspace {
     double *power;   /* [columns]                                             */
     double *rho;     /* [n] densities that fields or the pass of solids give, by row; NULL */
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
-    double *press;   /* [4 solids] for that; NULL                             */
+    double *pressed; /* [solids][DIM] for that; NULL                          */
+    struct part_press_work *press; /* likewise                                  */
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
@@ -72,7 +73,7 @@ static inline void moment_note(struct moment *m, enum moment_complaint what, int
  * there may be more images. */
 double *workspace_lines(size_t numbers);
 int workspace_create(const struct plan *p, struct workspace **out);
-void workspace_free(struct workspace **w);
+void workspace_free(const struct plan *p, struct workspace **w);
 int workspace_fit(struct workspace *w, const struct list *l);
 
 /* moment.c: another moment of the run's plan, for looking. */

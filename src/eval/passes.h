@@ -19,7 +19,7 @@ struct evaluation {
 typedef int passes_run(struct evaluation *e, const struct plan_field *of);
 
 /* view.c, press.c, fields.c, pack.c */
-passes_run passes_motion, passes_press, passes_press_ahead, passes_list, passes_records,
+passes_run passes_motion, passes_press, passes_press_ahead, passes_meet, passes_list, passes_records,
     passes_sum;
 
 /* laws.c, spread.c */

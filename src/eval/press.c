@@ -9,10 +9,9 @@
 static void press(struct moment *m, double *rho, double *p2)
 {
     const struct plan_part *wall = m->plan->passes.press;
-    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2,
-                                     .scratch = m->work->press };
+    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2 };
 
-    wall->part->as.wall->press->press(wall->self, m->particles, &io);
+    wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
 }
 
 void moment_press(struct moment *m, struct view *v)
@@ -78,7 +77,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     const struct particles *p = e->m->particles;
     struct workspace *w = e->m->work;
     const int first = p->from[KIND_WALL], n = p->n - first;
-    double *rho = w->press + 2 * (size_t)n, *p2 = rho + n, power = 0;
+    double *rho = w->pressed, *p2 = rho + n, power = 0;
 
     (void)of;
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
@@ -90,5 +89,26 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);
     }
     w->power[slot_of(e->m->plan)] += power;
+    return STATUS_DONE;
+}
+
+/* Forces between solids join those of pairs. */
+int passes_meet(struct evaluation *e, const struct plan_field *of)
+{
+    const struct plan_part *wall = e->m->plan->passes.press;
+    const struct particles *p = e->m->particles;
+    struct workspace *w = e->m->work;
+    const int first = p->from[KIND_WALL], n = p->n - first;
+    double (*f)[DIM] = (double (*)[DIM])w->pressed;
+
+    (void)of;
+    memset(f, 0, (size_t)n * sizeof *f);
+    if (!wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f))
+        return STATUS_DONE;
+    for (int i = 0; i < n; i++) {
+        const int place = e->m->list->slot[first + i];
+        for (int d = 0; d < DIM && place >= 0; d++)
+            w->f[(size_t)place * DIM + d] += f[i][d];
+    }
     return STATUS_DONE;
 }

@@ -147,8 +147,9 @@ struct part_pressed {
     const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
     double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
     double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
-    double *scratch;   /* [2 solids]                                          */
 };
+
+struct part_press_work; /* what members work in: memory of a wall model          */
 
 /* Solids that press by more than a density of their own.  What it knows of their places it
  * keeps in self, made once. */
@@ -159,8 +160,19 @@ struct part_press {
     /* Densities of kind k at t = 0, by id, from those of the pressure there. */
     void (*start)(const void *self, const struct particles *p, enum kind k, double *rho);
 
-    /* p says which particle stands in which row. */
-    void (*press)(const void *self, const struct particles *p, const struct part_pressed *io);
+    /* All the memory that members will ever need; a pointer to NULL is welcome. */
+    int (*work)(const void *self, struct part_press_work **out);
+    void (*work_free)(struct part_press_work **work);
+
+    /* p says where solids are now, and which particle stands in which row. */
+    void (*press)(const void *self, struct part_press_work *w, const struct particles *p,
+                  const struct part_pressed *io);
+
+    /* Forces between solids, at the places of the last press(), added to f [solids][DIM] by
+     * row [N]; returns false, and leaves f alone, where no two solids ever move against each
+     * other. */
+    bool (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
+                 const double *p2, double (*f)[DIM]);
 
     /* Bytes that it took. */
     double (*memory)(const void *self);

@@ -16,7 +16,7 @@ enum { CUTS = DIM == 2 ? 4 : 2, POINTS = 1 << DIM, NEAR = 4096 };
 struct tally {
     const struct contact_room *room;
     const double *x;    /* the particle                  */
-    int first;          /* id of the first solid         */
+    int first, group;   /* id of the first solid; its own group */
     int skins;
     int skin[NEAR];     /* points whose cells may matter */
     double from[NEAR][DIM]; /* steps to them             */
@@ -75,7 +75,7 @@ static bool is_open(const struct tally *it, const double *step)
         if (home[d] < s->low[d] || home[d] >= s->high[d])
             return false;
     for (int o = 0; o < at->p->objects; o++)
-        if (at->solid[o].group >= 0 && at->solid[o].shape && in_bounds(it->room->bounds[o], home)
+        if (at->solid[o].group == it->group && at->solid[o].shape && in_bounds(it->room->bounds[o], home)
             && shape_contains(at->solid[o].shape, home))
             return false;
     for (int k = 0; k < it->skins; k++) {
@@ -138,7 +138,9 @@ static void keep_skin(void *self, int j, double r, const double *step)
     struct tally *it = self;
     const struct part_places *at = it->room->at;
 
-    if (at->solid[at->p->object_of[it->first + j]].shape || it->skins == NEAR
+    const struct part_solid *solid = &at->solid[at->p->object_of[it->first + j]];
+
+    if (solid->shape || solid->group != it->group || it->skins == NEAR
         || r > at->kernel->support + 2 * at->p->scales->dx)
         return;
     it->skin[it->skins] = j;
@@ -149,7 +151,9 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
 {
     const double dx = r->at->p->scales->dx;
     const int reach = (int)ceil(r->at->kernel->support / dx), side = 2 * reach + 1;
-    struct tally it = { .room = r, .x = r->cells->x[i], .first = r->at->p->from[KIND_WALL] };
+    const int first = r->at->p->from[KIND_WALL];
+    struct tally it = { .room = r, .x = r->cells->x[i], .first = first,
+                        .group = r->at->solid[r->at->p->object_of[first + i]].group };
     int cells = 1;
 
     contact_cells_visit(r->cells, it.x, keep_skin, &it);

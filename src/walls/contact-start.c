@@ -17,20 +17,23 @@ static void add(void *self, int j, double r, const double *step)
     s->rho += s->at->p->m[j] * kernel_w(s->at->kernel, r);
 }
 
-int contact_start_lack(const struct part_places *at, const struct contact_cells *solids,
-                       const struct contact_share *share, double *lack)
+int contact_start_short(const struct part_places *at, const struct contact_mean *mean,
+                        const struct contact_others *others, const double *around, double *to)
 {
     const struct particles *p = at->p;
-    const int n = p->n - p->from[KIND_WALL], fluid = particles_count(p, KIND_FLUID);
+    const int first = p->from[KIND_WALL], fluid = particles_count(p, KIND_FLUID);
     struct contact_cells water;
 
     TRY(contact_cells_create(&water, p->scales, (const double (*)[DIM])p->x0, fluid,
                              at->kernel->support));
-    for (int i = 0; i < n; i++) {
-        const double full = p->scales->rho0 * share[i].open;
+    for (int i = 0; i < mean->n; i++) {
+        const double full = others->room[i];
         struct sum s = { .at = at };
-        contact_cells_visit(&water, solids->x[i], add, &s);
-        lack[i] = full - s.rho < 0.2 * full ? 0 : full - s.rho;
+        double slope;
+        const double filled = contact_others_fill(others, i, around[i], &slope);
+        contact_cells_visit(&water, p->x0[first + mean->solid[i]], add, &s);
+        const double lack = full - s.rho - filled;
+        to[mean->solid[i]] = filled + (lack < 0.2 * full ? 0 : lack);
     }
     contact_cells_free(&water);
     return STATUS_DONE;
