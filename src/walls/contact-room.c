@@ -61,30 +61,42 @@ static bool in_bounds(double (*const bounds)[DIM], const double *x)
     return true;
 }
 
-/* A place at `step` from the particle. */
+static bool in_domain(const struct scales *s, const double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        if (x[d] < s->low[d] || x[d] >= s->high[d])
+            return false;
+    return true;
+}
+
+/* A place at `step` from the particle.  Another solid may stand outside the domain, and may
+ * leave. */
 static bool is_open(const struct tally *it, const double *step)
 {
     const struct part_places *at = it->room->at;
-    const struct scales *s = at->p->scales;
     double x[DIM], home[DIM];
+    bool open;
 
     for (int d = 0; d < DIM; d++)
         x[d] = it->x[d] + step[d];
-    period_home(s, x, home);
-    for (int d = 0; d < DIM; d++)
-        if (home[d] < s->low[d] || home[d] >= s->high[d])
+    period_home(at->p->scales, x, home);
+    open = in_domain(at->p->scales, home);
+    for (int o = 0; o < at->p->objects; o++) {
+        const struct part_solid *solid = &at->solid[o];
+        if (solid->group < 0 || !solid->shape || !in_bounds(it->room->bounds[o], home)
+            || !shape_contains(solid->shape, home))
+            continue;
+        if (solid->group == it->group)
             return false;
-    for (int o = 0; o < at->p->objects; o++)
-        if (at->solid[o].group == it->group && at->solid[o].shape && in_bounds(it->room->bounds[o], home)
-            && shape_contains(at->solid[o].shape, home))
-            return false;
+        open = true;
+    }
     for (int k = 0; k < it->skins; k++) {
         for (int d = 0; d < DIM; d++)
             x[d] = step[d] - it->from[k][d];
         if (contact_skin_fills(&it->room->skin[it->skin[k]], x))
             return false;
     }
-    return true;
+    return open;
 }
 
 double contact_room_kernel(const struct part_places *at, double r)

@@ -5,8 +5,8 @@
  *   n_w = dx^D sum_c phi_c W(x_c - x_w) e_c,  phi_c: share of the cell that is open
  *
  * with e_c the mean direction from the particle to what is open there.  Open is what lies in
- * the domain but not in the solid itself, or in one that never moves against it: others may
- * leave (contact-others.h).  Where faces lie between sites s_w is the sum over open
+ * the domain or in another solid, which may leave (contact-others.h), but not in the solid
+ * itself or in one that never moves against it.  Where faces lie between sites s_w is the sum over open
  * sites, which is what water on a lattice gives; where they are slanted or round it changes
  * with them smoothly.  Cells that a face cuts are cut, 4 times in the plane and twice in
  * space, to measure phi. */
