@@ -115,27 +115,43 @@ static double length_of(const double *step)
     return sqrt(r2);
 }
 
-/* A part of a cell around `middle`, its sides 2 half, weight w if it is open: by Gauss' two
- * points along each side, or by halves where these do not agree. */
-static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
+/* Steps to the corners of a cube around `middle`, its sides 2 half. */
+static void corners(const double *middle, double half, double (*step)[DIM])
 {
-    double step[POINTS][DIM];
+    for (int k = 0; k < POINTS; k++)
+        for (int d = 0; d < DIM; d++)
+            step[k][d] = middle[d] + (k >> d & 1 ? half : -half);
+}
+
+/* Which of these places are open, a bit each. */
+static unsigned open_ones(const struct tally *it, double (*step)[DIM])
+{
     unsigned open = 0;
 
-    for (int k = 0; k < POINTS; k++) {
-        for (int d = 0; d < DIM; d++)
-            step[k][d] = middle[d] + (k >> d & 1 ? half : -half) / sqrt(3);
+    for (int k = 0; k < POINTS; k++)
         open |= (unsigned)is_open(it, step[k]) << k;
-    }
-    if (open != 0 && open != (1u << POINTS) - 1 && cuts > 0) {
-        for (int k = 0; k < POINTS; k++) {
-            double part[DIM];
-            for (int d = 0; d < DIM; d++)
-                part[d] = middle[d] + (k >> d & 1 ? half : -half) / 2;
-            add_part(it, part, half / 2, cuts - 1, w / POINTS);
-        }
+    return open;
+}
+
+/* A part of a cell around `middle`, its sides 2 half, weight w if it is open.  It is cut in
+ * halves where its corners do not agree; the last are measured by Gauss' points. */
+static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
+{
+    const unsigned all = (1u << POINTS) - 1;
+    double step[POINTS][DIM];
+    unsigned open;
+
+    corners(middle, 0.99 * half, step); /* faces often lie between cells */
+    open = open_ones(it, step);
+    if (open != 0 && open != all && cuts > 0) {
+        corners(middle, half / 2, step);
+        for (int k = 0; k < POINTS; k++)
+            add_part(it, step[k], half / 2, cuts - 1, w / POINTS);
         return;
     }
+    corners(middle, half / sqrt(3), step);
+    if (open != 0 && open != all)
+        open = open_ones(it, step);
     for (int k = 0; k < POINTS; k++) {
         if (!(open & 1u << k))
             continue;

@@ -29,6 +29,7 @@ static const char *const scenes[][4] = {
 #if DIM == 2
     { "", MOVED "[0.1, 0.05]; }; };", TANK_EFFECTS TANK_ONE_KERNEL },
     { "beam", "", "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL },
+    { "beam", MOVED "[0.1, 0.05]; }; };", "walls = \"contact\";" TANK_EFFECTS TANK_ONE_KERNEL },
     { "beam", MOVED "[0.1, 0.05]; }; };",
       "walls = \"adami\"; effects = { continuity = { }; pressure = { };"
       " laminar-viscosity = { mu = 3.0; side = \"implicit\"; }; };" TANK_ONE_KERNEL },
@@ -39,6 +40,7 @@ static const char *const scenes[][4] = {
       TANK_ONE_KERNEL },
 #else
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", TANK_EFFECTS },
+    { "", MOVED "[0.1, 0.05, 0.0]; }; };", "walls = \"contact\";" TANK_EFFECTS },
     { "", "", "walls = \"own-density\"; effects = { continuity = { }; pressure = { };"
       " laminar-viscosity = { mu = 3.0; side = \"implicit\"; }; };" },
 #endif
