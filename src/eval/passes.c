@@ -87,7 +87,7 @@ const struct pass passes_table[] = {
     FIELDS_OF_PAIRS | PASS_PUSH, 0, PASS_FORCE | PASS_POWER | PASS_DENSITY_RATE, 0,
     PAIRS, particles, passes_laws },
 { "pressure of solids ahead", PASS_POINTWISE,
-    PASS_SOLID_PRESSURE | PASS_DENSITY_RATE, 0, 0, PASS_POWER,
+    PASS_SOLID_PRESSURE, 0, 0, PASS_POWER,
     EXPLICIT, presses, passes_press_ahead },
 { "pressure between solids", PASS_POINTWISE,
     PASS_MOTION | PASS_SOLID_PRESSURE, PASS_MOTION | PASS_SOLID_PRESSURE, 0, PASS_FORCE,

@@ -71,7 +71,8 @@ static int slot_of(const struct plan *p)
 }
 
 /* A pressure that depends on rates of other places than its own is not the sums' to look
- * ahead: what it changes of the power of solids is added here. */
+ * ahead: what it changes of the power of solids is added here.  (Rates of solids are there as
+ * soon as powers are: the laws between particles give both.) */
 int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
 {
     const struct particles *p = e->m->particles;
