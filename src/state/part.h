@@ -174,7 +174,7 @@ struct part_press {
     bool (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
                  const double *p2, double (*f)[DIM]);
 
-    /* Bytes that it took. */
+    /* Bytes that it took, with one work. */
     double (*memory)(const void *self);
 };
 

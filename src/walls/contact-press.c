@@ -199,7 +199,7 @@ static double memory(const void *self)
 {
     const struct contact_press_self *c = self;
 
-    return contact_mean_memory(&c->mean);
+    return contact_mean_memory(&c->mean) + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
 }
 
 static void start(const void *self, const struct particles *p, enum kind k, double *rho)
