@@ -137,10 +137,13 @@ part_rows() {
             row all "$scene" default "effects.$effect" until=0.02
         done
         row few "$scene" default walls=adami kernel.type=wendland-c4 until=0.01
+        row few "$scene" default walls=contact kernel.type=wendland-c4 until=0.01
     done
     for key in walls=adami kernel.density=wendland-c4; do
         row all data/scenes/toth-standard-sph.scene default spacing=5e-3 $key until=5e-3
     done
+    row few "$flat" dv walls=contact $soft until=0.03
+    row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
     row all "$flat" default beam.plate.theory=elastica until=0.03
     row all "$flat" default beam.plate.theory=elastica $soft until=0.08
     row all "$flat" default $soft until=0.08

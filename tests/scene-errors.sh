@@ -139,7 +139,7 @@ bad small-2d 'domain inside out' 's/to = \[0.2, 0.1\]/to = [-0.2, 0.1]/' bad.sce
 
 # physics that does not go together
 bad small-2d 'ghost walls beside continuity' 's/^until/walls = "ghost"; until/' bad.scene \
-    '"ghost"' effects.continuity 'set walls = "own-density" or "adami"'
+    '"ghost"' effects.continuity 'set walls = "own-density" or "adami" or "contact"'
 bad small-2d 'own density beside summation' \
     's/continuity = { }/summation = { }/;/density-diffusion/d' bad.scene '"own-density"' \
     effects.summation 'set walls = "ghost" or "adami"'

@@ -18,7 +18,10 @@ struct workspace {
                         leaves there                                          */
     double *drho;    /* [n] likewise                                          */
     double *power;   /* [columns]                                             */
-    double *rho;     /* [n] densities that fields give, by row; NULL          */
+    double *rho;     /* [n] densities that fields or the pass of solids give, by row; NULL */
+    double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
+    double *pressed; /* [solids][DIM] for that; NULL                          */
+    struct part_press_work *press; /* likewise                                  */
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
@@ -70,7 +73,7 @@ static inline void moment_note(struct moment *m, enum moment_complaint what, int
  * there may be more images. */
 double *workspace_lines(size_t numbers);
 int workspace_create(const struct plan *p, struct workspace **out);
-void workspace_free(struct workspace **w);
+void workspace_free(const struct plan *p, struct workspace **w);
 int workspace_fit(struct workspace *w, const struct list *l);
 
 /* moment.c: another moment of the run's plan, for looking. */
@@ -90,6 +93,10 @@ void moment_place(const struct moment *m, const struct view *v, int c, char text
 
 /* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds);
+
+/* press.c: densities and p/rho^2 of solids that press by more than a density of their own, in
+ * v; their rows there are those of y before.  Nothing where there are none. */
+void moment_press(struct moment *m, struct view *v);
 
 /* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates,
  * and the forces of pairs brought there. */

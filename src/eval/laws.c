@@ -40,6 +40,7 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
         .list = e->m->list, .record = w->record, .table = laws->table, .slots = p->slots,
         .later = laws->ahead, .push = (const double (*)[DIM])laws->push,
         .moduli = laws->table == p->table.velocities ? NULL : p->in.pressure->as.pressure->moduli,
+        .fluid_only = p->passes.press != NULL,
         .eos = p->pressure ? p->pressure->self : p->in.pressure_self,
         .f = w->f, .drho = w->drho, .power = w->power, .rates = laws->to,
         .apart = laws->apart, .apart_slot = laws->apart ? p->stiff->slot : 0,

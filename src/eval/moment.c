@@ -112,7 +112,7 @@ void moment_free(struct moment **moment)
         if (m->solver)
             m->plan->solver->free(&m->solver);
         face_free(&m->face);
-        workspace_free(&m->work);
+        workspace_free(m->plan, &m->work);
     }
     m->plan->engine->sum->list->free(&m->own);
     for (int i = 0; m->body && i < m->plan->bodies; i++)

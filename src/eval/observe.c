@@ -22,6 +22,7 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
 
     if (run->plan->passes.fields == 0) {
         moment_view(run, t, y, v);
+        moment_press(run, v);
         return;
     }
     if (o)

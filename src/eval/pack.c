@@ -84,6 +84,8 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
         }
         write_place(r, x, l->offset ? l->offset[s] : NULL);
         write_rest(r, v->u[k] + (size_t)i * DIM, rho[s - from], press[s - from], v->p->m[c]);
+        if (v->p2[k])
+            r[RECORD_P2] = v->p2[k][i];
     }
     return -1;
 }

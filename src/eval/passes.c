@@ -41,6 +41,11 @@ static bool contacts(const struct plan *p)
     return p->contacts.kind != NULL;
 }
 
+static bool presses(const struct plan *p)
+{
+    return p->passes.press != NULL;
+}
+
 static bool apart(const struct plan *p)
 {
     return p->stiff != NULL;
@@ -64,6 +69,9 @@ const struct pass passes_table[] = {
 { "motion of solids", PASS_BODIES,
     0, 0, PASS_MOTION, 0,
     ALL, NULL, passes_motion },
+{ "pressure of solids", PASS_POINTWISE,
+    PASS_MOTION, PASS_MOTION, PASS_SOLID_DENSITY | PASS_SOLID_PRESSURE, 0,
+    ALL, presses, passes_press },
 { "list of pairs", PASS_OVER_PAIRS,
     PLACES, PLACES, PASS_PAIRS, 0,
     ALL, particles, passes_list },
@@ -86,6 +94,12 @@ const struct pass passes_table[] = {
 { "laws between particles", PASS_OVER_PAIRS,
     FIELDS_OF_PAIRS | PASS_PUSH, 0, PASS_FORCE | PASS_POWER | PASS_DENSITY_RATE, 0,
     PAIRS, particles, passes_laws },
+{ "pressure of solids ahead", PASS_POINTWISE,
+    PASS_SOLID_PRESSURE, 0, 0, PASS_POWER,
+    EXPLICIT, presses, passes_press_ahead },
+{ "pressure between solids", PASS_POINTWISE,
+    PASS_MOTION | PASS_SOLID_PRESSURE, PASS_MOTION | PASS_SOLID_PRESSURE, 0, PASS_FORCE,
+    FORCES, presses, passes_meet },
 { "forces at faces", PASS_POINTWISE,
     PASS_SLIP, 0, 0, PASS_FORCE | PASS_POWER,
     FORCES | PASS_FOR_IMPLICIT, faces, passes_faces },

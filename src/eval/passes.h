@@ -18,8 +18,9 @@ struct evaluation {
 
 typedef int passes_run(struct evaluation *e, const struct plan_field *of);
 
-/* view.c, fields.c, pack.c */
-passes_run passes_motion, passes_list, passes_records, passes_sum;
+/* view.c, press.c, fields.c, pack.c */
+passes_run passes_motion, passes_press, passes_press_ahead, passes_meet, passes_list, passes_records,
+    passes_sum;
 
 /* laws.c, spread.c */
 passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, passes_apart,

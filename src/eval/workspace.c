@@ -31,10 +31,19 @@ static int take_sums(const struct plan *p, struct workspace *w)
     w->f = workspace_lines(n * DIM);
     w->drho = workspace_lines(n);
     w->power = workspace_lines((size_t)p->slots + 1);
+    if (p->passes.press) {
+        const size_t solids = n - (size_t)particles_count(p->particles, KIND_FLUID);
+        w->p2 = workspace_lines(solids);
+        w->pressed = workspace_lines(DIM * solids);
+        if (!w->p2 || !w->pressed)
+            return STATUS_FAILED;
+        TRY(p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press));
+    }
+    if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = workspace_lines(n)))
+        return STATUS_FAILED;
     if (p->passes.fields > 0) {
-        w->rho = workspace_lines(n);
         w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);
-        if (!w->rho || !w->sum)
+        if (!w->sum)
             return STATUS_FAILED;
     }
     return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
@@ -64,7 +73,7 @@ int workspace_create(const struct plan *p, struct workspace **out)
         return STATUS_FAILED;
     status = take_memory(p, w);
     if (status != STATUS_DONE)
-        workspace_free(out);
+        workspace_free(p, out);
     return status;
 }
 
@@ -83,7 +92,7 @@ int workspace_fit(struct workspace *w, const struct list *l)
     return STATUS_DONE;
 }
 
-void workspace_free(struct workspace **workspace)
+void workspace_free(const struct plan *p, struct workspace **workspace)
 {
     struct workspace *w = *workspace;
 
@@ -94,6 +103,10 @@ void workspace_free(struct workspace **workspace)
     free(w->drho);
     free(w->power);
     free(w->rho);
+    free(w->p2);
+    free(w->pressed);
+    if (w->press)
+        p->passes.press->part->as.wall->press->work_free(&w->press);
     free(w->sum);
     free(w->drift);
     free(w->points);

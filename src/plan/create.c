@@ -186,6 +186,7 @@ static int build(struct plan *p, struct scene *scene)
     plan_fields_make(p);
     TRY(plan_objects_name(p));
     TRY(make_layout(p));
+    TRY(plan_press_make(p));
     TRY(plan_tables_make(p));
     make_list_def(p);
     TRY(plan_face_make(p, scene));
@@ -197,6 +198,7 @@ static void destroy(struct plan **plan)
 {
     struct plan *p = *plan;
 
+    plan_press_free(p);
     for (int i = 0; i < p->parts; i++)
         free(p->part[i].self);
     for (int i = 0; i < p->bodies; i++)

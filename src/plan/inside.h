@@ -67,6 +67,8 @@ struct plan_field {
 struct plan_passes {
     int fields;
     struct plan_field field[PLAN_FIELDS]; /* in the order of their parts       */
+    const struct plan_part *press;        /* the wall model, if solids press by more than
+                                             their density; NULL               */
     int n;
     struct plan_pass pass[PLAN_PASSES];   /* in the order in which they run    */
 };
@@ -157,6 +159,10 @@ int plan_face_make(struct plan *p, const struct scene *scene);
 
 /* Is the viscosity at faces the one that is implicit? */
 bool plan_face_implicit(const struct plan *p);
+
+/* press.c: passes.press, and what that wall model keeps of the places of solids. */
+int plan_press_make(struct plan *p);
+void plan_press_free(struct plan *p);
 
 /* start.c */
 void plan_start_density(const struct plan *p, double *y);

@@ -82,6 +82,17 @@ static double faces(const struct plan *p, const struct count *c)
                     : 0;
 }
 
+/* What a wall model with a pressure of its own keeps, and what goes through it. */
+static double pressed(const struct plan *p)
+{
+    const struct plan_part *wall = p->passes.press;
+    const double fluid = particles_count(p->particles, KIND_FLUID);
+
+    return wall ? wall->part->as.wall->press->memory(wall->self) + 8 * p->particles->n
+                      + 8 * (p->particles->n - fluid) * (1 + DIM)
+                : 0;
+}
+
 static void estimate(const struct plan *p, const struct count *c, struct plan_memory *m)
 {
     const double n = c->fluid + c->solid;
@@ -109,6 +120,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
     };
 
     estimate(p, &c, out);
+    out->sums += pressed(p);
 }
 
 double plan_memory_sum(const struct plan_memory *m)

@@ -121,11 +121,12 @@ static int add_line(struct plan *p, const struct pass *line)
 }
 
 /* Densities that are no sums are rows of y or those at rest; with them there is a pressure
- * as soon as there are records.  Those that are sums are results: limits and outputs look at
+ * as soon as there are records, but for solids that have a pass of their own for both.  Those that are sums are results: limits and outputs look at
  * them, though no law may. */
 int passes_make(struct plan *p, const struct pass *table)
 {
     const unsigned summed = summed_fields(p);
+    const unsigned pressed = p->passes.press ? PASS_SOLID_DENSITY | PASS_SOLID_PRESSURE : 0;
     const unsigned densities = (PASS_DENSITY | PASS_SOLID_DENSITY) & ~summed;
     const unsigned idle = (p->particles->n > 0 ? 0 : PASS_FORCE | PASS_POWER | PASS_ACCELERATION)
                           | (p->bodies > 0 ? 0 : PASS_BODY_RATES);
@@ -136,10 +137,11 @@ int passes_make(struct plan *p, const struct pass *table)
         TRY(add_line(p, line));
     for (int i = 0; i < to->n; i++)
         if (to->pass[i].provides & PASS_RECORDS) {
-            to->pass[i].provides &= ~summed;
+            to->pass[i].provides &= ~(summed | pressed);
             to->pass[i].needs |= densities;
         }
-    to->n = passes_order(to->pass, to->n, PASS_POSITION | PASS_VELOCITY | densities | idle,
+    to->n = passes_order(to->pass, to->n, PASS_POSITION | PASS_VELOCITY | idle
+                                                  | (densities & ~pressed),
                          results | (summed & (PASS_DENSITY | PASS_SOLID_DENSITY)));
     return to->n < 0 ? STATUS_FAILED : STATUS_DONE;
 }

@@ -72,6 +72,7 @@ static void start_fluid(const struct plan *p, double *rho)
 static void start_solids(const struct plan *p, int k, double *rho)
 {
     const struct particles *all = p->particles;
+    const struct plan_part *wall = p->passes.press;
 
     for (int i = 0; i < particles_count(all, k); i++) {
         const double *x = all->x0[all->from[k] + i];
@@ -82,6 +83,8 @@ static void start_solids(const struct plan *p, int k, double *rho)
         if (eos_of(p))
             rho[i] = eos_density(eos_of(p), pressure);
     }
+    if (wall)
+        wall->part->as.wall->press->start(wall->self, all, (enum kind)k, rho);
 }
 
 void plan_start_density(const struct plan *p, double *y)

@@ -55,9 +55,11 @@ static void look_ahead(const struct sum_job *job, int first, int owners, const s
 {
     const lanes p = a->p2 * a->rho * a->rho, irho = a->irho, time = job->later / a->m;
 
-    if (job->moduli)
+    const bool fluid = first < job->list->start[KIND_FLUID + 1];
+
+    if (job->moduli && (fluid || !job->fluid_only))
         a->p2 += job->later * ((moduli(job, a->rho, p) - 2 * p) * (irho * irho * irho)) * all->drho;
-    if (!job->push || first >= job->list->start[KIND_FLUID + 1])
+    if (!job->push || !fluid)
         return;
     for (int d = 0; d < DIM; d++) {
         a->v[d] += time * all->f[d];

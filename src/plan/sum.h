@@ -38,6 +38,7 @@ struct sum_job {
                                           of density make of pressures; for
                                           later != 0, NULL: pressures stay    */
     const void *eos;
+    bool fluid_only;                   /* those of solids are not the pairs' to say */
     double *f;                         /* [particles][DIM] force by place [N] */
     double *drho;                      /* [particles] rate of density by place
                                           [kg/m^D/s]: divided by the mass     */

@@ -18,6 +18,8 @@
 #include "state/particles.h"
 #include <stdbool.h>
 
+struct shape;      /* shapes/shape.h */
+struct kernel_use; /* kernels/kernel.h */
 struct side;  /* space/pairs.h, lanes wide: only hot rooms look inside */
 struct block;
 struct sum;
@@ -134,11 +136,63 @@ struct part_pressure {
     part_moduli *moduli;
 };
 
+/* Where a solid stands at t = 0. */
+struct part_solid {
+    const struct shape *shape; /* that its particles fill; NULL: a skin, known by its points */
+    int group;                 /* solids of one number never move against each other; -1:
+                                  no solid                                    */
+};
+
+/* All that a wall model may know of the places of solids. */
+struct part_places {
+    const struct particles *p;        /* at t = 0, rows are ids               */
+    const struct kernel_use *kernel;  /* of densities                         */
+    const struct part_solid *solid;   /* [objects]                            */
+};
+
+/* Densities of rows of y, and what becomes of them, [solids] by row, counted from the first
+ * solid. */
+struct part_pressed {
+    const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
+    double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
+    double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
+};
+
+struct part_press_work; /* what members work in: memory of a wall model          */
+
+/* Solids that press by more than a density of their own.  What it knows of their places it
+ * keeps in self, made once. */
+struct part_press {
+    int (*create)(void *self, const struct part_places *at);
+    void (*free)(void *self);
+
+    /* Densities of kind k at t = 0, by id, from those of the pressure there. */
+    void (*start)(const void *self, const struct particles *p, enum kind k, double *rho);
+
+    /* All the memory that members will ever need; a pointer to NULL is welcome. */
+    int (*work)(const void *self, struct part_press_work **out);
+    void (*work_free)(struct part_press_work **work);
+
+    /* p says where solids are now, and which particle stands in which row. */
+    void (*press)(const void *self, struct part_press_work *w, const struct particles *p,
+                  const struct part_pressed *io);
+
+    /* Forces between solids, at the places of the last press(), added to f [solids][DIM] by
+     * row [N]; returns false, and leaves f alone, where no two solids ever move against each
+     * other. */
+    bool (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
+                 const double *p2, double (*f)[DIM]);
+
+    /* Bytes that it took, with one work. */
+    double (*memory)(const void *self);
+};
+
 /* A wall model: where the density of solids comes from, if not from its own sums. */
 struct part_wall {
     bool as_fluid;            /* from the part that gives the fluid its own,
                                  and solids store energy by it                */
     const char *const *with;  /* effects that may give the fluid its density, NULL-ended */
+    const struct part_press *press; /* NULL: solids press by their density     */
 };
 
 struct part_roles {

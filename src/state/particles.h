@@ -50,6 +50,8 @@ struct view {
     const double *x[KINDS];   /* [count of kind][DIM] position   [m]           */
     const double *u[KINDS];   /* [count of kind][DIM] velocity   [m/s]         */
     const double *rho[KINDS]; /* [count of kind]      density    [kg/m^D]      */
+    const double *p2[KINDS];  /* [count of kind] p/rho^2 that solids press with;
+                                 NULL: that of their density                  */
     bool stores[KINDS];       /* that density holds internal energy            */
 };
 

@@ -116,6 +116,28 @@ void walls_motion_at(const struct walls_motion *m, double t, struct walls_place 
     to->alpha = radians(m->swing * bent + turn[2] * on);
 }
 
+static bool same_numbers(const double *a, const double *b, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (a[i] != b[i])
+            return false;
+    return true;
+}
+
+static bool same_points(const struct param_points *a, const struct param_points *b)
+{
+    return a->n == b->n && (a->n == 0 || same_numbers(a->x[0], b->x[0], 3 * a->n));
+}
+
+bool walls_motion_same(const struct walls_motion *a, const struct walls_motion *b)
+{
+    return same_numbers(a->velocity, b->velocity, 3) && same_numbers(a->amplitude, b->amplitude, 3)
+           && a->frequency == b->frequency && a->phase == b->phase && a->start == b->start
+           && a->stop == b->stop && same_numbers(a->direction, b->direction, 3)
+           && same_points(&a->path, &b->path) && same_numbers(a->pivot, b->pivot, 3)
+           && a->spin == b->spin && a->swing == b->swing && same_points(&a->turn, &b->turn);
+}
+
 void walls_motion_point(const struct walls_motion *m, const struct walls_place *p,
                         const double *x0, double *x, double *u)
 {

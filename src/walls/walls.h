@@ -51,6 +51,9 @@ void walls_motion_free(struct walls_motion *m);
 bool walls_motion_any(const struct walls_motion *m);
 bool walls_motion_turns(const struct walls_motion *m);
 
+/* Are they the same motion? */
+bool walls_motion_same(const struct walls_motion *a, const struct walls_motion *b);
+
 void walls_motion_at(const struct walls_motion *m, double t, struct walls_place *to);
 
 /* Position [m] and velocity [m/s] of the particle that was at x0; each [DIM]. */

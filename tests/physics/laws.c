@@ -52,6 +52,8 @@ static const struct {
     { "walls = \"ghost\"; effects = { summation = { }; pressure-printed = { }; };", NOWHERE },
     { "walls = \"adami\";" TANK_EFFECTS, NOWHERE },
     { "walls = \"adami\"; effects = { summation = { }; pressure = { }; };", NOWHERE },
+    { "walls = \"contact\";" TANK_EFFECTS, EVERYWHERE },
+    { "walls = \"contact\";" TANK_EFFECTS "eos = { type = \"linear\"; k = 250.0; };", EVERYWHERE },
 };
 enum { EFFECTS = sizeof effects / sizeof effects[0], SEEDS = DIM == 2 ? 3 : 1 };
 

@@ -33,10 +33,12 @@ static const struct scene_of {
 } scenes[] = {
     { "water", NULL, TANK_EFFECTS, "" },
     { "summed densities", NULL, TANK_SUMMED " eos = { tension = false; };", "" },
+    { "contact walls", NULL, "walls = \"contact\";" TANK_EFFECTS, "" },
     { "adami walls", NULL, "walls = \"adami\";" TANK_EFFECTS, "" },
     { "implicit viscosity", NULL, VISCOUS, "" },
 #if DIM == 2
     { "beam", "parted", TANK_EFFECTS, "linear" },
+    { "beam and contact walls", "parted", "walls = \"contact\";" TANK_EFFECTS, "linear" },
     { "elastica", "parted", TANK_EFFECTS, ELASTICA },
     { "implicit viscosity with a beam", "parted", VISCOUS, "linear" },
 #endif

@@ -45,6 +45,7 @@ static const char *const scenes[][4] = {
 #if DIM == 2
     { "", MOVED "[0.1, 0.05]; }; };", TANK_EFFECTS TANK_ONE_KERNEL },
     { "beam", "", "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL },
+    { "beam", MOVED "[0.1, 0.05]; }; };", "walls = \"contact\";" TANK_EFFECTS TANK_ONE_KERNEL },
     { "beam", MOVED "[0.1, 0.05]; }; };",
       "walls = \"adami\"; effects = { continuity = { }; pressure = { };"
       " laminar-viscosity = { mu = 3.0; side = \"implicit\"; }; };" TANK_ONE_KERNEL },
@@ -56,6 +57,7 @@ static const char *const scenes[][4] = {
     { "cell", FLOOR, "walls = \"own-density\";" TANK_EFFECTS },
 #else
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", TANK_EFFECTS },
+    { "", MOVED "[0.1, 0.05, 0.0]; }; };", "walls = \"contact\";" TANK_EFFECTS },
     { "", "", "walls = \"own-density\"; effects = { continuity = { }; pressure = { };"
       " laminar-viscosity = { mu = 3.0; side = \"implicit\"; }; };" },
     { "cell", FLOOR, TANK_EFFECTS },

@@ -1,0 +1,115 @@
+/* press.c -- solids that press by more than a density of their own. */
+#include "eval/passes.h"
+
+#include "base/status.h"
+
+#include <string.h>
+
+/* From densities of rows of y, both [solids], to p/rho^2. */
+static void press(struct moment *m, double *rho, double *p2)
+{
+    const struct plan_part *wall = m->plan->passes.press;
+    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2 };
+
+    wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
+}
+
+void moment_press(struct moment *m, struct view *v)
+{
+    struct workspace *w = m->work;
+    const int *from = v->p->from;
+
+    if (!m->plan->passes.press)
+        return;
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        const int n = particles_count(v->p, k);
+        if (n == 0)
+            continue;
+        memcpy(w->rho + from[k], v->rho[k], (size_t)n * sizeof *w->rho);
+        v->rho[k] = w->rho + from[k];
+        v->p2[k] = w->p2 + (from[k] - from[KIND_WALL]);
+    }
+    press(m, w->rho + from[KIND_WALL], w->p2);
+}
+
+int passes_press(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    moment_press(e->m, &e->view);
+    return STATUS_DONE;
+}
+
+/* Rate of density of the solid with this id [kg/m^D/s]. */
+static double rate_of(const struct moment *m, int id)
+{
+    const int place = m->list->slot[particles_row_of(m->particles, id)];
+
+    return place < 0 ? 0 : m->work->drho[place];
+}
+
+/* Densities of rows of y, as they will be in the time looked ahead. */
+static void lead(const struct evaluation *e, double *rho)
+{
+    const struct particles *p = e->m->particles;
+
+    for (int id = p->from[KIND_WALL]; id < p->n; id++) {
+        const enum kind k = p->object[p->object_of[id]].kind;
+        const int row = particles_row_of(p, id);
+        const double *now = e->y + layout_at(&e->m->layout, e->m->plan->row.density[k]);
+        rho[row - p->from[KIND_WALL]] = now[row - p->from[k]]
+                                        + e->job.ahead * rate_of(e->m, id);
+    }
+}
+
+/* The law that gives solids their rates. */
+static int slot_of(const struct plan *p)
+{
+    for (int i = 0; i < p->parts; i++)
+        if ((p->part[i].part->provides & FIELD_DENSITY_RATE) && p->part[i].slot >= 0)
+            return p->part[i].slot;
+    return 0;
+}
+
+/* A pressure that depends on rates of other places than its own is not the sums' to look
+ * ahead: what it changes of the power of solids is added here.  (Rates of solids are there as
+ * soon as powers are: the laws between particles give both.) */
+int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
+{
+    const struct particles *p = e->m->particles;
+    struct workspace *w = e->m->work;
+    const int first = p->from[KIND_WALL], n = p->n - first;
+    double *rho = w->pressed, *p2 = rho + n, power = 0;
+
+    (void)of;
+    if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
+        return STATUS_DONE;
+    lead(e, rho);
+    press(e->m, rho, p2);
+    for (int id = first; id < p->n; id++) {
+        const int row = particles_row_of(p, id);
+        power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);
+    }
+    w->power[slot_of(e->m->plan)] += power;
+    return STATUS_DONE;
+}
+
+/* Forces between solids join those of pairs. */
+int passes_meet(struct evaluation *e, const struct plan_field *of)
+{
+    const struct plan_part *wall = e->m->plan->passes.press;
+    const struct particles *p = e->m->particles;
+    struct workspace *w = e->m->work;
+    const int first = p->from[KIND_WALL], n = p->n - first;
+    double (*f)[DIM] = (double (*)[DIM])w->pressed;
+
+    (void)of;
+    memset(f, 0, (size_t)n * sizeof *f);
+    if (!wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f))
+        return STATUS_DONE;
+    for (int i = 0; i < n; i++) {
+        const int place = e->m->list->slot[first + i];
+        for (int d = 0; d < DIM && place >= 0; d++)
+            w->f[(size_t)place * DIM + d] += f[i][d];
+    }
+    return STATUS_DONE;
+}

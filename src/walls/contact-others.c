@@ -1,0 +1,220 @@
+/* contact-others.c -- how much of the kernel around a particle of a solid other solids fill. */
+#include "walls/contact-others.h"
+
+#include "base/status.h"
+#include "kernels/kernel.h"
+#include "state/period.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- once --------------------------------------------------------------------------------- */
+
+static int group_of(const struct part_places *at, const struct contact_mean *mean, int i)
+{
+    const struct particles *p = at->p;
+
+    return at->solid[p->object_of[p->from[KIND_WALL] + mean->solid[i]]].group;
+}
+
+/* Groups that there are come one after the other, particles of each by number. */
+static void sort(struct contact_others *o, const struct part_places *at,
+                 const struct contact_mean *mean)
+{
+    int most = 0, n = 0;
+
+    for (int i = 0; i < o->n; i++)
+        most = group_of(at, mean, i) > most ? group_of(at, mean, i) : most;
+    for (int g = 0; g <= most; g++) {
+        o->from[o->groups] = n;
+        for (int i = 0; i < o->n; i++)
+            if (group_of(at, mean, i) == g)
+                o->member[n++] = i;
+        o->groups += n > o->from[o->groups];
+    }
+    o->from[o->groups] = n;
+}
+
+int contact_others_create(struct contact_others *o, const struct part_places *at,
+                          const struct contact_mean *mean, const struct contact_share *share)
+{
+    *o = (struct contact_others){ .kernel = at->kernel, .scales = at->p->scales, .n = mean->n };
+    o->from = status_alloc((unsigned long)at->p->objects + 2, sizeof *o->from);
+    o->member = status_alloc((unsigned long)o->n + 1, sizeof *o->member);
+    o->room = status_alloc((unsigned long)o->n + 1, sizeof *o->room);
+    if (!o->from || !o->member || !o->room) {
+        contact_others_free(o);
+        return STATUS_FAILED;
+    }
+    for (int i = 0; i < o->n; i++)
+        o->room[i] = o->scales->rho0 * share[mean->solid[i]].open;
+    sort(o, at, mean);
+    return STATUS_DONE;
+}
+
+void contact_others_free(struct contact_others *o)
+{
+    free(o->from);
+    free(o->member);
+    free(o->room);
+    *o = (struct contact_others){ 0 };
+}
+
+int contact_others_work(const struct contact_others *o, struct contact_others_work *w)
+{
+    const unsigned long n = o->groups > 1 ? (unsigned long)o->n : 0;
+
+    w->x = status_alloc(n + 1, sizeof *w->x);
+    w->low = status_alloc((unsigned long)o->groups + 1, sizeof *w->low);
+    w->high = status_alloc((unsigned long)o->groups + 1, sizeof *w->high);
+    w->one = status_alloc(n + 1, sizeof *w->one);
+    w->other = status_alloc(n + 1, sizeof *w->other);
+    w->last = status_alloc(n + 1, sizeof *w->last);
+    w->before = status_alloc(n + 1, sizeof *w->before);
+    return w->x && w->low && w->high && w->one && w->other && w->last && w->before
+               ? STATUS_DONE : STATUS_FAILED;
+}
+
+void contact_others_work_free(struct contact_others_work *w)
+{
+    free(w->x);
+    free(w->low);
+    free(w->high);
+    free(w->one);
+    free(w->other);
+    free(w->last);
+    free(w->before);
+    *w = (struct contact_others_work){ 0 };
+}
+
+double contact_others_fill(const struct contact_others *o, int i, double around, double *slope)
+{
+    const double h = 0.02, off = around / o->room[i] - 1, root = sqrt(off * off + h * h);
+
+    *slope = -off / root;
+    return o->room[i] * (sqrt(1 + h * h) - root);
+}
+
+/* --- pairs ---------------------------------------------------------------------------------- */
+
+/* A search between two groups. */
+struct search {
+    const struct contact_others *o;
+    const struct contact_others_work *w;
+    contact_others_see *see;
+    void *self;
+    double low[DIM], high[DIM]; /* where both may be [m]                          */
+    int axis, bins;             /* others are sorted along it; -1: along none     */
+    double width;               /* of a bin [m]                                   */
+};
+
+static void bound(const struct contact_others *o, struct contact_others_work *w)
+{
+    for (int g = 0; g < o->groups; g++)
+        for (int d = 0; d < DIM; d++) {
+            w->low[g][d] = HUGE_VAL;
+            w->high[g][d] = -HUGE_VAL;
+            for (int k = o->from[g]; k < o->from[g + 1]; k++) {
+                const double x = w->x[o->member[k]][d];
+                w->low[g][d] = fmin(w->low[g][d], x);
+                w->high[g][d] = fmax(w->high[g][d], x);
+            }
+        }
+}
+
+/* The box in which groups a and b may be near each other; false: nowhere. */
+static bool common(struct search *s, int a, int b)
+{
+    const double H = s->o->kernel->support;
+    double longest = 0;
+
+    s->axis = -1;
+    for (int d = 0; d < DIM; d++) {
+        s->low[d] = -HUGE_VAL;
+        s->high[d] = HUGE_VAL;
+        if (s->o->scales->period[d] > 0)
+            continue;
+        s->low[d] = fmax(s->w->low[a][d], s->w->low[b][d]) - H;
+        s->high[d] = fmin(s->w->high[a][d], s->w->high[b][d]) + H;
+        if (!(s->low[d] <= s->high[d]))
+            return false;
+        if (s->high[d] - s->low[d] > longest) {
+            longest = s->high[d] - s->low[d];
+            s->axis = d;
+        }
+    }
+    s->bins = s->axis < 0 ? 1 : (int)fmin(fmax(floor(longest / H), 1), s->o->n);
+    s->width = longest / s->bins;
+    return true;
+}
+
+static int collect(const struct search *s, int g, int *to)
+{
+    int n = 0;
+
+    for (int k = s->o->from[g]; k < s->o->from[g + 1]; k++) {
+        const double *x = s->w->x[s->o->member[k]];
+        bool inside = true;
+        for (int d = 0; d < DIM; d++)
+            inside = inside && x[d] >= s->low[d] && x[d] <= s->high[d];
+        to[n] = s->o->member[k];
+        n += inside;
+    }
+    return n;
+}
+
+static int bin_of(const struct search *s, int i)
+{
+    if (s->axis < 0)
+        return 0;
+    return (int)fmin((s->w->x[i][s->axis] - s->low[s->axis]) / s->width, s->bins - 1);
+}
+
+static void see_pair(const struct search *s, int i, int j)
+{
+    double step[DIM], r2 = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        step[d] = period_nearest(s->o->scales, d, s->w->x[j][d] - s->w->x[i][d]);
+        r2 += step[d] * step[d];
+    }
+    if (r2 < s->o->kernel->support * s->o->kernel->support)
+        s->see(s->self, i, j, sqrt(r2), step);
+}
+
+/* Each of the one side with those of the other in its bin and the two beside it; a bin is a
+ * chain from its last number to its first. */
+static void see_groups(const struct search *s, int a, int b)
+{
+    const struct contact_others_work *w = s->w;
+    const int ones = collect(s, a, w->one), others = collect(s, b, w->other);
+
+    for (int k = 0; k < s->bins; k++)
+        w->last[k] = -1;
+    for (int k = 0; k < others; k++) {
+        const int bin = bin_of(s, w->other[k]);
+        w->before[k] = w->last[bin];
+        w->last[bin] = k;
+    }
+    for (int m = 0; m < ones; m++) {
+        const int bin = bin_of(s, w->one[m]), end = bin + 1 < s->bins ? bin + 1 : bin;
+        for (int c = bin > 0 ? bin - 1 : 0; c <= end; c++)
+            for (int k = w->last[c]; k >= 0; k = w->before[k])
+                see_pair(s, w->one[m], w->other[k]);
+    }
+}
+
+void contact_others_visit(const struct contact_others *o, struct contact_others_work *w,
+                          contact_others_see *see, void *self)
+{
+    struct search s = { .o = o, .w = w, .see = see, .self = self };
+
+    if (o->groups < 2)
+        return;
+    bound(o, w);
+    for (int a = 0; a < o->groups; a++)
+        for (int b = a + 1; b < o->groups; b++)
+            if (common(&s, a, b))
+                see_groups(&s, a, b);
+}

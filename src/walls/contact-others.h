@@ -1,0 +1,47 @@
+/* contact-others.h -- how much of the kernel around a particle of a solid other solids fill,
+ * those that move against its own:
+ *
+ *   o_w = sum_v m_v W(x_w - x_v)                                   v of other groups
+ *   g(o) = s (sqrt(1 + h^2) - sqrt((o/s - 1)^2 + h^2)),  h = 0.02, s = rho0 s_w
+ *
+ * g is o up to s, where no room is left, and falls where solids stand in one another, so that
+ * these do not press. */
+#ifndef WALLS_CONTACT_OTHERS_H
+#define WALLS_CONTACT_OTHERS_H
+
+#include "walls/contact-mean.h"
+
+struct contact_others {
+    const struct kernel_use *kernel;
+    const struct scales *scales;
+    int n, groups;
+    int *from, *member;  /* [groups + 1] into member: particles of the mean, by group */
+    double *room;        /* [n] s [kg/m^D]                                             */
+};
+
+/* What a search works in. */
+struct contact_others_work {
+    double (*x)[DIM];           /* [n] where particles of the mean are now [m]  */
+    double (*low)[DIM], (*high)[DIM]; /* [groups]                               */
+    int *one, *other;           /* [n] those that may be near each other        */
+    int *last, *before;         /* [n] chains of the others in a bin             */
+};
+
+int contact_others_create(struct contact_others *o, const struct part_places *at,
+                          const struct contact_mean *mean, const struct contact_share *share);
+void contact_others_free(struct contact_others *o);
+int contact_others_work(const struct contact_others *o, struct contact_others_work *w);
+void contact_others_work_free(struct contact_others_work *w);
+
+/* Particles i and j of the mean at w->x, r apart; step from i to j. */
+typedef void contact_others_see(void *self, int i, int j, double r, const double *step);
+
+/* Tells of all pairs of different groups within the support, once each, always in the same
+ * order. */
+void contact_others_visit(const struct contact_others *o, struct contact_others_work *w,
+                          contact_others_see *see, void *self);
+
+/* g of particle i, and its slope. */
+double contact_others_fill(const struct contact_others *o, int i, double around, double *slope);
+
+#endif

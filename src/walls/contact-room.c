@@ -1,0 +1,202 @@
+/* contact-room.c -- how much of the kernel around a particle of a solid is open to water. */
+#include "walls/contact-room.h"
+
+#include "base/status.h"
+#include "kernels/kernel.h"
+#include "shapes/shape.h"
+#include "state/period.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CUTS = DIM == 2 ? 4 : 2, POINTS = 1 << DIM, NEAR = 4096 };
+
+/* The sum of one particle. */
+struct tally {
+    const struct contact_room *room;
+    const double *x;    /* the particle                  */
+    int first, group;   /* id of the first solid; its own group */
+    int skins;
+    int skin[NEAR];     /* points whose cells may matter */
+    double from[NEAR][DIM]; /* steps to them             */
+    struct contact_share sum;
+};
+
+int contact_room_create(struct contact_room *r, const struct part_places *at,
+                        const struct contact_cells *solids)
+{
+    const struct particles *p = at->p;
+    const int first = p->from[KIND_WALL], n = p->n - first;
+
+    *r = (struct contact_room){ .at = at, .cells = solids };
+    r->skin = status_alloc((unsigned long)n + 1, sizeof *r->skin);
+    r->bounds = status_alloc((unsigned long)p->objects + 1, sizeof *r->bounds);
+    if (!r->skin || !r->bounds) {
+        contact_room_free(r);
+        return STATUS_FAILED;
+    }
+    for (int o = 0; o < p->objects; o++)
+        if (at->solid[o].group >= 0 && at->solid[o].shape)
+            shape_bounds(at->solid[o].shape, r->bounds[o][0], r->bounds[o][1]);
+    for (int i = 0; i < n; i++)
+        if (!at->solid[p->object_of[first + i]].shape)
+            contact_skin_fit(at, solids, i, &r->skin[i]);
+    return STATUS_DONE;
+}
+
+void contact_room_free(struct contact_room *r)
+{
+    free(r->skin);
+    free(r->bounds);
+    r->skin = NULL;
+    r->bounds = NULL;
+}
+
+static bool in_bounds(double (*const bounds)[DIM], const double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        if (x[d] < bounds[0][d] || x[d] > bounds[1][d])
+            return false;
+    return true;
+}
+
+static bool in_domain(const struct scales *s, const double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        if (x[d] < s->low[d] || x[d] >= s->high[d])
+            return false;
+    return true;
+}
+
+/* A place at `step` from the particle.  Another solid may stand outside the domain, and may
+ * leave. */
+static bool is_open(const struct tally *it, const double *step)
+{
+    const struct part_places *at = it->room->at;
+    double x[DIM], home[DIM];
+    bool open;
+
+    for (int d = 0; d < DIM; d++)
+        x[d] = it->x[d] + step[d];
+    period_home(at->p->scales, x, home);
+    open = in_domain(at->p->scales, home);
+    for (int o = 0; o < at->p->objects; o++) {
+        const struct part_solid *solid = &at->solid[o];
+        if (solid->group < 0 || !solid->shape || !in_bounds(it->room->bounds[o], home)
+            || !shape_contains(solid->shape, home))
+            continue;
+        if (solid->group == it->group)
+            return false;
+        open = true;
+    }
+    for (int k = 0; k < it->skins; k++) {
+        for (int d = 0; d < DIM; d++)
+            x[d] = step[d] - it->from[k][d];
+        if (contact_skin_fills(&it->room->skin[it->skin[k]], x))
+            return false;
+    }
+    return open;
+}
+
+double contact_room_kernel(const struct part_places *at, double r)
+{
+    const double dx = at->p->scales->dx, least = at->kernel->kernel->singular ? dx / 2 : 0;
+
+    return kernel_w(at->kernel, fmax(r, least)) * pow(dx, DIM);
+}
+
+static double length_of(const double *step)
+{
+    double r2 = 0;
+
+    for (int d = 0; d < DIM; d++)
+        r2 += step[d] * step[d];
+    return sqrt(r2);
+}
+
+/* Steps to the corners of a cube around `middle`, its sides 2 half. */
+static void corners(const double *middle, double half, double (*step)[DIM])
+{
+    for (int k = 0; k < POINTS; k++)
+        for (int d = 0; d < DIM; d++)
+            step[k][d] = middle[d] + (k >> d & 1 ? half : -half);
+}
+
+/* Which of these places are open, a bit each. */
+static unsigned open_ones(const struct tally *it, double (*step)[DIM])
+{
+    unsigned open = 0;
+
+    for (int k = 0; k < POINTS; k++)
+        open |= (unsigned)is_open(it, step[k]) << k;
+    return open;
+}
+
+/* A part of a cell around `middle`, its sides 2 half, weight w if it is open.  It is cut in
+ * halves where its corners do not agree; the last are measured by Gauss' points. */
+static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
+{
+    const unsigned all = (1u << POINTS) - 1;
+    double step[POINTS][DIM];
+    unsigned open;
+
+    corners(middle, 0.99 * half, step); /* faces often lie between cells */
+    open = open_ones(it, step);
+    if (open != 0 && open != all && cuts > 0) {
+        corners(middle, half / 2, step);
+        for (int k = 0; k < POINTS; k++)
+            add_part(it, step[k], half / 2, cuts - 1, w / POINTS);
+        return;
+    }
+    corners(middle, half / sqrt(3), step);
+    if (open != 0 && open != all)
+        open = open_ones(it, step);
+    for (int k = 0; k < POINTS; k++) {
+        if (!(open & 1u << k))
+            continue;
+        it->sum.open += w / POINTS;
+        for (int d = 0; d < DIM; d++)
+            it->sum.normal[d] += w / POINTS * step[k][d] / length_of(step[k]);
+    }
+}
+
+static void keep_skin(void *self, int j, double r, const double *step)
+{
+    struct tally *it = self;
+    const struct part_places *at = it->room->at;
+
+    const struct part_solid *solid = &at->solid[at->p->object_of[it->first + j]];
+
+    if (solid->shape || solid->group != it->group || it->skins == NEAR
+        || r > at->kernel->support + 2 * at->p->scales->dx)
+        return;
+    it->skin[it->skins] = j;
+    memcpy(it->from[it->skins++], step, sizeof it->from[0]);
+}
+
+struct contact_share contact_room_share(const struct contact_room *r, int i)
+{
+    const double dx = r->at->p->scales->dx;
+    const int reach = (int)ceil(r->at->kernel->support / dx), side = 2 * reach + 1;
+    const int first = r->at->p->from[KIND_WALL];
+    struct tally it = { .room = r, .x = r->cells->x[i], .first = first,
+                        .group = r->at->solid[r->at->p->object_of[first + i]].group };
+    int cells = 1;
+
+    contact_cells_visit(r->cells, it.x, keep_skin, &it);
+    for (int d = 0; d < DIM; d++)
+        cells *= side;
+    for (int k = 0, at[3]; k < cells; k++) {
+        double middle[DIM];
+        at[0] = k % side;
+        at[1] = k / side % side;
+        at[2] = k / side / side;
+        for (int d = 0; d < DIM; d++)
+            middle[d] = (at[d] - reach) * dx;
+        const double w = contact_room_kernel(r->at, length_of(middle));
+        if (w > 0)
+            add_part(&it, middle, dx / 2, CUTS, w);
+    }
+    return it.sum;
+}

@@ -1,0 +1,274 @@
+/* contact.c -- walls = "contact": the room around solids against a fine quadrature, means that
+ * are means, a pressure that is the derivative of what is stored, forces between solids that
+ * are the derivative of it, too; nothing hangs on a dry wall, and water finds its depth. */
+#include "tank.h"
+
+#include "base/status.h"
+#include "matter/eos.h"
+#include "plan/inside.h"
+#include "shapes/shape.h"
+#include "walls/contact-press.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CONTACT "walls = \"contact\";"
+#define EFFECTS CONTACT "effects = { continuity = { }; pressure = { }; };"
+
+/* A tank with things in it that are round or slanted or near each other, and a box that moves:
+ * it starts a spacing and a half above the floor. */
+#if DIM == 2
+#define THINGS                                                                           \
+    "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [0.0, -9.81];"                \
+    "domain = { from = [0.0, 0.0]; to = [0.3, 0.16]; };"                                 \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.06, 0.06]; }; };"     \
+    "wall = { tank = { type = \"frame\"; };"                                             \
+    " disc = { type = \"disc\"; centre = [0.12, 0.12]; radius = 0.021; };"               \
+    " slope = { type = \"polygon\"; points = [[0.1, 0.0], [0.16, 0.0], [0.16, 0.037]]; };" \
+    " turned = { type = \"box\"; from = [0.24, 0.1]; to = [0.28, 0.14]; angle = 20.0; };"  \
+    " thin = { type = \"box\"; from = [0.2, 0.05]; to = [0.215, 0.13]; };"               \
+    " lift = { type = \"box\"; from = [0.24, 0.0075]; to = [0.27, 0.0375];"              \
+    "  velocity = [0.3, -0.7]; }; };"
+#else
+#define THINGS                                                                           \
+    "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [0.0, 0.0, -9.81];"           \
+    "kernel = { support = 2.5; };"                                                       \
+    "domain = { from = [0.0, 0.0, 0.0]; to = [0.6, 0.3, 0.4]; };"                        \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.1]; }; };" \
+    "wall = { tank = { type = \"frame\"; };"                                             \
+    " ball = { type = \"sphere\"; centre = [0.3, 0.15, 0.25]; radius = 0.07; };"         \
+    " lift = { type = \"box\"; from = [0.44, 0.1, 0.02]; to = [0.54, 0.2, 0.1];"        \
+    "  velocity = [0.3, 0.2, -0.7]; }; };"
+#endif
+
+static const struct contact_press_self *self_of(const struct tank *t)
+{
+    return t->plan->passes.press->self;
+}
+
+/* --- places ------------------------------------------------------------------------------ */
+
+/* Is a place open to what is not of the group of this solid? */
+static bool is_open(const struct tank *t, bool moves, const double *x)
+{
+    const struct plan *p = t->plan;
+    bool open = true;
+
+    for (int d = 0; d < DIM; d++)
+        open = open && x[d] >= p->scales.low[d] && x[d] < p->scales.high[d];
+    for (int i = 0; i < p->walls; i++) {
+        if (!shape_contains(&p->in.wall[i].set.shape, x))
+            continue;
+        if (p->wall[i].moves == moves)
+            return false;
+        open = true;
+    }
+    return open;
+}
+
+/* (K4) */
+static double wendland_c2(double r, double H)
+{
+    const double q = r / H, sigma = DIM == 2 ? 7 / M_PI : 21 / (2 * M_PI);
+
+    return q < 1 ? sigma * pow(H, -DIM) * pow(1 - q, 4) * (1 + 4 * q) : 0;
+}
+
+/* dx^D sum phi_c W(x_c - x), phi by FINE^D points in each cell. */
+static double room_at(const struct tank *t, bool moves, const double *x)
+{
+    enum { FINE = DIM == 2 ? 80 : 12, REACH = 3, SIDE = 2 * REACH + 1 };
+    const double dx = t->plan->scales.dx;
+    int cells = 1, points = 1;
+    double sum = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        cells *= SIDE;
+        points *= FINE;
+    }
+    for (int c = 0; c < cells; c++) {
+        const int at[3] = { c % SIDE - REACH, c / SIDE % SIDE - REACH, c / SIDE / SIDE - REACH };
+        double r2 = 0, open = 0;
+        for (int d = 0; d < DIM; d++)
+            r2 += at[d] * at[d] * dx * dx;
+        const double w = wendland_c2(sqrt(r2), t->plan->scales.support);
+        for (int k = 0; k < points && w > 0; k++) {
+            const int of[3] = { k % FINE, k / FINE % FINE, k / FINE / FINE };
+            double place[DIM];
+            for (int d = 0; d < DIM; d++)
+                place[d] = x[d] + (at[d] - 0.5 + (of[d] + 0.5) / FINE) * dx;
+            open += is_open(t, moves, place);
+        }
+        sum += open / points * w * pow(dx, DIM);
+    }
+    return sum;
+}
+
+static void room_is_that_of_a_fine_quadrature(void **state)
+{
+    const double most = 5e-3; /* corners within a cell may be missed */
+    double off = 0, far = 0;
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, THINGS, EFFECTS, NULL);
+    const struct particles *p = plan_particles(t.plan);
+    const struct contact_press_self *c = self_of(&t);
+    for (int i = 0; i < c->mean.n; i += DIM == 2 ? 3 : 41) {
+        const int id = p->from[KIND_WALL] + c->mean.solid[i];
+        const bool moves = strcmp(p->object[p->object_of[id]].name, "lift") == 0;
+        const double s = room_at(&t, moves, p->x0[id]);
+        off = fmax(off, fabs(c->others.room[i] / t.plan->scales.rho0 - s));
+        far = fmax(far, s);
+    }
+    print_message("# rooms of up to %.3f of the kernel are off by %.2g at most\n", far, off);
+    check(off < most && far > 0.3, "rooms off by %g of the kernel, at most %g", off, far);
+    tank_free(&t);
+}
+
+static void means_are_means_and_symmetric(void **state)
+{
+    struct tank t;
+    int pairs = 0;
+
+    (void)state;
+    tank_make(&t, THINGS, EFFECTS, NULL);
+    const struct contact_mean *m = &self_of(&t)->mean;
+    double *one = test_calloc(m->n, sizeof *one);
+    for (int i = 0; i < m->n; i++)
+        one[i] = 1;
+    for (int i = 0; i < m->n; i++) {
+        const double sum = contact_mean_sum(m, i, one) * m->inverse[i];
+        check(fabs(sum - 1) < 1e-14, "weights of row %d add up to %.17g", i, sum);
+        for (long e = m->start[i]; e < m->start[i + 1]; e++)
+            for (long f = m->start[m->column[e]]; f < m->start[m->column[e] + 1]; f++)
+                if (m->column[f] == i) {
+                    check(m->weight[f] == m->weight[e], "weights %g and %g of a pair",
+                          m->weight[f], m->weight[e]);
+                    pairs++;
+                }
+    }
+    check(pairs == m->start[m->n], "%d of %ld weights have a partner", pairs, m->start[m->n]);
+    print_message("# %d particles, %.1f weights each, %.0f bytes each\n", m->n,
+                  (double)m->start[m->n] / m->n, contact_mean_memory(m) / m->n);
+    test_free(one);
+    tank_free(&t);
+}
+
+/* --- what is stored -------------------------------------------------------------------------- */
+
+/* Of all solids [J]. */
+static double stored(struct tank *t, double time, const double *y)
+{
+    const struct contact_press_self *c = self_of(t);
+    struct view v;
+    double sum = 0;
+
+    observe_view(t->moment, time, y, &v);
+    for (int k = KIND_WALL; k < KINDS; k++)
+        for (int i = 0; i < particles_count(v.p, k); i++)
+            sum += v.p->m[v.p->from[k] + i] * eos_energy(&c->eos, v.rho[k][i]);
+    return sum;
+}
+
+/* q_w m_w = dE/d rho_w, one by one. */
+static void pressure_is_the_slope_of_what_is_stored(void **state)
+{
+    const char *const waters[] = { tank_water, tank_parted_water };
+    const char *const beams[] = { "", tank_beam };
+    double off = 0, most = 0;
+
+    (void)state;
+    for (int beam = 0; beam < (DIM == 2 ? 2 : 1); beam++) {
+        struct tank t;
+        struct view v;
+        tank_make(&t, waters[beam], tank_frame, beams[beam], EFFECTS, NULL);
+        tank_shake(&t, 5, 0.2, 0.5, 0.01);
+        for (int k = KIND_WALL; k < KINDS; k++) {
+            const int n = particles_count(plan_particles(t.plan), k);
+            double *y = n > 0 ? t.y + layout_at(plan_layout(t.plan), t.plan->row.density[k]) : NULL;
+            for (int i = 0; i < n; i += 7) {
+                const double was = y[i], h = 1e-3 * 1e-3 * plan_scales(t.plan)->rho0;
+                observe_view(t.moment, 0, t.y, &v);
+                const double q = v.p2[k][i] * v.p->m[v.p->from[k] + i];
+                y[i] = was + h;
+                double slope = stored(&t, 0, t.y);
+                y[i] = was - h;
+                slope = (slope - stored(&t, 0, t.y)) / (2 * h);
+                y[i] = was;
+                off = fmax(off, fabs(slope - q));
+                most = fmax(most, q);
+            }
+        }
+        tank_free(&t);
+    }
+    check(off < 2e-5 * most, "q m is off by %g of %g J m^D/kg", off, most);
+}
+
+/* What moves against other solids gives them what they store: dE/dt = -F.v of the lift, where
+ * no water is. */
+static void solids_push_each_other_by_what_they_store(void **state)
+{
+    const double h = 1e-7, time = 2e-3, v[3] = { 0.3, DIM == 2 ? -0.7 : 0.2, -0.7 };
+    double power = 0, sum[DIM] = { 0 };
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, THINGS, EFFECTS, NULL);
+    const struct particles *p = plan_particles(t.plan);
+    for (int k = 0; k < particles_count(p, KIND_WALL); k++) /* so that there is something */
+        t.y[layout_at(plan_layout(t.plan), t.plan->row.density[KIND_WALL]) + k] += 350;
+    assert_int_equal(observe_forces(t.moment, time, t.y), STATUS_DONE);
+    for (int o = 0; o < p->objects; o++)
+        for (int d = 0; d < DIM; d++) {
+            const double f = observe_force(t.moment, o)[d];
+            power += strcmp(p->object[o].name, "lift") == 0 ? f * v[d] : 0;
+            if (strcmp(p->object[o].name, "lift") == 0)
+                sum[d] = f;
+        }
+    const double slope = (stored(&t, time + h, t.y) - stored(&t, time - h, t.y)) / (2 * h);
+    check(fabs(power) > 1, "the lift is pushed by %g W only", power);
+    check(fabs(slope + power) < 1e-6 * fabs(power), "%g W stored, %g W given (%g N, %g N)", slope,
+          -power, sum[0], sum[DIM - 1]);
+    tank_free(&t);
+}
+
+/* --- water ------------------------------------------------------------------------------------- */
+
+/* A dry wall does not press, and no solid ever pulls. */
+static void dry_walls_do_not_press(void **state)
+{
+    struct tank t;
+    struct view v;
+    double most = 0;
+
+    (void)state;
+    tank_make(&t, THINGS, EFFECTS, NULL);
+    const struct scales *s = plan_scales(t.plan);
+    observe_view(t.moment, 0, t.y, &v);
+    for (int i = 0; i < particles_count(v.p, KIND_WALL); i++) {
+        const double *x = v.x[KIND_WALL] + (size_t)i * DIM, q = v.p2[KIND_WALL][i];
+        check(q >= 0, "wall particle %d pulls: %g", i, q);
+        if (strcmp(v.p->object[v.p->object_of[v.p->from[KIND_WALL] + i]].name, "lift")
+            && x[0] > s->low[0] + 0.1 * DIM + 2 * s->support && x[0] < s->high[0] - s->support
+            && x[DIM - 1] > s->high[DIM - 1] - 0.05 * DIM)
+            most = fmax(most, q);
+    }
+    check(most < 1e-6 * s->c0 * s->c0 / s->rho0, "dry walls press with %g c0^2/rho0",
+          most * s->rho0 / s->c0 / s->c0);
+    tank_free(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(room_is_that_of_a_fine_quadrature),
+        cmocka_unit_test(means_are_means_and_symmetric),
+        cmocka_unit_test(pressure_is_the_slope_of_what_is_stored),
+        cmocka_unit_test(solids_push_each_other_by_what_they_store),
+        cmocka_unit_test(dry_walls_do_not_press),
+    };
+
+    return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
+}
