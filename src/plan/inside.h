@@ -158,8 +158,9 @@ int plan_face_make(struct plan *p, const struct scene *scene);
 /* Is the viscosity at faces the one that is implicit? */
 bool plan_face_implicit(const struct plan *p);
 
-/* start.c */
+/* start.c: densities at t = 0; pressure that a solid's particle at x starts with [Pa]. */
 void plan_start_density(const struct plan *p, double *y);
+double plan_start_pressure(const struct plan *p, const double *x);
 
 /* memory.c: bytes that a particle of the fluid, or of a solid, will need. */
 double plan_memory_each(const struct plan *p, bool fluid);
