@@ -4,6 +4,7 @@
 
 #include "plan/couple.h"
 #include "plan/sum.h"
+#include "space/nabla.h"
 #include "state/part.h"
 
 struct kernel;
@@ -15,6 +16,7 @@ struct engine {
     const struct part *const *walls;      /* NULL-ended, the first is the default */
     const struct kernel *const *kernels;  /* NULL-ended */
     const struct couple_engine *couple;
+    const struct nabla_engine *nabla;
 };
 
 /* Eight lanes where the processor has AVX-512, four where it has AVX2 and FMA, else

@@ -141,6 +141,11 @@ static int check_flow(const struct scene_node *node, const char *path, const str
 int idle_fluid(const struct scene_node *node, const char *path, const struct input_fluid *f)
 {
     TRY(check_flow(node, path, &f->flow));
+    if (flow_find(&f->flow) && strcmp(f->set.initial, "released") == 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s.initial = \"released\" solves for the "
+                           "pressure of fluid at rest, which would replace that of flow = "
+                           "\"%s\"; leave one of them out", where(node, "initial"), path,
+                           f->flow.type);
     if (!isnan(f->set.surface) && strcmp(f->set.initial, "hydrostatic") != 0)
         return status_fail(STATUS_BAD_SCENE, "%s: %s.surface does nothing with initial = \"%s\", "
                            "where there is no depth; leave one of them out",

@@ -164,8 +164,9 @@ bool plan_face_implicit(const struct plan *p);
 int plan_press_make(struct plan *p);
 void plan_press_free(struct plan *p);
 
-/* start.c */
+/* start.c: densities at t = 0; pressure that a solid's particle at x starts with [Pa]. */
 void plan_start_density(const struct plan *p, double *y);
+double plan_start_pressure(const struct plan *p, const double *x);
 
 /* memory.c: bytes that a particle of the fluid, or of a solid, will need. */
 double plan_memory_each(const struct plan *p, bool fluid);

@@ -22,7 +22,8 @@ void plan_free(const struct plan **plan); /* NULL is welcome */
 long plan_size(const struct plan *plan);                    /* entries of y at t = 0 */
 const struct layout *plan_layout(const struct plan *plan);  /* of y at t = 0; lent   */
 double plan_length(const struct plan *plan); /* support radius H of the kernel [m] */
-void plan_start(const struct plan *plan, double *y);        /* y at t = 0     */
+void plan_start(const struct plan *plan, double *y);        /* y at t = 0, but for a
+                                   pressure that is solved for: implicit/release.h */
 
 /* NULL, or why rates of positions are not the velocities alone. */
 const char *plan_drifts(const struct plan *plan);

@@ -13,7 +13,7 @@ enum { WORDS = 32 };
 static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS],
                   *wall_words[WORDS];
 
-static const char *const initial_words[] = { "hydrostatic", "rest", NULL };
+static const char *const initial_words[] = { "hydrostatic", "rest", "released", NULL };
 static const char *const axis_words[] = { "x", "y", DIM == 3 ? "z" : NULL, NULL };
 static const char *const probe_words[] = { "pressure", "height", "velocity", NULL };
 
@@ -122,7 +122,8 @@ const struct param settings_fluid_params[] = {
     { .key = "dye", .unit = "", .type = PARAM_INTEGER, AT(settings_fluid, dye), .max = 7,
       .about = "colour that its particles keep, 0 to 7" },
     { .key = "initial", .unit = "", .type = PARAM_WORD, AT(settings_fluid, initial),
-      .words = initial_words, .about = "density at the start: under its own weight, or rho0" },
+      .words = initial_words, .about = "density at the start: under its own weight, at rest (rho0), "
+      "or that of fluid let go at t = 0 (its pressure is solved for)" },
     { .key = "surface", .unit = "m", AT(settings_fluid, surface), .fallback = NAN, .min = -1e6,
       .max = 1e6, .about = "level from which hydrostatic depth counts; computed: its own top" },
     { .key = "velocity", .unit = "m/s", .type = PARAM_VECTOR, AT(settings_fluid, velocity),

@@ -59,7 +59,7 @@ struct settings_output {
 struct settings_fluid {
     struct shape shape;
     int dye;
-    const char *initial;  /* "hydrostatic" or "rest"                 */
+    const char *initial;  /* "hydrostatic", "rest" or "released"     */
     double surface;       /* height of its free surface [m]          */
     double velocity[3];   /* at the start [m/s]                      */
 };

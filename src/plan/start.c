@@ -30,7 +30,7 @@ static double start_pressure(const struct plan *p, int f, const double *x)
 {
     const struct input_fluid *in = &p->in.fluid[f];
     const struct flow_kind *flow = flow_find(&in->flow);
-    const bool weight = strcmp(in->set.initial, "hydrostatic") == 0;
+    const bool weight = strcmp(in->set.initial, "rest") != 0;
 
     return (weight ? depth_pressure(p, f, x) : 0)
            + (flow && flow->pressure ? flow->pressure(&in->flow, x) : 0);
@@ -69,20 +69,24 @@ static void start_fluid(const struct plan *p, double *rho)
 }
 
 /* Solids beside fluid start with the pressure that it has there. */
+double plan_start_pressure(const struct plan *p, const double *x)
+{
+    double pressure = 0;
+
+    for (int f = 0; f < p->in.fluids; f++)
+        if (near_fluid(p, f, x))
+            pressure = fmax(pressure, start_pressure(p, f, x));
+    return pressure;
+}
+
 static void start_solids(const struct plan *p, int k, double *rho)
 {
     const struct particles *all = p->particles;
     const struct plan_part *wall = p->passes.press;
 
-    for (int i = 0; i < particles_count(all, k); i++) {
-        const double *x = all->x0[all->from[k] + i];
-        double pressure = 0;
-        for (int f = 0; f < p->in.fluids && eos_of(p); f++)
-            if (near_fluid(p, f, x))
-                pressure = fmax(pressure, start_pressure(p, f, x));
+    for (int i = 0; i < particles_count(all, k); i++)
         if (eos_of(p))
-            rho[i] = eos_density(eos_of(p), pressure);
-    }
+            rho[i] = eos_density(eos_of(p), plan_start_pressure(p, all->x0[all->from[k] + i]));
     if (wall)
         wall->part->as.wall->press->start(wall->self, all, (enum kind)k, rho);
 }

@@ -2,6 +2,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "implicit/release.h"
 #include "plan/memory.h"
 #include "plan/passes.h"
 #include "state/memory.h"
@@ -168,8 +169,9 @@ int run_check(const struct run_order *order)
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
     if (status == STATUS_DONE) {
-        plan_start(r.plan, r.y);
-        status = time_rhs(&r, &seconds);
+        status = release_start(r.moment, r.y);
+        if (status == STATUS_DONE)
+            status = time_rhs(&r, &seconds);
     }
     if (status == STATUS_DONE) {
         printf("%s\n", plan_settings(r.plan)->title);

@@ -4,6 +4,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "implicit/release.h"
 #include "output/aside.h"
 #include "output/progress.h"
 #include "run/stop.h"
@@ -149,7 +150,7 @@ static int start(struct run *r)
 {
     char constant[40] = "";
 
-    plan_start(r->plan, r->y);
+    TRY(release_start(r->moment, r->y));
     TRY(r->method->create(r->method, &r->def, r->moment, 0, r->y, &r->self));
     if (r->def.seconds > 0)
         snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
