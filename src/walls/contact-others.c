@@ -117,8 +117,8 @@ static void bound(const struct contact_others *o, struct contact_others_work *w)
             w->high[g][d] = -HUGE_VAL;
             for (int k = o->from[g]; k < o->from[g + 1]; k++) {
                 const double x = w->x[o->member[k]][d];
-                w->low[g][d] = fmin(w->low[g][d], x);
-                w->high[g][d] = fmax(w->high[g][d], x);
+                w->low[g][d] = x < w->low[g][d] ? x : w->low[g][d];
+                w->high[g][d] = x > w->high[g][d] ? x : w->high[g][d];
             }
         }
 }

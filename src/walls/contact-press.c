@@ -11,6 +11,8 @@
 
 #define EPS 1e-3
 
+enum { CHUNK = 128 };
+
 int contact_press_prepare(void *self, const struct scales *s)
 {
     struct contact_press_self *c = self;
@@ -213,47 +215,58 @@ static void start(const void *self, const struct particles *p, enum kind k, doub
 
 /* --- pressure ---------------------------------------------------------------------------- */
 
-/* From the mean of densities [kg/m^D] what is shown; returns pi. */
-static double one_sided(const struct contact_press_self *c, double mean, double *shown)
+/* A chunk of means of densities [kg/m^D] becomes the densities shown, and share = dd+/dd. */
+static void one_side(const struct contact_press_self *c, int n, double *mean, double *share)
 {
-    const double d = mean / c->eos.rho0 - 1, root = sqrt(d * d + EPS * EPS);
-    const double over = d > 0 ? (d + root) / 2 : EPS * EPS / (2 * (root - d)); /* all digits */
-    const double rho = c->eos.rho0 * (1 + over);
-    double p;
+    for (int k = 0; k < n; k++) {
+        const double d = mean[k] / c->eos.rho0 - 1, root = sqrt(d * d + EPS * EPS);
+        const double over = d > 0 ? (d + root) / 2 : EPS * EPS / (2 * (root - d)); /* all digits */
+        mean[k] = c->eos.rho0 * (1 + over);
+        share[k] = over / root;
+    }
+}
 
-    eos_pressures(&c->eos, 1, &rho, &p);
-    *shown = rho;
-    return p / (rho * rho) * over / root;
+/* Particles from..to-1 of the mean: what they show, and m pi/N. */
+static void press_chunk(const struct contact_press_self *c, struct part_press_work *w,
+                        const struct particles *p, double *shown, int from, int to)
+{
+    const int first = p->from[KIND_WALL], n = to - from;
+    double rho[CHUNK] = { 0 }, share[CHUNK], press[CHUNK];
+
+    for (int k = 0; k < n; k++)
+        rho[k] = contact_mean_sum(&c->mean, from + k, w->rho) * c->mean.inverse[from + k];
+    one_side(c, n, rho, share);
+    eos_pressures(&c->eos, n, rho, press);
+    for (int k = 0; k < n; k++) {
+        const int row = row_of(c, p, from + k);
+        shown[row - first] = rho[k];
+        w->pi[from + k] = p->m[row] * c->mean.inverse[from + k]
+                          * (press[k] / (rho[k] * rho[k]) * share[k]);
+    }
 }
 
 static void press(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io)
 {
     const struct contact_press_self *c = self;
-    const struct contact_mean *mean = &c->mean;
-    const int first = p->from[KIND_WALL];
+    const int first = p->from[KIND_WALL], n = c->mean.n;
 
     look_around(c, p, w);
-#pragma omp parallel for schedule(static) if (mean->n > 4096)
-    for (int i = 0; i < mean->n; i++)
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int i = 0; i < n; i++)
         w->rho[i] = io->rho[row_of(c, p, i) - first]
                     + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
     for (int i = 0; i < p->n - first; i++) {
         io->shown[i] = c->eos.rho0;
         io->p2[i] = 0;
     }
-#pragma omp parallel for schedule(static) if (mean->n > 4096)
-    for (int i = 0; i < mean->n; i++) {
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int i = 0; i < n; i += CHUNK)
+        press_chunk(c, w, p, io->shown, i, i + CHUNK < n ? i + CHUNK : n);
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (int i = 0; i < n; i++) {
         const int row = row_of(c, p, i);
-        const double inverse = mean->inverse[i];
-        w->pi[i] = p->m[row] * inverse
-                   * one_sided(c, contact_mean_sum(mean, i, w->rho) * inverse,
-                               &io->shown[row - first]);
-    }
-#pragma omp parallel for schedule(static) if (mean->n > 4096)
-    for (int i = 0; i < mean->n; i++) {
-        const int row = row_of(c, p, i);
-        io->p2[row - first] = contact_mean_sum(mean, i, w->pi) / p->m[row];
+        io->p2[row - first] = contact_mean_sum(&c->mean, i, w->pi) / p->m[row];
     }
 }
 

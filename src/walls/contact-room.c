@@ -180,10 +180,15 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
     const double dx = r->at->p->scales->dx;
     const int reach = (int)ceil(r->at->kernel->support / dx), side = 2 * reach + 1;
     const int first = r->at->p->from[KIND_WALL];
-    struct tally it = { .room = r, .x = r->cells->x[i], .first = first,
-                        .group = r->at->solid[r->at->p->object_of[first + i]].group };
+    struct tally it; /* large: not all of it is cleared */
     int cells = 1;
 
+    it.room = r;
+    it.x = r->cells->x[i];
+    it.first = first;
+    it.group = r->at->solid[r->at->p->object_of[first + i]].group;
+    it.skins = 0;
+    it.sum = (struct contact_share){ 0 };
     contact_cells_visit(r->cells, it.x, keep_skin, &it);
     for (int d = 0; d < DIM; d++)
         cells *= side;
