@@ -36,6 +36,14 @@ struct plan_wall {
     int object;
 };
 
+/* A part of a solid whose force is told apart. */
+struct plan_panel {
+    const char *name;        /* of the scene's; lent                          */
+    int n, *id;              /* [n] its particles, ids of all kinds, ascending */
+    double about[3];         /* of its moment                        [m]      */
+    double along[3];         /* direction of its drag, of length 1; 0: none   */
+};
+
 /* Rows of the layout. */
 struct plan_rows {
     int x, u;                /* of the fluid, -1: none                        */
@@ -49,7 +57,7 @@ struct plan_book {
     int walls;    /* energy that driven walls gave                            */
     int damping;  /* [bodies] energy that damping took (negative)             */
     int driven;   /* [bodies] energy that prescribed loads gave               */
-    int impulse;  /* [objects][DIM] on solids                                 */
+    int impulse;  /* [objects + panels][DIM] on solids and parts of them      */
     int support;  /* [bodies][DIM] impulse of supports                        */
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of body forces beside the weight           */
@@ -108,7 +116,8 @@ struct plan {
     const struct plan_part *stiff;     /* the viscosity that is implicit; NULL: none */
     bool moving_walls;
     struct plan_passes passes;
-    int bodies, walls;
+    int bodies, walls, panels;
+    struct plan_panel *panel;
     struct plan_body *body;
     struct plan_wall *wall;
     struct plan_contacts contacts;
@@ -141,6 +150,10 @@ int plan_scales_make(struct plan *p, struct scene *scene);
 int plan_bodies_make(struct plan *p);
 int plan_objects_fill(struct plan *p);
 int plan_objects_name(struct plan *p);
+
+/* panels.c: which particles the panels have; after all particles. */
+int plan_panels_make(struct plan *p);
+void plan_panels_free(struct plan *p);
 
 /* agree.c: refuses parts that do not go together. */
 int plan_agree(const struct plan *p, const struct scene *scene);
