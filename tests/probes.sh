@@ -44,7 +44,7 @@ column still/forces tank.fx tank.fy >"$out/frame"
 off=$(column still/panels left.fx right.fx floor.fx lid.fx left.fy right.fy floor.fy lid.fy |
     paste -d ' ' - "$out/frame" | awk '{ a = $2 + $3 + $4 + $5 - $11; b = $6 + $7 + $8 + $9 - $12
         a = a < 0 ? -a : a; b = b < 0 ? -b : b; m = a > m ? a : m; m = b > m ? b : m; n++ }
-        END { print n > 190 ? m + 0 : 99 }')
+        END { print (n > 190 ? m + 0 : 99) }')
 claim 'sides make up the frame in each row, to the digits of a table' "$off < 1e-6"
 near 'the mean over a wall half dry is the load by its height' "$(at probes face)" 551.8125 0.03
 near 'a bed 0.13 m below the level' "$(at probes bed)" 1275.3 0.03
