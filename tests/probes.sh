@@ -68,7 +68,7 @@ claim 'a profile has a point each half spacing' "$points == 80"
 
 if command -v gnuplot >/dev/null; then
     "$STIFFWATER" plot "$out/still" >"$out/drawn" 2>&1 || { wrong 'figures are drawn'; cat "$out/drawn"; }
-    for figure in forces panels probes profiles; do
+    for figure in forces parts probes profiles; do
         claim "$figure.png is drawn" "$(cat "$out/still/figures/$figure.png" 2>/dev/null | wc -c) > 5000"
     done
 fi
