@@ -63,6 +63,15 @@ well twice "$out/still.scene" output.interval=4e-3 output.profiles=0.05
 [ "$(last twice probes slow.mean)" = "$(last still probes slow.mean)" ] &&
     good 'and the same with other intervals' || wrong 'and the same with other intervals'
 claim 'nothing changes the run' "\"$(hash twice)\" == \"$(hash still)\""
+for way in '2 -n 2' '2 -n 1' '8 -n 2'; do
+    # shellcheck disable=SC2086 # words
+    STIFFWATER_LANES=${way%% *} "$STIFFWATER" run "$out/still.scene" -q -o "$out/way" ${way#* } \
+        output.fields=100 output.snapshots=0
+    for table in panels probes profiles; do
+        cmp -s "$out/way/$table.csv" "$out/still/$table.csv" || wrong "the same $table: lanes $way"
+    done
+done
+good 'tables were compared on other lanes and threads'
 points=$(grep -c '^0.1,face,' "$out/still/profiles.csv")
 claim 'a profile has a point each half spacing' "$points == 80"
 

@@ -145,9 +145,9 @@ const struct param settings_probe_params[] = {
       .min = -1e6, .max = 1e6, .about = "measures over an area and not at a point: in 2D the other "
       "end of a segment, in 3D the opposite corner of a rectangle along two axes. The reading is the "
       "mean of points at most half a spacing apart, dry ones too (as 0): times the area it is the "
-      "load of a pressure" },
+      "load of a pressure; computed: none" },
     { .key = "radius", .unit = "m", AT(settings_probe, radius), .fallback = NAN, .min = 1e-9,
-      .max = 1e6, .about = "3D: measures over a disc around `at`, in the same way" },
+      .max = 1e6, .about = "3D: measures over a disc around `at`, in the same way; computed: none" },
     { .key = "normal", .unit = "", .type = PARAM_VECTOR, AT(settings_probe, normal), .min = -1e6,
       .max = 1e6, .about = "direction across the disc, of any length" },
     { .key = "window", .unit = "s", AT(settings_probe, window), .max = 1e6,
