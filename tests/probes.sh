@@ -80,5 +80,9 @@ if command -v gnuplot >/dev/null; then
     for figure in forces parts probes profiles; do
         claim "$figure.png is drawn" "$(cat "$out/still/figures/$figure.png" 2>/dev/null | wc -c) > 5000"
     done
+    well beam "$top_srcdir/data/scenes/beam-alone.scene" until=0.01
+    "$STIFFWATER" plot "$out/beam" >"$out/drawn" 2>&1 || { wrong 'a beam is drawn'; cat "$out/drawn"; }
+    claim 'root.png is drawn' "$(cat "$out/beam/figures/root.png" 2>/dev/null | wc -c) > 5000"
+    [ -z "$(find "$out" -name '*.gp.log')" ] && good 'gnuplot says nothing' || wrong 'gnuplot says nothing'
 fi
 finish

@@ -53,7 +53,7 @@ void observe_panel(const struct moment *run, int panel, struct observe_panel *ou
 {
     const struct moment *o = run->observer;
     const double *force = o->force[o->particles->objects + panel];
-    const double *along = run->plan->panel[panel].along;
+    const double *along = run->plan->book.panel[panel].along;
     double size = 0;
 
     *out = (struct observe_panel){ .drag = 0 };

@@ -68,10 +68,10 @@ static void sum_panels(struct moment *m)
 {
     const int first = m->particles->objects;
 
-    memset(m->force + first, 0, (size_t)m->plan->panels * sizeof *m->force);
-    memset(m->turn, 0, (size_t)m->plan->panels * sizeof *m->turn);
-    for (int i = 0; i < m->plan->panels; i++)
-        sum_panel(m, &m->plan->panel[i], m->force[first + i], m->turn[i]);
+    memset(m->force + first, 0, (size_t)m->plan->book.panels * sizeof *m->force);
+    memset(m->turn, 0, (size_t)m->plan->book.panels * sizeof *m->turn);
+    for (int i = 0; i < m->plan->book.panels; i++)
+        sum_panel(m, &m->plan->book.panel[i], m->force[first + i], m->turn[i]);
 }
 
 void solids_sum(struct moment *m)

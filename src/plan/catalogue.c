@@ -38,7 +38,8 @@ static const struct group {
     { "wall", "wall.NAME: a region filled with wall",
       { shape_params, settings_wall_params, walls_motion_params } },
     { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
-    { "panel", "panel.NAME: a part of a wall or beam whose force is told", { settings_panel_params } },
+    { "panel", "panel.NAME: a part of a wall or beam whose force is told",
+      { settings_panel_params } },
 };
 
 enum { NAMES = 128, GROUPS = sizeof groups / sizeof groups[0] };

@@ -26,9 +26,9 @@ static int check_box(const struct settings_probe *p, const char *where, const ch
         return status_fail(STATUS_BAD_SCENE, "%s: %s.to is its `at`: give the other end, or leave "
                            "it out to measure at a point", where, path);
     if (extents(p) > 2)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: `at` and `to` differ in all three directions, "
-                           "but an area is flat: let them agree in one of them, that across the "
-                           "rectangle", where, path);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: `at` and `to` differ in all three "
+                           "directions, but an area is flat: let them agree in one of them, that "
+                           "across the rectangle", where, path);
     return STATUS_DONE;
 }
 
@@ -37,8 +37,8 @@ static int check_disc(const struct settings_probe *p, const char *where, const c
     const bool turned = p->normal[0] != 0 || p->normal[1] != 0 || p->normal[2] != 0;
 
     if (isnan(p->radius) && turned)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s.normal does nothing without radius; give that, "
-                           "or leave normal out", where, path);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s.normal does nothing without radius; give "
+                           "that, or leave normal out", where, path);
     if (isnan(p->radius))
         return STATUS_DONE;
     if (DIM == 2)

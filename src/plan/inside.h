@@ -36,6 +36,12 @@ struct plan_wall {
     int object;
 };
 
+/* Rows of the layout. */
+struct plan_rows {
+    int x, u;                /* of the fluid, -1: none                        */
+    int density[KINDS];      /* -1: none                                      */
+};
+
 /* A part of a solid whose force is told apart. */
 struct plan_panel {
     const char *name;        /* of the scene's; lent                          */
@@ -44,13 +50,8 @@ struct plan_panel {
     double along[3];         /* direction of its drag, of length 1; 0: none   */
 };
 
-/* Rows of the layout. */
-struct plan_rows {
-    int x, u;                /* of the fluid, -1: none                        */
-    int density[KINDS];      /* -1: none                                      */
-};
-
-/* Where the quadratures of the book stand in its row of y. */
+/* Where the quadratures of the book stand in its row of y, and of which parts of solids it
+ * keeps impulses. */
 struct plan_book {
     int row;      /* of the layout                                            */
     int work;     /* [columns] energy each pair part gave                     */
@@ -63,6 +64,8 @@ struct plan_book {
     int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
     int n;
+    int panels;
+    struct plan_panel *panel; /* [panels]                                     */
 };
 
 /* A density that is summed before there are forces. */
@@ -116,8 +119,7 @@ struct plan {
     const struct plan_part *stiff;     /* the viscosity that is implicit; NULL: none */
     bool moving_walls;
     struct plan_passes passes;
-    int bodies, walls, panels;
-    struct plan_panel *panel;
+    int bodies, walls;
     struct plan_body *body;
     struct plan_wall *wall;
     struct plan_contacts contacts;

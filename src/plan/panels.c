@@ -78,9 +78,9 @@ static int check_side(const struct plan *p, const struct input_panel *in)
         if (strcmp(p->in.wall[i].name, in->set.of) == 0
             && p->in.wall[i].set.shape.kind == SHAPE_FRAME)
             return STATUS_DONE;
-    return status_fail(STATUS_BAD_SCENE, "%s: panel.%s.side = \"%s\", but \"%s\" is no wall of type "
-                       "\"frame\", and others have no sides; choose its particles by from and to",
-                       in->where, in->name, in->set.side, in->set.of);
+    return status_fail(STATUS_BAD_SCENE, "%s: panel.%s.side = \"%s\", but \"%s\" is no wall of "
+                       "type \"frame\", and others have no sides; choose its particles by from and "
+                       "to", in->where, in->name, in->set.side, in->set.of);
 }
 
 static void direct(const double *from, double *to)
@@ -118,35 +118,35 @@ static int make_panel(struct plan *p, const struct input_panel *in, struct plan_
 
 int plan_panels_make(struct plan *p)
 {
-    if (!(p->panel = status_alloc((unsigned long)p->in.panels + 1, sizeof *p->panel)))
+    if (!(p->book.panel = status_alloc((unsigned long)p->in.panels + 1, sizeof *p->book.panel)))
         return STATUS_FAILED;
     for (int i = 0; i < p->in.panels; i++) {
-        p->panels++;
-        TRY(make_panel(p, &p->in.panel[i], &p->panel[i]));
+        p->book.panels++;
+        TRY(make_panel(p, &p->in.panel[i], &p->book.panel[i]));
     }
     return STATUS_DONE;
 }
 
 void plan_panels_free(struct plan *p)
 {
-    for (int i = 0; i < p->panels; i++)
-        free(p->panel[i].id);
-    free(p->panel);
+    for (int i = 0; i < p->book.panels; i++)
+        free(p->book.panel[i].id);
+    free(p->book.panel);
 }
 
 int plan_panels(const struct plan *p)
 {
-    return p->panels;
+    return p->book.panels;
 }
 
 const char *plan_panel_name(const struct plan *p, int panel)
 {
-    return p->panel[panel].name;
+    return p->book.panel[panel].name;
 }
 
 bool plan_panel_drags(const struct plan *p, int panel)
 {
-    const double *along = p->panel[panel].along;
+    const double *along = p->book.panel[panel].along;
 
     return along[0] != 0 || along[1] != 0 || along[2] != 0;
 }

@@ -137,24 +137,27 @@ const struct param settings_probe_params[] = {
       .max = 1e6, .required = 1, .about = "where it is" },
     { .key = "what", .unit = "", .type = PARAM_WORD, AT(settings_probe, what),
       .words = probe_words,
-      .about = "pressure: mean of the fluid within H, weighted by Wendland's C2 function; walls have "
-      "no part in it, and where there is less than a sixteenth of a full surrounding the rest is air "
-      "without pressure. height: level of the water there, half a spacing above its highest "
-      "particle, over the domain's lowest point. velocity: speed of the water" },
+      .about = "pressure: mean of the fluid within H, weighted by Wendland's C2 function; walls "
+      "have no part in it, and where there is less than a sixteenth of a full "
+      "surrounding the rest is air without pressure. height: level of the water there, "
+      "half a spacing above its highest particle, over the domain's lowest point. "
+      "velocity: speed of the water" },
     { .key = "to", .unit = "m", .type = PARAM_VECTOR, AT(settings_probe, to), .fallback = NAN,
-      .min = -1e6, .max = 1e6, .about = "measures over an area and not at a point: in 2D the other "
-      "end of a segment, in 3D the opposite corner of a rectangle along two axes. The reading is the "
-      "mean of points at most half a spacing apart, dry ones too (as 0): times the area it is the "
-      "load of a pressure; computed: none" },
+      .min = -1e6, .max = 1e6,
+      .about = "measures over an area and not at a point: in 2D the other end of a segment, in "
+      "3D the opposite corner of a rectangle along two axes. The reading is the mean of"
+      " points at most half a spacing apart, dry ones too (as 0): times the area it is "
+      "the load of a pressure; computed: none" },
     { .key = "radius", .unit = "m", AT(settings_probe, radius), .fallback = NAN, .min = 1e-9,
-      .max = 1e6, .about = "3D: measures over a disc around `at`, in the same way; computed: none" },
+      .max = 1e6,
+      .about = "3D: measures over a disc around `at`, in the same way; computed: none" },
     { .key = "normal", .unit = "", .type = PARAM_VECTOR, AT(settings_probe, normal), .min = -1e6,
       .max = 1e6, .about = "direction across the disc, of any length" },
     { .key = "window", .unit = "s", AT(settings_probe, window), .max = 1e6,
-      .about = "adds a column NAME.mean: the mean over the last so many seconds (less at the start) "
-      "of the polygon through the readings at all accepted steps, the trapezoidal rule; 0: none. "
-      "output.interval does not change it. A gauge that is slow reads so; a raw peak may be that of "
-      "one particle" },
+      .about = "adds a column NAME.mean: the mean over the last so many seconds (less at the "
+      "start) of the polygon through the readings at all accepted steps, the "
+      "trapezoidal rule; 0: none. output.interval does not change it. A gauge that is "
+      "slow reads so; a raw peak may be that of one particle" },
     { .key = "profile", .unit = "", .type = PARAM_FLAG, AT(settings_probe, profile), .max = 1,
       .about = "writes each of its points to profiles.csv, every output.profiles" },
     { 0 },
@@ -174,8 +177,9 @@ const struct param settings_panel_params[] = {
     { .key = "about", .unit = "m", .type = PARAM_VECTOR, AT(settings_panel, about), .min = -1e6,
       .max = 1e6, .about = "fixed point about which its moment is taken" },
     { .key = "along", .unit = "", .type = PARAM_VECTOR, AT(settings_panel, along), .min = -1e6,
-      .max = 1e6, .about = "direction of the flow, of any length: adds a column NAME.drag, the force "
-      "along it" },
+      .max = 1e6,
+      .about = "direction of the flow, of any length: adds a column NAME.drag, the force along "
+      "it" },
     { 0 },
 };
 

@@ -14,8 +14,9 @@
  *     (output/fields.h keeps their times for its index, output/snapshot.h their number).
  *
  * Columns with memory of rows before: `defect` of book.csv (the first sheet) and `rejected` of
- * steps.csv, which the method counts from its creation; NAME.mean of probes.csv.  All others follow from (t, y), but
- * for the last bits: where it fits, looks sum over the run's list of pairs. */
+ * steps.csv, which the method counts from its creation; NAME.mean of probes.csv.  All others
+ * follow from (t, y), but for the last bits: where it fits, looks sum over the run's list of
+ * pairs. */
 #ifndef RUN_PAST_H
 #define RUN_PAST_H
 

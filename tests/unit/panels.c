@@ -86,8 +86,8 @@ static void assert_sum(const struct tank *t, int from, int to)
         check(fabs(force[d] - whole[d]) < 1e-12 * size(whole), "parts have %.17g, the whole %.17g",
               force[d], whole[d]);
     for (int d = 0; d < 3; d++)
-        check(fabs(turn[d] - all.turn[d]) < 1e-12 * size(whole), "parts turn by %.17g, all by %.17g",
-              turn[d], all.turn[d]);
+        check(fabs(turn[d] - all.turn[d]) < 1e-12 * size(whole),
+              "parts turn by %.17g, all by %.17g", turn[d], all.turn[d]);
 }
 
 static void test_sides_make_up_the_frame(void **state)
@@ -126,7 +126,8 @@ static void test_moments(void **state)
               near.turn[d] - far.turn[d], wanted);
         check(fabs(wanted) > 1e-6 || d != 2, "nothing is tried");
     }
-    check(fabs(near.drag - (0.6 * f[0] + 0.8 * f[DIM - 1])) < 1e-12 * size(f), "drag %g", near.drag);
+    check(fabs(near.drag - (0.6 * f[0] + 0.8 * f[DIM - 1])) < 1e-12 * size(f), "drag %g",
+          near.drag);
     assert_true(isnan(far.drag));
     tank_free(&t);
 }
