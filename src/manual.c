@@ -44,6 +44,8 @@ static const struct group {
     { "wall.NAME", "wall.NAME.", "A region filled with wall",
       { shape_params, settings_wall_params, walls_motion_params } },
     { "probe.NAME", "probe.NAME.", "A place to measure at", { settings_probe_params } },
+    { "panel.NAME", "panel.NAME.", "A part of a wall or beam whose force is told",
+      { settings_panel_params } },
     { "output", "output.", "How often files are written", { settings_output_params } },
 };
 

@@ -65,7 +65,7 @@ grep -q '^motion of solids,list of pairs,records,.*laws between particles,rates 
 grep '^  laws between particles ' said |
     grep -q 'force, power, rate of density; of neighbours: position, velocity, density, pressure$' ||
     complain "$what: what laws give, and read of neighbours"
-for name in scene kernel domain reference eos output fluid wall probe effects.continuity; do
+for name in scene kernel domain reference eos output fluid wall probe panel effects.continuity; do
     expect 0 explain $name
 done
 expect 0 explain artificial-viscosity

@@ -43,7 +43,7 @@ stands()
     case $1 in
     scene) tag=$2 ;;
     kernel | domain | reference | disturbance | eos | output) tag=$1.$2 ;;
-    fluid | wall | probe | beam) tag=$1.NAME.$2 ;;
+    fluid | wall | probe | panel | beam) tag=$1.NAME.$2 ;;
     *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
     esac
     grep -q -E -e "^\\\\fB$tag " "$out/page" || complain "the man page lacks $2 of $1"
@@ -51,7 +51,7 @@ stands()
 
 for dimension in 2 3; do
     program=$build/stiffwater-${dimension}d
-    names='scene kernel domain reference disturbance eos fluid wall probe output'
+    names='scene kernel domain reference disturbance eos fluid wall probe panel output'
     for table in effects eos walls bodies; do
         names="$names $("$program" list $table | awk '{ print $1 }')"
     done

@@ -221,6 +221,29 @@ bad small-2d 'end of no load' 's/density = 1200.0;/& load_until = 0.1;/' bad.sce
     load_until
 bad small-2d 'probe without fluid' '/^fluid = {/,/^};/d;/^effects = {/,/^};/d' bad.scene probe.bed \
     'no fluid'
+
+# probes over areas, panels
+at='s/at = \[0.05, 0.015\];/&'
+bad small-2d 'area without extent' "$at to = [0.05, 0.015];/" bad.scene:28 probe.bed.to '`at`'
+bad small-2d 'disc in 2D' "$at radius = 0.01; normal = [1.0, 0.0];/" bad.scene:28 probe.bed.radius segment
+bad small-2d 'normal without a disc' "$at normal = [1.0, 0.0];/" bad.scene:28 probe.bed.normal radius
+bad small-2d 'height over an area' "$at to = [0.1, 0.015];/;s/\"pressure\"/\"height\"/" bad.scene:28 \
+    probe.bed 'at a point'
+bad small-2d 'profile of a point' "$at profile = true;/" bad.scene:28 probe.bed.profile 'to or radius'
+bad small-2d 'window below 0' "$at window = -1.0;/" bad.scene:28 probe.bed.window -1
+bad small-3d 'area that is no plane' 's/^output/probe = { p = { at = [0.0, 0.0, 0.0]; to = [0.1, 0.1, 0.1]; }; };\n&/' \
+    bad.scene probe.p 'all three directions'
+bad small-3d 'disc without a normal' 's/^output/probe = { p = { at = [0.0, 0.0, 0.0]; radius = 0.1; }; };\n&/' \
+    bad.scene probe.p.normal 'across the'
+panel() { printf '%s\n' "s/^output/panel = { p = { $1 }; };\\n&/"; }
+bad small-2d 'panel of nothing' "$(panel '')" bad.scene:30 panel.p.of missing
+bad small-2d 'panel of what is not there' "$(panel 'of = "tnak";')" bad.scene:30 panel.p tnak tank plate
+bad small-2d 'side of what has none' "$(panel 'of = "plate"; side = "left";')" bad.scene:30 panel.p.side \
+    plate 'from and to'
+bad small-2d 'side that is none' "$(panel 'of = "tank"; side = "back";')" bad.scene:30 panel.p.side back bottom
+bad small-2d 'empty panel' "$(panel 'of = "tank"; from = [0.01, 0.01]; to = [0.1, 0.05];')" bad.scene:30 \
+    panel.p 'half a spacing behind'
+bad small-2d 'key of a panel' "$(panel 'of = "tank"; form = [0.01, 0.01];')" bad.scene:30 panel.p.form from
 bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' fluid.right.flow_rate
 
 # the command line

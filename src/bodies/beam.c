@@ -221,6 +221,7 @@ static void beam_show(const struct body *b, struct body_work *w, const struct la
         out->tip[d] = w->q[tip] * b->normal[d];
         out->mid[d] = across * b->normal[d];
     }
+    out->section = b->thickness;
     out->tip_angle = w->q[tip + 1];
     out->root_force = bending_held(s, 0) ? w->force[0] - w->inertia[0] - w->resist[0] : 0;
     out->root_moment = bending_held(s, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;

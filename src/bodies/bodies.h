@@ -34,6 +34,8 @@ struct body_view { /* for output: displacements of chosen points */
     double tip_angle;          /* [rad]                                        */
     double root_force;         /* shear force at the root [N, 2D: N/m]         */
     double root_moment;        /* bending moment at the root [N m, 2D: N]      */
+    double section;            /* height of a rectangular section there, for the stress
+                                  6 M/h^2 (of 1 m of width); 0: it has none [m] */
 };
 
 struct body_kind;

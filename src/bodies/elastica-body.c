@@ -267,6 +267,7 @@ static void elastica_show(const struct body *b, struct body_work *w, const struc
     balance(b, w, l, t, y, force);
     displace(b, L, w->q, out->tip);
     displace(b, L / 2, w->q, out->mid);
+    out->section = e->def.thickness;
     out->tip_angle = tip_angle(b, w->q);
     out->root_force = elastica_held(e, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
     out->root_moment = elastica_held(e, 3)

@@ -30,7 +30,7 @@ void book_rates(const struct plan *p, const struct book_powers *of, double *book
         book[i] = of->pull[i - b->pull];
     for (int i = b->contacts; i < b->n; i++)
         book[i] = of->contacts[i - b->contacts];
-    for (int o = 0; o < p->particles->objects; o++)
+    for (int o = 0; o < p->particles->objects + p->book.panels; o++)
         for (int d = 0; d < DIM; d++)
             book[b->impulse + o * DIM + d] = of->force[o][d];
 }

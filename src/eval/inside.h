@@ -48,7 +48,9 @@ struct moment {
     struct list *list, *own;           /* of the evaluation; its own          */
     struct workspace *work;
     struct moment_body *body;          /* [bodies]                            */
-    double (*force)[DIM];              /* [objects][DIM] on solids [N]        */
+    double (*force)[DIM];              /* [objects + panels][DIM] on solids, and on parts
+                                          of them [N]                         */
+    double (*turn)[3];                 /* [panels][3] moments of those; 2D: the last [N m] */
     double wall_power;                 /* v . f of moving walls [W]           */
     struct contacts_body *meeting;     /* [bodies] contacts see them so       */
     double *contact_power;             /* [columns] of contacts on bodies [W] */

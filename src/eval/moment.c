@@ -37,10 +37,11 @@ static int take_memory(struct moment *m)
 
     TRY(particles_create_beside(p->particles, &m->particles));
     TRY(take_bodies(m));
-    m->force = status_alloc((size_t)p->particles->objects + 1, sizeof *m->force);
+    m->force = status_alloc((size_t)(p->particles->objects + p->book.panels) + 1, sizeof *m->force);
+    m->turn = status_alloc((size_t)p->book.panels + 1, sizeof *m->turn);
     m->meeting = status_alloc((size_t)p->bodies + 1, sizeof *m->meeting);
     m->contact_power = status_alloc((size_t)p->contacts.columns + 1, sizeof *m->contact_power);
-    if (!m->force || !m->meeting || !m->contact_power)
+    if (!m->force || !m->turn || !m->meeting || !m->contact_power)
         return STATUS_FAILED;
     if (p->particles->n > 0)
         TRY(p->engine->sum->list->create(&m->own, &p->list_def));
@@ -119,6 +120,7 @@ void moment_free(struct moment **moment)
         free_body(&m->body[i]);
     free(m->body);
     free(m->force);
+    free(m->turn);
     free(m->meeting);
     free(m->contact_power);
     particles_free(&m->particles);
@@ -130,7 +132,9 @@ void moment_free(struct moment **moment)
 
 static void forget_forces(struct moment *m)
 {
-    memset(m->force, 0, (size_t)m->particles->objects * sizeof *m->force);
+    memset(m->force, 0,
+           (size_t)(m->particles->objects + m->plan->book.panels) * sizeof *m->force);
+    memset(m->turn, 0, (size_t)m->plan->book.panels * sizeof *m->turn);
     memset(m->pull, 0, sizeof m->pull);
     m->wall_power = 0;
     for (int i = 0; i < m->plan->bodies; i++) {

@@ -50,6 +50,24 @@ const double *observe_force(const struct moment *run, int object)
     return moment_force(run->observer, object);
 }
 
+void observe_panel(const struct moment *run, int panel, struct observe_panel *out)
+{
+    const struct moment *o = run->observer;
+    const double *force = o->force[o->particles->objects + panel];
+    const double *along = run->plan->book.panel[panel].along;
+    double size = 0;
+
+    *out = (struct observe_panel){ .drag = 0 };
+    memcpy(out->force, force, sizeof out->force);
+    memcpy(out->turn, o->turn[panel], sizeof out->turn);
+    for (int d = 0; d < DIM; d++) {
+        out->drag += force[d] * along[d];
+        size += fabs(along[d]);
+    }
+    if (!(size > 0))
+        out->drag = NAN;
+}
+
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {

@@ -25,6 +25,11 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
  * STATUS_FAILED when the right-hand side cannot answer. */
 int observe_forces(struct moment *run, double t, const double *y);
 const double *observe_force(const struct moment *run, int object); /* [DIM] [N] */
+/* The same of a panel; its moment [3] (2D: the last) and drag [N], NaN without `along`. */
+struct observe_panel {
+    double force[DIM], turn[3], drag;
+};
+void observe_panel(const struct moment *run, int panel, struct observe_panel *out);
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out);
 

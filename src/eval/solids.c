@@ -36,6 +36,44 @@ static void sum_kind(struct moment *m, enum kind k)
     }
 }
 
+/* Moment of a force f at x about a point; in 2D it has its last component alone. */
+static void add_turn(const double *about, const double *x, const double *f, double turn[3])
+{
+    double arm[3] = { 0 };
+
+    for (int d = 0; d < DIM; d++)
+        arm[d] = x[d] - about[d];
+    turn[2] += arm[0] * f[1] - arm[1] * f[0];
+    if (DIM == 3) {
+        turn[0] += arm[1] * f[2] - arm[2] * f[1];
+        turn[1] += arm[2] * f[0] - arm[0] * f[2];
+    }
+}
+
+/* Forces on a part of a solid, added in order of ids. */
+static void sum_panel(struct moment *m, const struct plan_panel *p, double *sum, double turn[3])
+{
+    for (int k = 0; k < p->n; k++) {
+        const int row = particles_row_of(m->particles, p->id[k]), s = m->list->slot[row];
+        const double *f = m->work->f + (size_t)(s < 0 ? 0 : s) * DIM;
+        if (s < 0)
+            continue;
+        for (int d = 0; d < DIM; d++)
+            sum[d] += f[d];
+        add_turn(p->about, m->particles->x[row], f, turn);
+    }
+}
+
+static void sum_panels(struct moment *m)
+{
+    const int first = m->particles->objects;
+
+    memset(m->force + first, 0, (size_t)m->plan->book.panels * sizeof *m->force);
+    memset(m->turn, 0, (size_t)m->plan->book.panels * sizeof *m->turn);
+    for (int i = 0; i < m->plan->book.panels; i++)
+        sum_panel(m, &m->plan->book.panel[i], m->force[first + i], m->turn[i]);
+}
+
 void solids_sum(struct moment *m)
 {
     const struct particles *all = m->particles;
@@ -46,6 +84,7 @@ void solids_sum(struct moment *m)
     for (int k = KIND_WALL; k < KINDS; k++)
         if (particles_count(all, k) > 0) /* else there may be no list */
             sum_kind(m, (enum kind)k);
+    sum_panels(m);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
             m->wall_power += power_of(m, &all->object[p->wall[i].object]);

@@ -126,7 +126,7 @@ void viscous_book(struct moment *m, double *book)
         book[i] = 0;
     book[b->work + slot] = m->work->power[slot];
     book[b->walls] = -m->wall_power;
-    for (int o = 0; o < m->particles->objects; o++)
+    for (int o = 0; o < m->particles->objects + m->plan->book.panels; o++)
         for (int d = 0; d < DIM; d++)
             book[b->impulse + o * DIM + d] = m->force[o][d];
     for (int i = 0; i < m->plan->bodies; i++)

@@ -75,7 +75,7 @@ static bool is_near(const struct scales *s, const double *x, const double *y, in
     return period_square(s, x, y, axes) <= s->support * s->support;
 }
 
-double probe_height(const struct crowd *c, const double *x, int axes)
+double probe_top(const struct crowd *c, const double *x, int axes)
 {
     const struct view *v = crowd_view(c);
     const struct scales *s = v->p->scales;
@@ -88,4 +88,11 @@ double probe_height(const struct crowd *c, const double *x, int axes)
             best = y[DIM - 1];
     }
     return best - s->low[DIM - 1];
+}
+
+double probe_height(const struct crowd *c, const double *x, int axes)
+{
+    const double top = probe_top(c, x, axes);
+
+    return top > 0 ? top + crowd_view(c)->p->scales->dx / 2 : 0;
 }

@@ -56,5 +56,7 @@ int figures_constants(const char *run, const struct figures_constants *c)
     constant(a.to, "rho0", c->rho0);
     constant(a.to, "c0", c->c0);
     constant(a.to, "E0", c->E0);
+    constant_text(a.to, "beams", c->beams);
+    constant_text(a.to, "sections", c->sections);
     return aside_close(&a);
 }

@@ -26,6 +26,9 @@ struct figures_constants {
                             NAN: there is none                                   */
     double dx;           /* spacing                                      [m]     */
     double rho0, c0;     /* [kg/m^3], [m/s]                                      */
+    const char *beams;   /* their names, with blanks between; NULL: none         */
+    const char *sections; /* heights of their sections at the root [m], likewise; 0: it
+                            has none                                             */
     double E0;           /* energy at t = 0                     [J, 2D: J/m]     */
 };
 

@@ -21,7 +21,7 @@ int plan_book_rows(struct plan *p)
     b->damping = b->walls + 1;
     b->driven = b->damping + p->bodies;
     b->impulse = b->driven + p->bodies;
-    b->support = b->impulse + p->particles->objects * DIM;
+    b->support = b->impulse + (p->particles->objects + p->book.panels) * DIM;
     b->applied = b->support + p->bodies * DIM;
     b->pull = b->applied + p->bodies * DIM;
     b->contacts = b->pull + (pulls(p) ? DIM : 0);

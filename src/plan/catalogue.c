@@ -17,7 +17,7 @@
 
 const char *const catalogue_groups[] = {
     "kernel", "domain", "reference", "disturbance", "eos", "effects", "fluid", "wall", "beam",
-    "probe", "output", NULL
+    "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -40,6 +40,8 @@ static const struct group {
     { "wall", "wall.NAME: a region filled with wall",
       { shape_params, settings_wall_params, walls_motion_params } },
     { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
+    { "panel", "panel.NAME: a part of a wall or beam whose force is told",
+      { settings_panel_params } },
 };
 
 enum { NAMES = 128, GROUPS = sizeof groups / sizeof groups[0] };

@@ -185,6 +185,7 @@ static int build(struct plan *p, struct scene *scene)
     TRY(find_stiff(p, scene));
     plan_fields_make(p);
     TRY(plan_objects_name(p));
+    TRY(plan_panels_make(p));
     TRY(make_layout(p));
     TRY(plan_press_make(p));
     TRY(plan_tables_make(p));
@@ -206,6 +207,7 @@ static void destroy(struct plan **plan)
     if (p->contacts.kind)
         p->contacts.kind->free(&p->contacts.self);
     free(p->face);
+    plan_panels_free(p);
     particles_free(&p->particles);
     input_free(&p->in);
     free(p->body);

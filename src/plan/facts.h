@@ -12,6 +12,7 @@ const struct settings *plan_settings(const struct plan *plan);
 const struct settings_output *plan_output(const struct plan *plan);
 int plan_probes(const struct plan *plan);
 const struct settings_probe *plan_probe(const struct plan *plan, int i, const char **name);
+bool plan_profiles(const struct plan *plan); /* has any probe a profile? */
 int plan_bodies(const struct plan *plan);
 const char *plan_body_name(const struct plan *plan, int body);
 bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
@@ -19,6 +20,12 @@ int plan_lanes(const struct plan *plan);
 
 /* Pressure [Pa] of n densities. */
 void plan_pressures(const struct plan *plan, int n, const double *rho, double *p);
+
+/* Panels: parts of solids whose forces are told apart. */
+int plan_panels(const struct plan *plan);
+const char *plan_panel_name(const struct plan *plan, int panel);
+bool plan_panel_drags(const struct plan *plan, int panel); /* has it a direction of drag? */
+const double *plan_panel_impulse(const struct plan *plan, const double *y, int panel);
 
 /* Impulse that the fluid gave a solid so far, [DIM] [N s]. */
 const double *plan_impulse(const struct plan *plan, const double *y, int object);

@@ -1,4 +1,4 @@
-/* input-objects.c -- reads the named objects of a scene: fluids, walls, bodies, probes. */
+/* input-objects.c -- reads the named objects of a scene: fluids, walls, bodies. */
 #include "plan/input-objects.h"
 
 #include "base/status.h"
@@ -39,8 +39,7 @@ static int fill_shares(struct scene *scene, const struct scene_node *group, cons
     return STATUS_DONE;
 }
 
-/* The group of named objects `group`: checks that each is a group itself. */
-static int check_objects(const struct scene_node *group, const char *name)
+int input_check_objects(const struct scene_node *group, const char *name)
 {
     if (group && !scene_is_group(group))
         return status_fail(STATUS_BAD_SCENE, "%s: %s must be a group of named objects: "
@@ -59,7 +58,7 @@ static int check_objects(const struct scene_node *group, const char *name)
     return STATUS_DONE;
 }
 
-static void *objects(const struct scene_node *group, size_t size)
+void *input_objects(const struct scene_node *group, size_t size)
 {
     return status_alloc(scene_count(group) + 1, size);
 }
@@ -79,8 +78,8 @@ int input_fluids(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "fluid");
 
-    TRY(check_objects(group, "fluid"));
-    if (!(in->fluid = objects(group, sizeof *in->fluid)))
+    TRY(input_check_objects(group, "fluid"));
+    if (!(in->fluid = input_objects(group, sizeof *in->fluid)))
         return STATUS_FAILED;
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
@@ -120,8 +119,8 @@ int input_walls(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "wall");
 
-    TRY(check_objects(group, "wall"));
-    if (!(in->wall = objects(group, sizeof *in->wall)))
+    TRY(input_check_objects(group, "wall"));
+    if (!(in->wall = input_objects(group, sizeof *in->wall)))
         return STATUS_FAILED;
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
@@ -139,29 +138,6 @@ int input_walls(struct scene *scene, struct input *in)
         TRY(shape_check(&w->set.shape, path, w->where));
         TRY(idle_wall(node, path, &w->motion));
         TRY(walls_motion_prepare(&w->motion, path, w->where));
-    }
-    return STATUS_DONE;
-}
-
-int input_probes(struct scene *scene, struct input *in)
-{
-    const struct scene_node *group = scene_child(scene_root(scene), "probe");
-
-    TRY(check_objects(group, "probe"));
-    if (!(in->probe = objects(group, sizeof *in->probe)))
-        return STATUS_FAILED;
-    for (int i = 0; i < scene_count(group); i++) {
-        const struct scene_node *node = scene_at(group, i);
-        struct input_probe *p = &in->probe[in->probes++];
-        char path[80];
-
-        snprintf(p->name, sizeof p->name, "%s", scene_name(node));
-        snprintf(path, sizeof path, "probe.%s", p->name);
-        TRY(scene_fill(scene, node, path, settings_probe_params, NULL, DIM, &p->set));
-        if (in->domain.periodic & 1u << (DIM - 1) && strcmp(p->set.what, "height") == 0)
-            return status_fail(STATUS_BAD_SCENE, "%s: %s: there is no height where the vertical "
-                               "repeats (domain.periodic); take what = \"pressure\" or "
-                               "\"velocity\"", scene_where(node), path);
     }
     return STATUS_DONE;
 }
@@ -194,7 +170,7 @@ int input_bodies(struct scene *scene, struct input *in)
     for (int k = 0; bodies_table[k]; k++) {
         const char *name = bodies_table[k]->identity.group;
         const struct scene_node *group = scene_child(scene_root(scene), name);
-        TRY(check_objects(group, name));
+        TRY(input_check_objects(group, name));
         n += scene_count(group);
     }
     if (n > INPUT_BODIES)

@@ -151,6 +151,7 @@ int input_read(struct scene *scene, const struct engine *engine, struct input *i
     TRY(input_walls(scene, in));
     TRY(input_bodies(scene, in));
     TRY(input_probes(scene, in));
+    TRY(input_panels(scene, in));
     return idle_scene(scene, in);
 }
 
@@ -168,5 +169,6 @@ void input_free(struct input *in)
     free(in->wall);
     free(in->body);
     free(in->probe);
+    free(in->panel);
     *in = (struct input){0};
 }

@@ -34,6 +34,11 @@ struct input_probe {
     struct settings_probe set;
 };
 
+struct input_panel {
+    char name[64], where[256];
+    struct settings_panel set;
+};
+
 struct input_effect {
     const struct part *part;
     char path[80];
@@ -54,12 +59,13 @@ struct input {
     void *pressure_self;         /* begins with struct eos */
     const struct part *walls;
     void *walls_self;            /* NULL when its size is 0 */
-    int effects, fluids, wall_count, bodies, probes;
+    int effects, fluids, wall_count, bodies, probes, panels;
     struct input_effect effect[INPUT_EFFECTS];
     struct input_fluid *fluid;
     struct input_wall *wall;
     struct input_body *body;
     struct input_probe *probe;
+    struct input_panel *panel;
 };
 
 /* Reads every key of the scene, refuses what no row knows.  Parameter structs

@@ -42,19 +42,30 @@ struct plan_rows {
     int density[KINDS];      /* -1: none                                      */
 };
 
-/* Where the quadratures of the book stand in its row of y. */
+/* A part of a solid whose force is told apart. */
+struct plan_panel {
+    const char *name;        /* of the scene's; lent                          */
+    int n, *id;              /* [n] its particles, ids of all kinds, ascending */
+    double about[3];         /* of its moment                        [m]      */
+    double along[3];         /* direction of its drag, of length 1; 0: none   */
+};
+
+/* Where the quadratures of the book stand in its row of y, and of which parts of solids it
+ * keeps impulses. */
 struct plan_book {
     int row;      /* of the layout                                            */
     int work;     /* [columns] energy each pair part gave                     */
     int walls;    /* energy that driven walls gave                            */
     int damping;  /* [bodies] energy that damping took (negative)             */
     int driven;   /* [bodies] energy that prescribed loads gave               */
-    int impulse;  /* [objects][DIM] on solids                                 */
+    int impulse;  /* [objects + panels][DIM] on solids and parts of them      */
     int support;  /* [bodies][DIM] impulse of supports                        */
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
     int n;
+    int panels;
+    struct plan_panel *panel; /* [panels]                                     */
 };
 
 /* A density that is summed before there are forces. */
@@ -143,6 +154,10 @@ int plan_scales_make(struct plan *p, struct scene *scene);
 int plan_bodies_make(struct plan *p);
 int plan_objects_fill(struct plan *p);
 int plan_objects_name(struct plan *p);
+
+/* panels.c: which particles the panels have; after all particles. */
+int plan_panels_make(struct plan *p);
+void plan_panels_free(struct plan *p);
 
 /* agree.c: refuses parts that do not go together. */
 int plan_agree(const struct plan *p, const struct scene *scene);

@@ -149,6 +149,14 @@ const struct settings_probe *plan_probe(const struct plan *p, int i, const char 
     return &p->in.probe[i].set;
 }
 
+bool plan_profiles(const struct plan *p)
+{
+    for (int i = 0; i < p->in.probes; i++)
+        if (p->in.probe[i].set.profile)
+            return true;
+    return false;
+}
+
 int plan_lanes(const struct plan *p)
 {
     return p->engine->lanes;

@@ -11,7 +11,7 @@ enum { WORDS = 32 };
 
 /* Words that tables of other rooms bring; see settings_prepare(). */
 static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_words[WORDS],
-                  *wall_words[WORDS];
+                  *wall_words[WORDS], *side_words[WORDS] = { "all" };
 
 static const char *const initial_words[] = { "hydrostatic", "rest", "released", NULL };
 static const char *const axis_words[] = { "x", "y", DIM == 3 ? "z" : NULL, NULL };
@@ -112,6 +112,8 @@ const struct param settings_output_params[] = {
       .min = 1e-9, .max = 1e6, .about = "time between rows of the CSV files; computed: until/500" },
     { .key = "fields", .unit = "s", AT(settings_output, fields), .fallback = NAN, .min = 1e-9,
       .max = 1e6, .about = "time between output fields; computed: until/50" },
+    { .key = "profiles", .unit = "s", AT(settings_output, profiles), .fallback = NAN, .min = 1e-9,
+      .max = 1e6, .about = "time between profiles of probes; computed: until/50" },
     { .key = "snapshots", .unit = "", .type = PARAM_INTEGER, AT(settings_output, snapshots),
       .fallback = 6, .min = 0, .max = 1000,
       .about = "pictures of the particles, evenly spread from start to end" },
@@ -145,7 +147,49 @@ const struct param settings_probe_params[] = {
       .max = 1e6, .required = 1, .about = "where it is" },
     { .key = "what", .unit = "", .type = PARAM_WORD, AT(settings_probe, what),
       .words = probe_words,
-      .about = "pressure at the point, height of the water above it, or speed of the water" },
+      .about = "pressure: mean of the fluid within H, weighted by Wendland's C2 function; walls "
+      "have no part in it, and where there is less than a sixteenth of a full "
+      "surrounding the rest is air without pressure. height: level of the water there, "
+      "half a spacing above its highest particle, over the domain's lowest point. "
+      "velocity: speed of the water" },
+    { .key = "to", .unit = "m", .type = PARAM_VECTOR, AT(settings_probe, to), .fallback = NAN,
+      .min = -1e6, .max = 1e6,
+      .about = "measures over an area and not at a point: in 2D the other end of a segment, in "
+      "3D the opposite corner of a rectangle along two axes. The reading is the mean of"
+      " points at most half a spacing apart, dry ones too (as 0): times the area it is "
+      "the load of a pressure; computed: none" },
+    { .key = "radius", .unit = "m", AT(settings_probe, radius), .fallback = NAN, .min = 1e-9,
+      .max = 1e6,
+      .about = "3D: measures over a disc around `at`, in the same way; computed: none" },
+    { .key = "normal", .unit = "", .type = PARAM_VECTOR, AT(settings_probe, normal), .min = -1e6,
+      .max = 1e6, .about = "direction across the disc, of any length" },
+    { .key = "window", .unit = "s", AT(settings_probe, window), .max = 1e6,
+      .about = "adds a column NAME.mean: the mean over the last so many seconds (less at the "
+      "start) of the polygon through the readings at all accepted steps, the "
+      "trapezoidal rule; 0: none. output.interval does not change it. A gauge that is "
+      "slow reads so; a raw peak may be that of one particle" },
+    { .key = "profile", .unit = "", .type = PARAM_FLAG, AT(settings_probe, profile), .max = 1,
+      .about = "writes each of its points to profiles.csv, every output.profiles" },
+    { 0 },
+};
+
+const struct param settings_panel_params[] = {
+    { .key = "of", .unit = "", .type = PARAM_TEXT, AT(settings_panel, of), .required = 1,
+      .about = "name of the wall or beam it is a part of" },
+    { .key = "side", .unit = "", .type = PARAM_WORD, AT(settings_panel, side), .words = side_words,
+      .about = "of a frame: one of its sides. A particle of a corner belongs to the side it lies "
+      "further behind, so that the sides make up the frame" },
+    { .key = "from", .unit = "m", .type = PARAM_VECTOR, AT(settings_panel, from), .fallback = NAN,
+      .min = -1e6, .max = 1e6, .about = "lowest corner of a box: only particles that lie in it at "
+      "t = 0, and go with it when it moves; computed: no bound" },
+    { .key = "to", .unit = "m", .type = PARAM_VECTOR, AT(settings_panel, to), .fallback = NAN,
+      .min = -1e6, .max = 1e6, .about = "highest corner of that box; computed: no bound" },
+    { .key = "about", .unit = "m", .type = PARAM_VECTOR, AT(settings_panel, about), .min = -1e6,
+      .max = 1e6, .about = "fixed point about which its moment is taken" },
+    { .key = "along", .unit = "", .type = PARAM_VECTOR, AT(settings_panel, along), .min = -1e6,
+      .max = 1e6,
+      .about = "direction of the flow, of any length: adds a column NAME.drag, the force along "
+      "it" },
     { 0 },
 };
 
@@ -167,4 +211,5 @@ void settings_prepare(const char *const *kernels, const char *const *eos,
     copy_words(use_words + 1, kernels);
     copy_words(eos_words, eos);
     copy_words(wall_words, walls);
+    copy_words(side_words + 1, shape_sides);
 }

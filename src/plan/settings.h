@@ -53,6 +53,7 @@ struct settings_eos { /* beside the keys of the equation of state itself */
 struct settings_output {
     double interval;  /* between rows of the CSV files [s]          */
     double fields;    /* between output fields [s]                  */
+    double profiles;  /* between profiles of probes [s]             */
     int snapshots;    /* pictures of the particles, start and end included */
 };
 
@@ -72,12 +73,26 @@ struct settings_wall {
 
 struct settings_probe {
     double at[3];
-    const char *what; /* "pressure", "height", "velocity" */
+    const char *what;     /* "pressure", "height", "velocity"        */
+    double to[3];         /* other end of a segment, other corner of a rectangle; NaN [m] */
+    double radius;        /* of a disc around `at`; NaN              [m]      */
+    double normal[3];     /* of the disc                             [1]      */
+    double window;        /* of its running mean; 0: none            [s]      */
+    bool profile;         /* whether its points are written one by one        */
+};
+
+struct settings_panel {
+    const char *of;       /* name of a wall or beam                           */
+    const char *side;     /* of a frame: one of shape_sides; "all"            */
+    double from[3], to[3]; /* corners of a box around its particles at t = 0; NaN [m] */
+    double about[3];      /* point of its moment                     [m]      */
+    double along[3];      /* direction of its drag; 0: none          [1]      */
 };
 
 extern const struct param settings_params[], settings_kernel_params[], settings_domain_params[],
-    settings_reference_params[], settings_disturbance_params[], settings_eos_params[], settings_output_params[],
-    settings_fluid_params[], settings_wall_params[], settings_probe_params[];
+    settings_reference_params[], settings_disturbance_params[], settings_eos_params[],
+    settings_output_params[], settings_fluid_params[], settings_wall_params[],
+    settings_probe_params[], settings_panel_params[];
 
 /* Fills in the words that come from tables of other rooms; call first. */
 void settings_prepare(const char *const *kernels, const char *const *eos,

@@ -2,8 +2,10 @@
 #include "run/inside.h"
 
 #include "output/figures.h"
+#include "plan/input.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Extent of the fluid at the start along one axis [m], NAN without fluid. */
@@ -28,8 +30,27 @@ static double first_skin(const struct particles *all)
     return low < HUGE_VAL ? low : NAN;
 }
 
+struct beams {
+    char names[INPUT_BODIES * 65], sections[INPUT_BODIES * 25];
+};
+
+/* Names and sections of the beams, as they are in the last state. */
+static void list_beams(const struct run *r, struct beams *to)
+{
+    size_t n = 0, m = 0;
+
+    for (int i = 0; i < plan_bodies(r->plan); i++) {
+        struct body_view view;
+        observe_body(r->moment, i, r->past.tally.t, r->method->state(r->self), &view);
+        n += (size_t)snprintf(to->names + n, sizeof to->names - n, " %s",
+                              plan_body_name(r->plan, i));
+        m += (size_t)snprintf(to->sections + m, sizeof to->sections - m, " %.17g", view.section);
+    }
+}
+
 int run_constants(const struct run *r)
 {
+    struct beams beams = { .names = "" };
     const struct particles *all = plan_particles(r->plan);
     const struct scales *s = plan_scales(r->plan);
     struct figures_constants c = {
@@ -37,9 +58,11 @@ int run_constants(const struct run *r)
         .a = extent(all, 0), .n2 = extent(all, DIM - 1) / extent(all, 0),
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
         .until = r->until, .beam_x = first_skin(all), .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
-        .E0 = outputs_energy_initial(r->outputs),
+        .E0 = outputs_energy_initial(r->outputs), .beams = beams.names,
+        .sections = beams.sections,
     };
 
+    list_beams(r, &beams);
     memcpy(c.low, s->low, sizeof c.low);
     memcpy(c.high, s->high, sizeof c.high);
     return figures_constants(r->directory, &c);

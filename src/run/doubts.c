@@ -44,9 +44,13 @@ static void doubt_probes(const struct run *r)
         const char *name;
         const struct settings_probe *probe = plan_probe(r->plan, i, &name);
         const bool height = strcmp(probe->what, "height") == 0;
-        if (outside(s, probe->at, height ? DIM - 1 : DIM) > 0)
+        const bool out = outside(s, probe->at, height ? DIM - 1 : DIM) > 0;
+        if (out && isnan(probe->to[0]) && isnan(probe->radius))
             status_warn("%s: probe.%s lies outside the domain, where fluid counts as lost: it will "
                         "read 0", where(r, "probe", name), name);
+        else if (out || (!isnan(probe->to[0]) && outside(s, probe->to, DIM) > 0))
+            status_warn("%s: the area of probe.%s reaches out of the domain, where fluid counts as "
+                        "lost: a part of it will read 0", where(r, "probe", name), name);
     }
 }
 

@@ -60,23 +60,24 @@ static int lock_directory(struct outputs *o, const char *dir)
     return STATUS_DONE;
 }
 
-static int open_all(struct outputs *o, const struct plan *plan, const char *dir)
+static int open_all(struct outputs *o, const struct plan *plan, const char *dir,
+                    struct running **means)
 {
     TRY(lock_directory(o, dir));
     TRY(columns_none(dir, "run.json")); /* it is to say how this run ended */
-    TRY(tables_open(&o->tables, plan, dir));
+    TRY(tables_open(&o->tables, plan, dir, means));
     return open_particles(o, plan, dir);
 }
 
 int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_balance *balance)
+                 struct run_past *past)
 {
     *out = status_alloc(1, sizeof **out);
     if (!*out)
         return STATUS_FAILED;
     (*out)->lock = -1;
-    (*out)->balance = balance;
-    return open_all(*out, plan, dir);
+    (*out)->balance = &past->balance;
+    return open_all(*out, plan, dir, &past->means);
 }
 
 /* Energy of a row that the book explains [J]: that above all fluid in the lowest
@@ -119,9 +120,21 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
     return tables_rows(o->tables, moment, t, y, &b->last);
 }
 
-int outputs_step(struct outputs *o, const struct method_step *step)
+int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    return tables_step(o->tables, step);
+    return tables_readings(o->tables, moment, t, y);
+}
+
+int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,
+                 const double *y)
+{
+    TRY(tables_step(o->tables, step));
+    return tables_readings(o->tables, moment, step->t, y);
+}
+
+int outputs_profile(struct outputs *o, struct moment *moment, double t, const double *y)
+{
+    return tables_profile(o->tables, moment, t, y);
 }
 
 /* All particles into one frame, in order of ids. */

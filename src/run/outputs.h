@@ -7,15 +7,23 @@
 
 struct outputs;
 
-/* Makes DIR (and its files with their header lines).  What rows show is kept in *balance. */
+/* Makes DIR (and its files with their header lines).  What rows show, and readings of
+ * probes that have running means, are kept in *past. */
 int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_balance *balance);
+                 struct run_past *past);
+
+/* The state at which a run begins; before any row. */
+int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* A row in every table for this moment. */
 int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y);
 
-/* A row in steps.csv. */
-int outputs_step(struct outputs *o, const struct method_step *step);
+/* A row in steps.csv; y [size] is the state after the step. */
+int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,
+                 const double *y);
+
+/* Each point of the probes that have a profile. */
+int outputs_profile(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* All particles, for viewers (output fields) or for pictures (snapshots). */
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y);

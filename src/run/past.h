@@ -4,20 +4,24 @@
  * run that writes it and in the one that resumes.  Nothing of method or moment has to be kept
  * then (tests/physics/restart.c).  It has to carry
  *
- *   - t and y, quadratures of the book among them: works, impulses of forces.csv, energies;
+ *   - t and y, quadratures of the book among them: works, impulses of forces.csv and
+ *     panels.csv, energies;
  *   - the scene as it was used, the method by name, what the layout says of y;
- *   - struct run_past;
+ *   - struct run_past, with the readings that running means of probes keep
+ *     (measure/running.h): those of the longest window;
  *   - moment_counts(), and processor and wall time so far, for run.json;
  *   - how long the files of tables were (whole lines), and how many particle files there are
  *     (output/fields.h keeps their times for its index, output/snapshot.h their number).
  *
  * Columns with memory of rows before: `defect` of book.csv (the first sheet) and `rejected` of
- * steps.csv, which the method counts from its creation.  All others follow from (t, y), but
- * for the last bits: where it fits, looks sum over the run's list of pairs. */
+ * steps.csv, which the method counts from its creation; NAME.mean of probes.csv.  All others
+ * follow from (t, y), but for the last bits: where it fits, looks sum over the run's list of
+ * pairs. */
 #ifndef RUN_PAST_H
 #define RUN_PAST_H
 
 #include "eval/observe.h"
+#include "measure/running.h"
 
 /* What is counted while it goes. */
 struct run_tally {
@@ -36,13 +40,14 @@ struct run_balance {
     struct observe_sunk sunk; /* at its worst                                 */
 };
 
-enum run_due { RUN_ROWS, RUN_FIELDS, RUN_SNAPSHOTS, RUN_DUES };
+enum run_due { RUN_ROWS, RUN_FIELDS, RUN_SNAPSHOTS, RUN_PROFILES, RUN_DUES };
 
 struct run_past {
     struct run_tally tally;
     struct run_balance balance;
     long due[RUN_DUES];      /* outputs of each kind that were due so far: the next one is
                                 at so many times its interval                 */
+    struct running *means;   /* readings of probes with running means; NULL: none has */
 };
 
 #endif

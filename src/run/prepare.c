@@ -92,6 +92,8 @@ static void compute_defaults(struct run *r)
         scene_computed(r->scene, "output", "interval", r->until / 500);
     if (isnan(o->fields))
         scene_computed(r->scene, "output", "fields", r->until / 50);
+    if (isnan(o->profiles))
+        scene_computed(r->scene, "output", "profiles", r->until / 50);
 }
 
 int run_prepare(struct run *r, const struct run_order *order)
@@ -119,6 +121,7 @@ void run_release(struct run *r)
     if (r->self)
         r->method->free(&r->self);
     outputs_close(&r->outputs);
+    running_free(&r->past.means);
     moment_free(&r->moment);
     plan_free(&r->plan);
     scene_free(&r->scene);

@@ -37,8 +37,13 @@ static void make_ticks(struct run *r, struct ticks tick[RUN_DUES])
                                        outputs_field };
     tick[RUN_SNAPSHOTS] = (struct ticks){
         o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, outputs_snapshot };
+    tick[RUN_PROFILES] = (struct ticks){
+        !plan_profiles(r->plan) ? 2 * r->until : isnan(o->profiles) ? r->until / 50 : o->profiles,
+        outputs_profile };
     if (o->snapshots == 0)
         r->past.due[RUN_SNAPSHOTS] = 1;
+    if (!plan_profiles(r->plan))
+        r->past.due[RUN_PROFILES] = 1;
 }
 
 static int stopped(const struct run *r, const char *files)
@@ -103,7 +108,7 @@ static int one_step(struct run *r, struct progress *progress)
     r->past.tally.rejected = step.rejected;
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    TRY(outputs_step(r->outputs, &step));
+    TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
     return observe_runaway(r->moment, step.t, r->method->state(r->self));
 }
 
@@ -156,8 +161,9 @@ static int start(struct run *r)
         snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
     snprintf(r->table, sizeof r->table, "%s%s",
              r->method->table ? r->method->table(r->self) : "", constant);
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past.balance));
+    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past));
     keep_density(r, 0, r->y);
+    TRY(outputs_start(r->outputs, r->moment, 0, r->y));
     return write_used(r);
 }
 

@@ -3,17 +3,22 @@
 #define RUN_TABLES_WATER_H
 
 #include "eval/observe.h"
+#include "measure/running.h"
 #include "run/columns.h"
 
 struct tables_water;
 
 /* Makes the files in DIR, or removes them; see tables_open(). */
 int tables_water_open(struct tables_water **out, const struct plan *plan, const char *dir,
-                      struct columns *scratch);
+                      struct columns *scratch, struct running **means);
 
-/* A row in pairing.csv; in the others. */
+/* A row in pairing.csv; rows of profiles.csv; a row in the others. */
 int tables_water_pairing(struct tables_water *o, struct moment *moment, double t, const double *y);
+int tables_water_profile(struct tables_water *o, struct moment *moment, double t, const double *y);
 int tables_water_row(struct tables_water *o, struct moment *moment, double t, const double *y);
+
+/* The state after an accepted step, and at the start: readings for running means. */
+int tables_water_step(struct tables_water *o, struct moment *moment, double t, const double *y);
 
 /* NULL is welcome; *status becomes the first error. */
 void tables_water_close(struct tables_water **tables, int *status);

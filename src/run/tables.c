@@ -3,11 +3,10 @@
 
 #include "base/status.h"
 #include "output/series.h"
+#include "run/tables-forces.h"
 #include "run/tables-water.h"
 
 #include <stdlib.h>
-
-static const char axes[] = "xyz";
 
 /* In 2D everything that has mass or force is per metre of depth. */
 #if DIM == 2
@@ -17,7 +16,8 @@ static const char axes[] = "xyz";
 #endif
 
 struct tables {
-    struct series *book, *forces, *beam, *steps;
+    struct series *book, *beam, *steps;
+    struct tables_forces *forces;
     struct tables_water *water; /* front, pairing, probes */
     int book_columns;
     struct book_column book_column[BOOK_COLUMNS];
@@ -30,28 +30,6 @@ static int open_book(struct tables *o, const struct plan *plan, const char *dir,
     for (int i = 0; i < o->book_columns; i++)
         columns_add(h, o->book_column[i].unit, "%s", o->book_column[i].name);
     return columns_open(h, &o->book, dir, "book.csv");
-}
-
-static bool solid(const struct object *o)
-{
-    return o->kind != KIND_FLUID;
-}
-
-static int open_forces(struct tables *o, const struct plan *plan, const char *dir,
-                       struct columns *h)
-{
-    const struct particles *all = plan_particles(plan);
-
-    columns_start(h);
-    for (int i = 0; i < all->objects; i++) {
-        if (!solid(&all->object[i]))
-            continue;
-        for (int d = 0; d < DIM; d++)
-            columns_add(h, UNIT("N"), "%s.f%c", all->object[i].name, axes[d]);
-        for (int d = 0; d < DIM; d++)
-            columns_add(h, UNIT("N s"), "%s.i%c", all->object[i].name, axes[d]);
-    }
-    return columns_open(h, &o->forces, dir, "forces.csv");
 }
 
 static int open_beam(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
@@ -80,22 +58,24 @@ static int open_steps(struct tables *o, const char *dir, struct columns *h)
     return columns_open(h, &o->steps, dir, "steps.csv");
 }
 
-static int open_all(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
+static int open_all(struct tables *o, const struct plan *plan, const char *dir, struct columns *h,
+                    struct running **means)
 {
     TRY(open_book(o, plan, dir, h));
-    TRY(tables_water_open(&o->water, plan, dir, h));
-    TRY(open_forces(o, plan, dir, h));
+    TRY(tables_water_open(&o->water, plan, dir, h, means));
+    TRY(tables_forces_open(&o->forces, plan, dir, h));
     TRY(open_beam(o, plan, dir, h));
     return open_steps(o, dir, h);
 }
 
-int tables_open(struct tables **out, const struct plan *plan, const char *dir)
+int tables_open(struct tables **out, const struct plan *plan, const char *dir,
+                struct running **means)
 {
     struct columns *h = status_alloc(1, sizeof *h);
     int status;
 
     *out = status_alloc(1, sizeof **out);
-    status = *out && h ? open_all(*out, plan, dir, h) : STATUS_FAILED;
+    status = *out && h ? open_all(*out, plan, dir, h, means) : STATUS_FAILED;
     free(h);
     return status;
 }
@@ -108,25 +88,6 @@ static int row_book(struct tables *o, const struct book_sheet *s)
     for (int i = 0; i < o->book_columns; i++)
         v[i + 1] = book_value(s, &o->book_column[i]);
     return series_row(o->book, v);
-}
-
-static int row_forces(struct tables *o, struct moment *moment, double t, const double *y)
-{
-    const struct plan *plan = moment_plan(moment);
-    const struct particles *all = plan_particles(plan);
-    double v[COLUMNS_MOST];
-    int n = 0;
-
-    v[n++] = t;
-    for (int i = 0; i < all->objects; i++) {
-        if (!solid(&all->object[i]))
-            continue;
-        for (int d = 0; d < DIM; d++)
-            v[n++] = observe_force(moment, i)[d];
-        for (int d = 0; d < DIM; d++)
-            v[n++] = plan_impulse(plan, y, i)[d];
-    }
-    return o->forces ? series_row(o->forces, v) : STATUS_DONE;
 }
 
 static int row_beam(struct tables *o, struct moment *moment, double t, const double *y)
@@ -154,14 +115,24 @@ int tables_pairing(struct tables *o, struct moment *moment, double t, const doub
     return tables_water_pairing(o->water, moment, t, y);
 }
 
+int tables_profile(struct tables *o, struct moment *moment, double t, const double *y)
+{
+    return tables_water_profile(o->water, moment, t, y);
+}
+
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
                 const struct book_sheet *sheet)
 {
     TRY(row_book(o, sheet));
     TRY(observe_forces(moment, t, y));
-    TRY(row_forces(o, moment, t, y));
+    TRY(tables_forces_row(o->forces, moment, t, y));
     TRY(row_beam(o, moment, t, y));
     return tables_water_row(o->water, moment, t, y);
+}
+
+int tables_readings(struct tables *o, struct moment *moment, double t, const double *y)
+{
+    return tables_water_step(o->water, moment, t, y);
 }
 
 int tables_step(struct tables *o, const struct method_step *step)
@@ -182,7 +153,7 @@ int tables_close(struct tables **tables)
         return STATUS_DONE;
     columns_close(&o->book, &status);
     tables_water_close(&o->water, &status);
-    columns_close(&o->forces, &status);
+    tables_forces_close(&o->forces, &status);
     columns_close(&o->beam, &status);
     columns_close(&o->steps, &status);
     free(o);

@@ -4,13 +4,16 @@
 #define RUN_TABLES_H
 
 #include "eval/observe.h"
+#include "measure/running.h"
 #include "time/method.h"
 
 struct tables;
 
 /* Makes the files with their header lines in DIR, removes those that an earlier run
- * left and this one has nothing for. */
-int tables_open(struct tables **out, const struct plan *plan, const char *dir);
+ * left and this one has nothing for.  *means: running means of probes, which are the run's:
+ * made here when they are needed and not there yet. */
+int tables_open(struct tables **out, const struct plan *plan, const char *dir,
+                struct running **means);
 
 /* A row in pairing.csv: it costs as much as a right-hand side. */
 int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y);
@@ -19,6 +22,13 @@ int tables_pairing(struct tables *o, struct moment *moment, double t, const doub
  * given, with what it cannot explain [J]. */
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
                 const struct book_sheet *sheet);
+
+/* Rows of profiles.csv. */
+int tables_profile(struct tables *o, struct moment *moment, double t, const double *y);
+
+/* Readings for running means, if there are any: at the start and after each accepted step,
+ * before rows up to it are written. */
+int tables_readings(struct tables *o, struct moment *moment, double t, const double *y);
 
 /* A row in steps.csv. */
 int tables_step(struct tables *o, const struct method_step *step);

@@ -85,7 +85,7 @@ static void make(struct tank *t, int scene)
 
     tank_make(t, beam ? tank_parted_water : cell ? CELL : DIM == 2 ? tank_bare_water : tank_water,
               beam ? tank_beam : "", scenes[scene][1][0] ? scenes[scene][1] : tank_frame,
-              scenes[scene][2], NULL);
+              scenes[scene][2], "panel = { p = { of = \"tank\"; side = \"left\"; }; };", NULL);
     tank_shake(t, 7, 0.1, 0.5, 0.005);
 }
 
@@ -175,6 +175,7 @@ static void show_sheet(struct runner *r, double t, const double *y)
 static void show_forces(struct runner *r, double t, const double *y)
 {
     const struct particles *p = plan_particles(r->tank.plan);
+    struct observe_panel panel;
     struct body_view body;
 
     if (observe_forces(r->tank.moment, t, y) != STATUS_DONE)
@@ -182,6 +183,9 @@ static void show_forces(struct runner *r, double t, const double *y)
     for (int i = 0; i < p->objects; i++)
         for (int d = 0; d < DIM; d++)
             show(r, observe_force(r->tank.moment, i)[d]);
+    observe_panel(r->tank.moment, 0, &panel);
+    show(r, panel.force[0]);
+    show(r, panel.turn[2]);
     for (int i = 0; i < plan_bodies(r->tank.plan); i++) {
         observe_body(r->tank.moment, i, t, y, &body);
         show(r, body.tip[0]);

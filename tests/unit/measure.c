@@ -338,9 +338,10 @@ static void test_probe_of_height(void **state)
     assert_int_equal(crowd_create(&all, &c), STATUS_DONE);
     crowd_update(c, &view);
     at[1] = DIM == 3 ? 0.25 : 0;
-    assert_near(probe_height(c, at, DIM - 1), 0.1 + 5.5 * scales.dx);
+    assert_near(probe_top(c, at, DIM - 1), 0.1 + 5.5 * scales.dx);
+    assert_near(probe_height(c, at, DIM - 1), 0.1 + 6 * scales.dx);
     at[0] = 4 * 0.05;
-    assert_near(probe_height(c, at, 1), 0.1 + 11.5 * scales.dx);
+    assert_near(probe_height(c, at, 1), 0.1 + 12 * scales.dx);
     at[0] = 1.8;
     assert_near(probe_height(c, at, DIM - 1), 0);
     crowd_free(&c);

@@ -18,7 +18,7 @@ go coarse "$cases/buchner.scene" walls=adami wall.tank.slip=true spacing=0.02 un
 # scaled RUN: T, disc, p1, p2, p3 in rho g H; h1, h2 in H
 scaled() {
     column "$1/probes" d1 d2 d3 d4 d5 p1 p2 p3 h1 h2 | awk '{ print $1 * sqrt(9.81 / 0.6),
-        ($2 + $3 + $4 + $5 + $6) / 5 / 5886, $7 / 5886, $8 / 5886, $9 / 5886, ($10 + 0.005) / 0.6, ($11 + 0.005) / 0.6 }'
+        ($2 + $3 + $4 + $5 + $6) / 5 / 5886, $7 / 5886, $8 / 5886, $9 / 5886, $10 / 0.6, $11 / 0.6 }'
 }
 # late COLUMN <FILE: mean for 3.5 < T < 5
 late() { awk -v c="$1" '{ print $1, $c }' "$2" | mean 3.5 5; }
