@@ -109,7 +109,7 @@ struct search {
     double width;               /* of a bin [m]                                   */
 };
 
-static void bound(const struct contact_others *o, struct contact_others_work *w)
+void contact_others_place(const struct contact_others *o, struct contact_others_work *w)
 {
     for (int g = 0; g < o->groups; g++)
         for (int d = 0; d < DIM; d++) {
@@ -212,7 +212,6 @@ void contact_others_visit(const struct contact_others *o, struct contact_others_
 
     if (o->groups < 2)
         return;
-    bound(o, w);
     for (int a = 0; a < o->groups; a++)
         for (int b = a + 1; b < o->groups; b++)
             if (common(&s, a, b))

@@ -36,6 +36,9 @@ void contact_others_work_free(struct contact_others_work *w);
 /* Particles i and j of the mean at w->x, r apart; step from i to j. */
 typedef void contact_others_see(void *self, int i, int j, double r, const double *step);
 
+/* To be called when w->x is new, before visits. */
+void contact_others_place(const struct contact_others *o, struct contact_others_work *w);
+
 /* Tells of all pairs of different groups within the support, once each, always in the same
  * order. */
 void contact_others_visit(const struct contact_others *o, struct contact_others_work *w,

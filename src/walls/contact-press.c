@@ -103,6 +103,7 @@ static void look_around(const struct contact_press_self *c, const struct particl
         return;
     for (int i = 0; i < c->mean.n; i++)
         memcpy(w->others.x[i], x[row_of(c, p, i)], sizeof w->others.x[i]);
+    contact_others_place(&c->others, &w->others);
     contact_others_visit(&c->others, &w->others, add_around, &m);
 }
 
