@@ -91,6 +91,8 @@ do for [k = 1:sweeps] {
     stats table using (spots = add(spots, strcol(c)), others_at = add(others_at, elsewhere(k)), \
         numbers = numbers + (column(c) == column(c)), 0) skip 2 nooutput name 'all'
     if (words(spots) > 1 && numbers == all_records) {
+        set xrange [*:*]    # stats leaves out what the last legend did
+        set yrange [*:*]
         stats table using (column(c)) skip 2 nooutput name 'x'
         rows = words(others_at) > most_rows ? most_rows : words(others_at)
         key_high = 31 * (words(cases) + 5)

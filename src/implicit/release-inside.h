@@ -10,6 +10,13 @@
 #include "matter/eos.h"
 #include "space/nabla.h"
 
+/* One linear system. */
+struct release_solve {
+    double *x, *residual, *image, *scratch; /* [n]                               */
+    struct operator operator;
+    struct operator_solver *solver;
+};
+
 struct release {
     struct moment *m;
     const struct nabla_engine *nabla;
@@ -24,13 +31,11 @@ struct release {
     double *weight;     /* [n] of all fluid around a solid's particle            */
     double *still;      /* [fluid] E/tau^2                                       */
     double *diagonal;   /* [fluid] about that of the operator                    */
-    double *x, *residual, *image, *scratch; /* [n]                               */
     bool *parts;        /* [fluid] P = 0, and the fluid parts there              */
     double *scalar, *vector; /* [places], [places][NABLA_STRIDE]                 */
     double *ydot;       /* [size] rates by all but the pressure                  */
     double *modes;      /* [2][unknowns of any body] scratch                     */
-    struct operator operator;
-    struct operator_solver *solver;
+    struct release_solve solve;
 };
 
 /* release-operator.c: after an evaluation at y.  Makes drive and operator. */

@@ -131,12 +131,12 @@ static void apply(void *self, const double *x, double *to)
     struct release *r = self;
 
     for (int s = 0; s < r->fluid; s++)
-        r->scratch[s] = r->parts[s] ? 0 : x[s];
-    release_extend(r, r->scratch);
-    release_multiply(r, r->scratch, r->image);
-    release_gather(r, r->image);
+        r->solve.scratch[s] = r->parts[s] ? 0 : x[s];
+    release_extend(r, r->solve.scratch);
+    release_multiply(r, r->solve.scratch, r->solve.image);
+    release_gather(r, r->solve.image);
     for (int s = 0; s < r->fluid; s++)
-        to[s] = r->still[s] * x[s] + (r->parts[s] ? 0 : r->image[s]);
+        to[s] = r->still[s] * x[s] + (r->parts[s] ? 0 : r->solve.image[s]);
 }
 
 /* What solids weigh the fluid around them with, in all. */
@@ -152,7 +152,7 @@ static void set_weights(struct release *r)
 static void set_diagonal(struct release *r)
 {
     const struct list *l = r->m->list;
-    double *ones = r->scalar, *squares = r->scratch, *sum = r->m->work->f;
+    double *ones = r->scalar, *squares = r->solve.scratch, *sum = r->m->work->f;
 
     for (int s = 0; s < r->n; s++)
         ones[s] = 0.5;
@@ -179,8 +179,8 @@ static void set_operator(struct release *r)
         r->still[s] = r->m->particles->m[l->order[s]] * e * e;
     set_weights(r);
     set_diagonal(r);
-    r->operator = (struct operator){ .self = r, .n = r->fluid, .width = 1, .diagonal = r->diagonal,
-                                     .apply = apply };
+    r->solve.operator = (struct operator){ .self = r, .n = r->fluid, .width = 1,
+                                           .diagonal = r->diagonal, .apply = apply };
 }
 
 /* --- what drives it -------------------------------------------------------------- */

@@ -54,7 +54,7 @@ static int take_memory(struct release *r)
 {
     const size_t n = (size_t)r->n, places = (size_t)r->m->list->listed + 1;
     double **vector[] = { &r->P, &r->drive, &r->rate, &r->weight, &r->still, &r->diagonal,
-                          &r->x, &r->residual, &r->image, &r->scratch };
+                          &r->solve.x, &r->solve.residual, &r->solve.image, &r->solve.scratch };
     int unknowns = 0;
 
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
@@ -72,19 +72,20 @@ static int take_memory(struct release *r)
     r->vector = workspace_lines(places * NABLA_STRIDE);
     if (!r->parts || !r->modes || !r->ydot || !r->scalar || !r->vector)
         return STATUS_FAILED;
-    return operator_solver_create(r->fluid, PRODUCTS, &r->solver);
+    return operator_solver_create(r->fluid, PRODUCTS, &r->solve.solver);
 }
 
 static void free_memory(struct release *r)
 {
-    double *const memory[] = { r->P, r->drive, r->rate, r->weight, r->still, r->diagonal, r->x,
-                               r->residual, r->image, r->scratch, r->scalar, r->vector, r->ydot,
+    double *const memory[] = { r->P, r->drive, r->rate, r->weight, r->still, r->diagonal,
+                               r->solve.x, r->solve.residual, r->solve.image, r->solve.scratch,
+                               r->scalar, r->vector, r->ydot,
                                r->modes };
 
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     free(r->parts);
-    operator_solver_free(&r->solver);
+    operator_solver_free(&r->solve.solver);
 }
 
 /* --- pressures and densities ------------------------------------------------------ */
@@ -158,19 +159,20 @@ static void look(struct release *r)
 /* x = dP of one round. */
 static int solve_round(struct release *r)
 {
+    struct release_solve *const of = &r->solve;
     struct operator_report report;
     double square = 0;
     char why[200];
 
     for (int s = 0; s < r->fluid; s++) {
-        r->residual[s] = r->parts[s] ? 0 : r->rate[s];
-        r->x[s] = 0;
-        square += r->residual[s] * r->residual[s];
+        of->residual[s] = r->parts[s] ? 0 : r->rate[s];
+        of->x[s] = 0;
+        square += of->residual[s] * of->residual[s];
     }
     if (square < DBL_MIN)
         return STATUS_DONE;
-    r->operator.near = exact * sqrt(square);
-    if (operator_solve(r->solver, &r->operator, r->x, r->residual, &report) == STATUS_DONE)
+    of->operator.near = exact * sqrt(square);
+    if (operator_solve(of->solver, &of->operator, of->x, of->residual, &report) == STATUS_DONE)
         return STATUS_DONE;
     operator_refusal(&report, why, sizeof why);
     return status_fail(STATUS_FAILED, "the start: no pressure is found for fluid that is let go: "
@@ -182,16 +184,16 @@ static double go_on(struct release *r)
 {
     double change = 0;
 
-    release_extend(r, r->x);
+    release_extend(r, r->solve.x);
     for (int s = 0; s < r->n; s++) {
         const double before = r->P[s];
-        r->P[s] = r->eos->clamped ? fmax(before + r->x[s], 0) : before + r->x[s];
-        r->x[s] = r->P[s] - before;
-        change += s < r->fluid ? r->x[s] * r->rate[s] : 0;
+        r->P[s] = r->eos->clamped ? fmax(before + r->solve.x[s], 0) : before + r->solve.x[s];
+        r->solve.x[s] = r->P[s] - before;
+        change += s < r->fluid ? r->solve.x[s] * r->rate[s] : 0;
     }
     look(r);
     for (int s = 0; s < r->fluid; s++)
-        change -= r->x[s] * r->rate[s];
+        change -= r->solve.x[s] * r->rate[s];
     return change;
 }
 

@@ -28,14 +28,14 @@ static const int every[RUNS] = { 0, 1, 7, 23 };
     "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [3.0, -9.81];"                \
     "domain = { from = [0.0, 0.0]; to = [0.1, 0.08]; periodic = [\"x\"]; };"             \
     "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.1, 0.06]; }; };"
-#define FLOOR "wall = { floor = { type = \"box\"; from = [0.0, -0.02]; to = [0.1, 0.0]; }; };"
+#define FLOOR "wall = { tank = { type = \"box\"; from = [0.0, -0.02]; to = [0.1, 0.0]; }; };"
 #else
 #define CELL                                                                             \
     "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [3.0, 0.0, -9.81];"           \
-    "domain = { from = [0.0, 0.0, 0.0]; to = [0.12, 0.12, 0.16]; periodic = [\"x\", \"y\"]; };" \
-    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.12, 0.12, 0.12]; }; };"
-#define FLOOR "wall = { floor = { type = \"box\"; from = [0.0, 0.0, -0.06];"             \
-    " to = [0.12, 0.12, 0.0]; }; };"
+    "domain = { from = [0.0, 0.0, 0.0]; to = [0.14, 0.14, 0.16]; periodic = [\"x\", \"y\"]; };" \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.14, 0.14, 0.12]; }; };"
+#define FLOOR "wall = { tank = { type = \"box\"; from = [0.0, 0.0, -0.06];"             \
+    " to = [0.14, 0.14, 0.0]; }; };"
 #endif
 
 #define MOVED "wall = { tank = { type = \"frame\"; spin = 40.0; velocity = "
@@ -85,7 +85,8 @@ static void make(struct tank *t, int scene)
 
     tank_make(t, beam ? tank_parted_water : cell ? CELL : DIM == 2 ? tank_bare_water : tank_water,
               beam ? tank_beam : "", scenes[scene][1][0] ? scenes[scene][1] : tank_frame,
-              scenes[scene][2], "panel = { p = { of = \"tank\"; side = \"left\"; }; };", NULL);
+              scenes[scene][2], cell ? "panel = { p = { of = \"tank\"; }; };"
+                                   : "panel = { p = { of = \"tank\"; side = \"left\"; }; };", NULL);
     tank_shake(t, 7, 0.1, 0.5, 0.005);
 }
 
