@@ -140,6 +140,7 @@ static void add_up(struct work *w, const struct list *list)
         w->drho[i] = NAN;
     assert_int_equal(w->engine->pairs(&job, &scratch), 0);
     free(scratch.power);
+    free(scratch.cut);
 }
 
 static struct work *work(int engine, struct space_cloud *c, const struct fields *of)
