@@ -13,7 +13,7 @@ scenes=$top_srcdir/data/scenes
 ring() {
     until=$1
     shift
-    "$STIFFWATER" run "$@" until="$until" output.interval="$(echo "$until / 200" | bc -l)" \
+    "$STIFFWATER" run "$@" until="$until" output.interval="$(awk -v t="$until" 'BEGIN { print t / 200 }')" \
         output.fields=9 output.snapshots=0 -q -o "$out/run"
     awk -F, '
         /^[0-9]/ { t[n] = $1; f[n++] = $2; x += $1; y += $2; xx += $1 * $1; xy += $1 * $2 }
