@@ -13,9 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 static int list(const char *what)
 {
@@ -136,21 +133,11 @@ static int check_printed(void)
     return status_fail(STATUS_IO, "standard output cannot be written: %s", strerror(errno));
 }
 
-/* Threads seldom ask for memory, and a heap for each would hold what no run needs: 3.5 MB for
- * every thread on Debian 13. */
-static void one_heap(void)
-{
-#ifdef M_ARENA_MAX
-    mallopt(M_ARENA_MAX, 1);
-#endif
-}
-
 int main(int argc, char **argv)
 {
     struct cli c;
     int status;
 
-    one_heap();
     gsl_set_error_handler_off(); /* its default handler aborts the program */
     cli_parse(argc, argv, &c);
     status = carry_out(&c);

@@ -18,10 +18,11 @@ struct code {
     uintptr_t from, to;
 };
 
-/* The program's own, and that of libgomp, which takes a team of threads from the heap for
- * every loop: what it does and calls there costs by how the heap happens to lie. */
+/* The program's own, and what is not counted: libgomp, which takes a team of threads from the
+ * heap for every loop, and what it calls cost by how the heap happens to lie; copies of memory
+ * by libc by how their two ends are aligned. */
 struct codes {
-    struct code own, gomp;
+    struct code own, gomp, libc;
 };
 
 static int find_code(struct dl_phdr_info *info, size_t size, void *found)
@@ -39,6 +40,8 @@ static int find_code(struct dl_phdr_info *info, size_t size, void *found)
         codes->own = code;
     if (strstr(info->dlpi_name, "libgomp"))
         codes->gomp = code;
+    if (strstr(info->dlpi_name, "/libc.so"))
+        codes->libc = code;
     return 0;
 }
 
@@ -57,15 +60,16 @@ static bool among(const struct code *code, uintptr_t at)
     return at >= code->from && at < code->to;
 }
 
-/* Is the next instruction libgomp's, or of a library that it has called?  `before`: was the
- * last.  Elsewhere than on x86-64 that is not asked. */
+/* Is the next instruction one of those that are not counted, or of a library that libgomp has
+ * called?  `before`: was the last.  Elsewhere than on x86-64 that is not asked. */
 static bool apart(pid_t pid, const struct codes *codes, bool before)
 {
 #ifdef __x86_64__
     struct user_regs_struct at;
 
     if (ptrace(PTRACE_GETREGS, pid, 0, &at) == 0)
-        return among(&codes->gomp, at.rip) || (before && !among(&codes->own, at.rip));
+        return among(&codes->gomp, at.rip) || among(&codes->libc, at.rip)
+               || (before && !among(&codes->own, at.rip));
 #endif
     (void)pid;
     (void)codes;

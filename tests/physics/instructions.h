@@ -4,8 +4,8 @@
 #define TESTS_PHYSICS_INSTRUCTIONS_H
 
 /* Instructions of work(with) in a copy of this process that is traced step by step, so that
- * nothing it does is seen here; those of libgomp are not counted.  Some 20,000 a second in a
- * virtual machine.  -1 where processes may not be traced.  The process must have one thread. */
+ * nothing it does is seen here; those of libgomp and libc are not counted.  Some 20,000 a
+ * second in a virtual machine.  -1 where processes may not be traced.  The process must have one thread. */
 long instructions_of(void (*work)(void *with), void *with);
 
 #endif
