@@ -12,7 +12,7 @@
  * the scene asks.  F_ab . v is never positive: this effect only takes energy out.
  * It is worth a kinematic viscosity of alpha c0 hs / (2 (D + 2)), which keeps the fluid
  * smooth and is no property of it: as friction at walls it brakes thin sheets of water and
- * halves what they do to a wall.  stick = "none" leaves solids out.
+ * halves what they do to a wall.  So solids are left out, unless stick = "particles".
  * Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574, eq. 4.1-4.2.
  * Checked in tests/physics/laws.c. */
 #include "effects/artificial-viscosity.h"
@@ -21,7 +21,7 @@
 #include <string.h>
 
 /* The default first. */
-static const char *const sticks[] = { "particles", "none", NULL };
+static const char *const sticks[] = { "none", "particles", NULL };
 
 static const struct param params[] = {
     { .key = "alpha", .unit = "1", .offset = offsetof(struct artificial_viscosity, alpha),

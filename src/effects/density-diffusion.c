@@ -16,7 +16,7 @@
 
 static const struct param params[] = {
     { .key = "delta", .unit = "1", .offset = offsetof(struct density_diffusion, delta),
-      .fallback = 0.1, .min = 0, .max = 1, .about = "strength of the diffusion" },
+      .fallback = 0.03, .min = 0, .max = 1, .about = "strength of the diffusion" },
     { 0 },
 };
 

@@ -8,9 +8,9 @@
  * again may be long before its particles are at their distances.  This brings it back in
  * some hs/(strength c0), differences much below d, those of water at rest, hardly at all.
  * Where it acts pressure and stored energy are 0, so that it has no power and the books stay
- * exact; with tension it would have, and is refused.  The price is volume: particles that
- * are rho0 again and still apart push one another away before they have met.  So it is to
- * be weak.  Ours; checked in tests/physics/healing.c. */
+ * exact; with tension it would have, and only strength = 0 is accepted.  The price is volume:
+ * particles that are rho0 again and still apart push one another away before they have met.
+ * So it is to be weak.  Ours; checked in tests/physics/healing.c. */
 #include "effects/effects.h"
 
 #include "base/status.h"
@@ -36,10 +36,10 @@ static int prepare(void *self, const struct scales *scales)
     struct density_healing *s = self;
     const double mach = scales->speed / scales->c0, d = 0.1 * scales->rho0 * mach * mach;
 
-    if (!scales->clamped)
+    if (!scales->clamped && s->strength > 0)
         return status_fail(STATUS_BAD_SCENE, "effects.density-healing acts below rho0 = %g kg/m^3 "
                            "where no pressure is, but eos.tension = true has tension there: set "
-                           "eos.tension = false, or leave the effect out", scales->rho0);
+                           "eos.tension = false, or strength = 0", scales->rho0);
     s->rho0 = scales->rho0;
     s->square = d * d;
     s->rate = s->strength * scales->c0 / scales->hs;

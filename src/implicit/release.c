@@ -122,7 +122,6 @@ static void guess(struct release *r, const double *y)
         }
 }
 
-/* What a wall model made of the first pressure in its densities stays. */
 static int write_densities(struct release *r, double *y)
 {
     const struct plan *p = r->m->plan;
@@ -132,14 +131,14 @@ static int write_densities(struct release *r, double *y)
         for (int s = l->start[k]; s < l->start[k + 1] && p->row.density[k] >= 0; s++) {
             const int c = l->order[s];
             double *rho = y + layout_at(&p->layout, p->row.density[k]) + c - p->particles->from[k];
-            *rho += eos_density(r->eos, pressure_of(r, r->P[s]))
-                    - eos_density(r->eos, first_pressure(r, y, k, c));
+            *rho = eos_density(r->eos, pressure_of(r, r->P[s]));
             if (!isfinite(*rho))
                 return status_fail(STATUS_FAILED, "the start: no density has the pressure %g Pa "
                                    "of particle %d when the fluid is let go; a higher eos.c0 "
                                    "has one, or start with initial = \"hydrostatic\"",
                                    r->P[s] * r->eos->rho0 * r->eos->rho0, c);
         }
+    plan_start_press(p, y);
     return STATUS_DONE;
 }
 

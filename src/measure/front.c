@@ -24,5 +24,5 @@ void front_find(const struct crowd *c, struct front *out)
     const double wall[DIM] = { s->low[0] };
 
     out->x = foremost(c);
-    out->height = probe_top(c, wall, 1);
+    out->height = probe_height(c, wall, 1);
 }

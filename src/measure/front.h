@@ -6,14 +6,12 @@
 
 struct front {
     double x;      /* foremost particle of the water: largest first coordinate [m],
-                      NAN when there is no water                                 */
-    double height; /* highest particle of the water within the support of the
-                      domain's low-x side: above the domain's lowest point [m],
-                      0 when there is none                                       */
+                      half a spacing short of the surface; NAN when there is no water */
+    double height; /* level of the water within the support of the domain's low-x
+                      side: above the domain's lowest point [m], 0 when it is dry     */
 };
 
-/* At the moment of the last crowd_update().  Positions are those of particles,
- * half a spacing short of the surface.  Up is y in 2D and z in 3D. */
+/* At the moment of the last crowd_update().  Up is y in 2D and z in 3D. */
 void front_find(const struct crowd *c, struct front *out);
 
 #endif

@@ -75,7 +75,8 @@ static bool is_near(const struct scales *s, const double *x, const double *y, in
     return period_square(s, x, y, axes) <= s->support * s->support;
 }
 
-double probe_top(const struct crowd *c, const double *x, int axes)
+/* The water's highest particle above the domain's lowest point [m], 0 when there is none. */
+static double top_of(const struct crowd *c, const double *x, int axes)
 {
     const struct view *v = crowd_view(c);
     const struct scales *s = v->p->scales;
@@ -92,7 +93,7 @@ double probe_top(const struct crowd *c, const double *x, int axes)
 
 double probe_height(const struct crowd *c, const double *x, int axes)
 {
-    const double top = probe_top(c, x, axes);
+    const double top = top_of(c, x, axes);
 
     return top > 0 ? top + crowd_view(c)->p->scales->dx / 2 : 0;
 }

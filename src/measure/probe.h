@@ -18,14 +18,11 @@ double probe_pressure(const struct crowd *c, const double *p, const double *x);
 /* Velocity at x, u [DIM] [m/s], by the same mean, of however little fluid. */
 void probe_velocity(const struct crowd *c, const double *x, double *u);
 
-/* The water's highest particle above the domain's lowest point [m], 0 when there is none:
- * of those whose horizontal distance from x is within the support, counting only the
- * first `axes` coordinates (1: a gauge across the whole depth of a 3D tank;
- * DIM - 1: a column). */
-double probe_top(const struct crowd *c, const double *x, int axes);
-
-/* Level of the water there above the same point [m]: its surface lies half a spacing above
- * that particle, as the floor lies half a spacing below the lowest one.  0: it is dry. */
+/* Level of the water above the domain's lowest point [m]: its surface lies half a spacing
+ * above its highest particle, as the floor lies half a spacing below the lowest one.  Of those
+ * particles whose horizontal distance from x is within the support, counting only the first
+ * `axes` coordinates (1: a gauge across the whole depth of a 3D tank; DIM - 1: a column).
+ * 0: it is dry. */
 double probe_height(const struct crowd *c, const double *x, int axes);
 
 #endif

@@ -179,9 +179,11 @@ bool plan_face_implicit(const struct plan *p);
 int plan_press_make(struct plan *p);
 void plan_press_free(struct plan *p);
 
-/* start.c: densities at t = 0; pressure that a solid's particle at x starts with [Pa]. */
+/* start.c: densities at t = 0; pressure that a solid's particle at x starts with [Pa];
+ * densities of solids in y, those of their pressures, become what their wall model has then. */
 void plan_start_density(const struct plan *p, double *y);
 double plan_start_pressure(const struct plan *p, const double *x);
+void plan_start_press(const struct plan *p, double *y);
 
 /* memory.c: bytes that a particle of the fluid, or of a solid, will need. */
 double plan_memory_each(const struct plan *p, bool fluid);

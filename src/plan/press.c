@@ -44,7 +44,8 @@ int plan_press_make(struct plan *p)
     struct part_solid *solid;
     int status;
 
-    if (!wall || particles_count(p->particles, KIND_FLUID) == p->particles->n)
+    if (!wall || !p->pressure /* nothing presses */
+        || particles_count(p->particles, KIND_FLUID) == p->particles->n)
         return STATUS_DONE;
     if (!(solid = status_alloc((unsigned long)p->particles->objects + 1, sizeof *solid)))
         return STATUS_FAILED;

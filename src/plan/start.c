@@ -82,13 +82,20 @@ double plan_start_pressure(const struct plan *p, const double *x)
 static void start_solids(const struct plan *p, int k, double *rho)
 {
     const struct particles *all = p->particles;
-    const struct plan_part *wall = p->passes.press;
 
     for (int i = 0; i < particles_count(all, k); i++)
         if (eos_of(p))
             rho[i] = eos_density(eos_of(p), plan_start_pressure(p, all->x0[all->from[k] + i]));
-    if (wall)
-        wall->part->as.wall->press->start(wall->self, all, (enum kind)k, rho);
+}
+
+void plan_start_press(const struct plan *p, double *y)
+{
+    const struct plan_part *wall = p->passes.press;
+
+    for (int k = KIND_WALL; k < KINDS && wall; k++)
+        if (p->row.density[k] >= 0)
+            wall->part->as.wall->press->start(wall->self, p->particles, (enum kind)k,
+                                              y + layout_at(&p->layout, p->row.density[k]));
 }
 
 void plan_start_density(const struct plan *p, double *y)
@@ -105,6 +112,7 @@ void plan_start_density(const struct plan *p, double *y)
         else
             start_solids(p, k, rho);
     }
+    plan_start_press(p, y);
 }
 
 static void start_velocity(const struct input_fluid *in, const double *x, double *u)

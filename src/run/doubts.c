@@ -188,8 +188,9 @@ static void doubt_solids(const struct run *r)
     if (s->n > 0)
         status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
                     "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
-                    "and levels means nothing: take a higher eos.c0, walls = \"adami\", a smaller "
-                    "tol or thicker walls", s->n, s->t, s->particle, s->solid, s->place);
+                    "and levels means nothing: take walls = \"contact\", eos.tension = false, "
+                    "a higher eos.c0, a smaller tol or thicker walls", s->n, s->t, s->particle,
+                    s->solid, s->place);
 }
 
 int run_doubt_end(const struct run *r)

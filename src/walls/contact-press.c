@@ -3,13 +3,11 @@
 
 #include "base/status.h"
 #include "kernels/kernel.h"
+#include "walls/contact-side.h"
 #include "walls/contact-start.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define EPS 1e-3
 
 enum { CHUNK = 128 };
 
@@ -211,21 +209,10 @@ static void start(const void *self, const struct particles *p, enum kind k, doub
     const double *missing = c->missing + (p->from[k] - p->from[KIND_WALL]);
 
     for (int i = 0; i < particles_count(p, k); i++)
-        rho[i] -= missing[i];
+        rho[i] = contact_side_start(&c->eos, rho[i]) - missing[i];
 }
 
 /* --- pressure ---------------------------------------------------------------------------- */
-
-/* A chunk of means of densities [kg/m^D] becomes the densities shown, and share = dd+/dd. */
-static void one_side(const struct contact_press_self *c, int n, double *mean, double *share)
-{
-    for (int k = 0; k < n; k++) {
-        const double d = mean[k] / c->eos.rho0 - 1, root = sqrt(d * d + EPS * EPS);
-        const double over = d > 0 ? (d + root) / 2 : EPS * EPS / (2 * (root - d)); /* all digits */
-        mean[k] = c->eos.rho0 * (1 + over);
-        share[k] = over / root;
-    }
-}
 
 /* Particles from..to-1 of the mean: what they show, and m pi/N. */
 static void press_chunk(const struct contact_press_self *c, struct part_press_work *w,
@@ -236,7 +223,7 @@ static void press_chunk(const struct contact_press_self *c, struct part_press_wo
 
     for (int k = 0; k < n; k++)
         rho[k] = contact_mean_sum(&c->mean, from + k, w->rho) * c->mean.inverse[from + k];
-    one_side(c, n, rho, share);
+    contact_side(&c->eos, n, rho, share);
     eos_pressures(&c->eos, n, rho, press);
     for (int k = 0; k < n; k++) {
         const int row = row_of(c, p, from + k);

@@ -4,10 +4,10 @@
  * density is a function of positions.  Its constant is such that it reaches that at rest when
  * all the room around that is open to water is full:
  *
- *   rho_w(0) = rho(p_start) - lack_w - g(o_w(0))                                contact-start.h
+ *   rho_w(0) = rho0 (1 + d_w) - lack_w - g(o_w(0)),  pi_w(d_w) = p_start/rho^2   contact-start.h
  *   r_w = rho_w + g(o_w)                                                   contact-others.h
  *   d = sum_w' A_ww' r_w'/rho0 - 1                                         contact-mean.h
- *   d+ = (d + sqrt(d^2 + eps^2))/2,  eps = 1e-3
+ *   d+ = (d + sqrt(d^2 + eps^2))/2,  eps = 1e-3                                contact-side.h
  *   e_w = e(rho0 (1 + d+)),  pi_w = p(rho0 (1 + d+))/(rho0 (1 + d+))^2 d+/sqrt(d^2 + eps^2)
  *   q_w = sum_w' A_w'w pi_w' m_w'/m_w                                            (W6)
  *

@@ -76,7 +76,8 @@ static double sound(struct tank *t)
 }
 
 static const char *const models[] = { BARE_EFFECTS, "walls = \"adami\"; " BARE_EFFECTS,
-                                      BARE_EFFECTS "eos = { tension = false; };" };
+                                      BARE_EFFECTS "eos = { tension = false; };",
+                                      "walls = \"own-density\"; " BARE_EFFECTS };
 enum { MODELS = sizeof models / sizeof models[0] };
 
 static void no_sound_follows(void **state)

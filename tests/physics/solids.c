@@ -79,7 +79,8 @@ static void viscosity_acts_on_sticky_walls_only(void **state)
 {
     static const char *const effect[] = {
         "effects = { continuity = { }; laminar-viscosity = { mu = 1.0; }; };",
-        "effects = { continuity = { }; artificial-viscosity = { alpha = 0.1; }; };",
+        "effects = { continuity = { };"
+        " artificial-viscosity = { alpha = 0.1; stick = \"particles\"; }; };",
     };
 
     (void)state;

@@ -40,7 +40,8 @@ static double *rates(const char *effects, const char *const use[USES], const dou
     char text[1024];
 
     snprintf(text, sizeof text, "kernel = { support = 2.52; density = \"%s\"; pressure = \"%s\";"
-             " viscosity = \"%s\"; }; effects = { continuity = { }; %s %s };", use[DENSITY],
+             " viscosity = \"%s\"; }; walls = \"own-density\"; effects = { continuity = { }; %s %s };",
+             use[DENSITY],
              use[PRESSURE], use[VISCOSITY], effects,
              strstr(effects, "diffusion") ? "" : "density-diffusion = { delta = 0.0; };");
     tank_make(&t, tank_bare_water, tank_frame, text, NULL);

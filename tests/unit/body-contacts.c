@@ -17,7 +17,7 @@
     "dimension = 2; until = 1.0; spacing = 0.005; gravity = [0.0, 0.0];"                       \
     "domain = { from = [0.0, 0.0]; to = [0.2, 0.2]; };"                                       \
     "fluid = { water = { type = \"box\"; from = [0.01, 0.01]; to = [0.03, 0.03]; }; };"       \
-    "eos = { rho0 = 1000.0; c0 = " C0 "; };"                                    \
+    "eos = { rho0 = 1000.0; c0 = " C0 "; }; walls = \"own-density\";"           \
     "effects = { continuity = { }; pressure = { }; };"
 #define BLOCKS                                                                           \
     "beam = { lower = { at = [0.1, 0.1]; length = 0.02; mass = 2.0; stiffness = 5e3;"          \

@@ -1,0 +1,18 @@
+/* contact-side.h -- the one side of walls = "contact": they press, and never pull.
+ *
+ *   d+ = (d + sqrt(d^2 + eps^2))/2,  eps = 1e-3
+ *   pi = p(rho0 (1 + d+))/(rho0 (1 + d+))^2 dd+/dd,  dd+/dd = d+/sqrt(d^2 + eps^2)      (W6) */
+#ifndef WALLS_CONTACT_SIDE_H
+#define WALLS_CONTACT_SIDE_H
+
+#include "matter/eos.h"
+
+/* A chunk of n densities [kg/m^D] rho0 (1 + d) becomes rho0 (1 + d+), and share = dd+/dd. */
+void contact_side(const struct eos *eos, int n, double *rho, double *share);
+
+/* rho0 (1 + d) [kg/m^D] of which pi is p/rho^2 for the density rho of a pressure p: what a solid
+ * is to start with, so that it holds just what it is to hold.  Of pressures below
+ * 6e-6 rho0 c0^2, which d = -2 eps has, it is that d. */
+double contact_side_start(const struct eos *eos, double rho);
+
+#endif
