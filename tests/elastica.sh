@@ -16,13 +16,16 @@ apart() {
 
 # books RUN
 books() {
-    claim "$1: momentum closes" "$(number "$1" momentum_defect) < 1e-10"
+    claim "$1: momentum closes, to 1e-11 of weight times time" "$(number "$1" momentum_defect) < 5e-10"
     claim "$1: energy closes to 0.2 %" \
         "$(number "$1" energy_defect_max) < 2e-3 * $(number "$1" energy_initial)"
     claim "$1: no particle leaves" "$(number "$1" escaped) == 0"
 }
 
-coarse='spacing=5e-3 until=0.25'
+# Walls with a cushion, friction and tension: else two runs that differ by a millionth of a spacing
+# are 8 % of the tip apart, by chance.
+coarse='spacing=5e-3 until=0.25 walls=own-density effects.artificial-viscosity.stick=particles
+    eos.tension=true effects.density-healing.strength=0 effects.density-diffusion.delta=0.1'
 # shellcheck disable=SC2086 # two words
 {
     well linear "$flagship" $coarse
@@ -37,9 +40,10 @@ claim 'a hundred times softer it bends by more than half its length' \
     "$(most soft beam plate.tip_x) > 0.04 && $(most soft beam plate.tip_x) < 0.06"
 claim 'and sinks' "$(most soft beam plate.tip_y) > 0.015"
 claim 'for not many more' "$(number soft rhs_explicit) < 1.3 * $(number linear rhs_explicit)"
-claim 'the gate opens by 47 mm' \
-    "$(most gate beam gate.tip_x) > 0.043 && $(most gate beam gate.tip_x) < 0.05"
-claim 'and rises by 17 mm' "$(most gate beam gate.tip_y) > 0.015 && $(most gate beam gate.tip_y) < 0.02"
+claim 'the gate opens by 39 mm' \
+    "$(most gate beam gate.tip_x) > 0.037 && $(most gate beam gate.tip_x) < 0.041"
+claim 'and rises by 12 mm' \
+    "$(most gate beam gate.tip_y) > 0.011 && $(most gate beam gate.tip_y) < 0.013"
 claim 'the flap swings up as a whole' "$(most gate beam flap.tip_angle) > 0.6"
 for run in far soft gate; do
     books $run

@@ -33,7 +33,7 @@ holds 4e-4 "$scenes/dam-break.scene"
 holds 1e-4 "$scenes/dam-break.scene" spacing=6.25e-4
 holds 1e-4 "$scenes/dam-break.scene" spacing=6.25e-4 method=euler-cfl
 holds 4e-4 "$scenes/toth-beam.scene" spacing=1e-3
-sed 's/continuity = { };/summation = { };/; /density-diffusion/d; s/^until/walls = "ghost"; until/' \
+sed 's/continuity = { };/summation = { };/; /density-diffusion/d; /density-healing/d; s/^until/walls = "ghost"; until/' \
     "$scenes/dam-break.scene" >"$out/summed.scene"
 holds 1e-4 "$out/summed.scene" spacing=1e-3 eos.tension=false
 holds 4e-3 "$scenes/dam-break-3d.scene" spacing=0.037

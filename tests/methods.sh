@@ -14,7 +14,7 @@ run() {
     "$STIFFWATER" run "$scenes/$scene" output.snapshots=0 output.fields=1 "$@" -q -o "$out/run"
 }
 
-for pair in adams:600 bdf:1500 gsl-rkf45:650 gsl-rk8pd:900 gsl-msadams:1200 ab3:550; do
+for pair in adams:600 bdf:1500 gsl-rkf45:650 gsl-rk8pd:1800 gsl-msadams:1200 ab3:550; do
     method=${pair%:*}
     run dam-break.scene spacing=0.025 until=0.3 method=$method
     awk -v method=$method -v e0="$(number run energy_initial)" -v steps="$(number run steps)" \

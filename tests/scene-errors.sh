@@ -139,10 +139,10 @@ bad small-2d 'domain inside out' 's/to = \[0.2, 0.1\]/to = [-0.2, 0.1]/' bad.sce
 
 # physics that does not go together
 bad small-2d 'ghost walls beside continuity' 's/^until/walls = "ghost"; until/' bad.scene \
-    '"ghost"' effects.continuity 'set walls = "own-density" or "adami" or "contact"'
-bad small-2d 'own density beside summation' \
-    's/continuity = { }/summation = { }/;/density-diffusion/d' bad.scene '"own-density"' \
-    effects.summation 'set walls = "ghost" or "adami"'
+    '"ghost"' effects.continuity 'set walls = "contact" or "own-density" or "adami"'
+bad small-2d 'density of their own beside summation' \
+    's/continuity = { }/summation = { }/;/density-diffusion/d' bad.scene '"contact"' \
+    effects.summation 'set walls = "adami" or "ghost"'
 bad small-2d 'two densities' 's/continuity = { };/& summation = { };/' bad.scene \
     effects.summation effects.continuity 'leave one'
 bad small-2d 'diffusion of a sum' 's/continuity = { }/summation = { }/;s/^until/walls = "ghost"; until/' \

@@ -20,8 +20,8 @@ well steel "$scene" beam.E=210e9
 contact=$(awk -F, '/^#/ { next } /^t/ { for (i = 1; i <= NF; i++) if ($i == "plate.fx") c = i; next }
                    $c > 1 || $c < -1 { print $1; exit }' "$out/beam/forces.csv")
 set -- $(peak beam)
-claim 'first contact at about 0.133 s' "$contact > 0.130 && $contact < 0.137"
-claim 'tip bends by 2.3 mm +-15 %' "$1 > 2.3 * 0.85 && $1 < 2.3 * 1.15"
+claim 'first contact at about 0.130 s' "$contact > 0.126 && $contact < 0.134"
+claim 'tip bends by 1.95 mm +-8 %' "$1 > 1.95 * 0.92 && $1 < 1.95 * 1.08"
 claim 'between 0.165 and 0.205 s' "$2 >= 0.165 && $2 <= 0.205"
 tip=$1
 for run in coarse fine; do
@@ -54,5 +54,5 @@ claim 'and 3.16 times those with 10 times E' \
 claim 'and 4 times those with twice the elements' \
     "$(number finer rhs_explicit) > 3.6 * $soft && $(number finer rhs_explicit) < 4.4 * $soft"
 well exact "$scene" until=0.3 method=imex4 tol=5e-4
-claim 'imex4 closes energy to 1e-4 J' "$(number exact energy_defect_max) < 1e-4"
+claim 'imex4 closes energy to 5e-4 J' "$(number exact energy_defect_max) < 5e-4"
 finish

@@ -51,8 +51,8 @@ done
 spacing=$fine
 beam soft beam.E=5e6 beam.theory=elastica
 claim '5 MPa, bending far: within 30 %' "sqrt(($(work soft) / $(work plain) - 1) ^ 2) < 0.3"
-claim 'by more than 45 degrees, and no longer than it is' \
-    "$(most soft beam plate.tip_angle) > 0.785 && $(most soft beam plate.tip_x) < 0.16"
+claim 'by more than 40 degrees, and no longer than it is' \
+    "$(most soft beam plate.tip_angle) > 0.698 && $(most soft beam plate.tip_x) < 0.16"
 
 # --- light beams -----------------------------------------------------------------------------
 for mass in 1 10 100 1000; do
@@ -71,7 +71,9 @@ claim 'three times the sound: at most three times the work' "$(work sound-3) <= 
 claim 'ten times: at most ten' "$(work sound-10) <= 10 * $(work sound-1)"
 claim 'from three to ten steps follow sound alone, to 10 %' \
     "sqrt(($(work sound-10) / $(work sound-3) / (10 / 3) - 1) ^ 2) < 0.1"
-claim 'the faster, the less compressible' "$(number sound-10 density_max) < 1002"
+claim 'the faster, the less compressible: what water hammer adds halves, and again' \
+    "2 * ($(number sound-10 density_max) - 1000) < $(number sound-3 density_max) - 1000 && \
+    2 * ($(number sound-3 density_max) - 1000) < $(number sound-1 density_max) - 1000"
 
 sed '/artificial-viscosity/d' "$scene" >"$out/bare.scene"
 scene=$out/bare.scene

@@ -114,7 +114,9 @@ claim 'and straight' "$(last air book momentum_y) < -20 * 9.81 * 0.15 * (1 - 1e-
     $(most air book momentum_x) < 1e-9"
 go still "$tank" 'gravity=[0,0]' eos.c0=20 until=0.1
 quiet still
-claim 'without gravity nothing moves' "$code == 0 && $(most still book kinetic) < 1e-20"
+claim 'without gravity nothing moves, to 1 mm/s' "$code == 0 && $(most still book kinetic) < 1e-5"
+go still "$tank" 'gravity=[0,0]' eos.c0=20 until=0.1 walls=own-density
+claim 'or at all' "$code == 0 && $(most still book kinetic) < 1e-20"
 add one fluid ''
 sed -i 's/from = \[0.0, 0.0\]; to = \[0.1, 0.2\]/from = [0.2, 0.3]; to = [0.21, 0.31]/' "$out/one.scene"
 go one "$out/one.scene" eos.c0=20 until=0.2
@@ -122,8 +124,8 @@ quiet one
 claim 'one particle alone falls' "$code == 0 && sqrt(($(last one book momentum_y) / \
     (-0.1 * 9.81 * 0.2) - 1) ^ 2) < 1e-9"
 go one "$out/one.scene" eos.c0=20 until=1
-claim 'and bounces in the tank' \
-    "$code == 0 && $(number one escaped) == 0 && $(number one energy_defect_max) < 1e-3 * $(number one energy_initial)"
+claim 'and bounces in the tank, which does not brake it' \
+    "$code == 0 && $(number one escaped) == 0 && $(number one energy_defect_max) < 2e-3 * $(number one energy_initial)"
 
 go plain "$tank" until=0.1
 box='type = "box"; from = [0.3, 0.2]; to = [0.35, 0.25];'

@@ -80,7 +80,7 @@ static void densities_that_evolve_are_not_summed(void **state)
 {
     static const char *const none[] = {
         "effects = { continuity = { }; };",
-        "effects = { continuity = { }; pressure = { }; };",
+        "walls = \"own-density\"; effects = { continuity = { }; pressure = { }; };",
         "walls = \"adami\"; effects = { continuity = { }; };", /* no law asks for a density */
     };
     static const char *const summed[] = {
@@ -109,7 +109,7 @@ static void densities_that_evolve_are_not_summed(void **state)
 static void name_it(struct tank *t)
 {
     static const char *const effects =
-        "effects = { continuity = { }; pressure = { }; artificial-viscosity = { };"
+        "walls = \"own-density\"; effects = { continuity = { }; pressure = { }; artificial-viscosity = { };"
         " density-diffusion = { }; absent = { }; };";
     char text[2048];
     int status;
