@@ -2,7 +2,7 @@
  *
  *   lack_w = rho0 s_w - sum_f m_f W_wf(0) - g(o_w(0)),  taken as 0 below a fifth of rho0 s_w
  *
- * with g(o_w) what other solids fill (contact-others.h). */
+ * and warns where water overfills that room, on both sides of one layer; with g(o_w) what other solids fill (contact-others.h). */
 #ifndef WALLS_CONTACT_START_H
 #define WALLS_CONTACT_START_H
 
