@@ -245,6 +245,7 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
         if (w > 0)
             add_part(&it, middle, dx / 2, CUTS, w);
     }
+    it.sum.alone = it.across != NULL;
     if (it.across)
         it.sum.open = fmax(it.side[0], it.side[1]);
     return it.sum;

@@ -31,6 +31,7 @@ struct contact_room {
 struct contact_share {
     double open;        /* s_w, from 0 to about 1 */
     double normal[DIM]; /* n_w                    */
+    bool alone;         /* its solid is one layer thick here */
 };
 
 int contact_room_create(struct contact_room *r, const struct part_places *at,

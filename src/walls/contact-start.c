@@ -33,7 +33,8 @@ static void doubt(const struct particles *p, int id, int *last)
 }
 
 int contact_start_short(const struct part_places *at, const struct contact_mean *mean,
-                        const struct contact_others *others, const double *around, double *to)
+                        const struct contact_others *others, const struct contact_share *share,
+                        const double *around, double *to)
 {
     const struct particles *p = at->p;
     const int first = p->from[KIND_WALL], fluid = particles_count(p, KIND_FLUID);
@@ -49,7 +50,7 @@ int contact_start_short(const struct part_places *at, const struct contact_mean 
         const double filled = contact_others_fill(others, i, around[i], &slope);
         contact_cells_visit(&water, p->x0[first + mean->solid[i]], add, &s);
         const double lack = full - s.rho - filled;
-        if (lack < -0.3 * full)
+        if (share[mean->solid[i]].alone && s.rho > 1.3 * full)
             doubt(p, first + mean->solid[i], &doubted);
         to[mean->solid[i]] = filled + (lack < 0.2 * full ? 0 : lack);
     }

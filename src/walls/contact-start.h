@@ -8,9 +8,10 @@
 
 #include "walls/contact-others.h"
 
-/* around [n of the mean]: o_w(0); to [solids] by id: lack_w + g(o_w(0)) [kg/m^D], which the
+/* share [solids]; around [n of the mean]: o_w(0); to [solids] by id: lack_w + g(o_w(0)) [kg/m^D], which the
  * density of its own falls short of that of the pressure. */
 int contact_start_short(const struct part_places *at, const struct contact_mean *mean,
-                        const struct contact_others *others, const double *around, double *to);
+                        const struct contact_others *others, const struct contact_share *share,
+                        const double *around, double *to);
 
 #endif

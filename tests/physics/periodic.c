@@ -55,6 +55,7 @@ static const char *const physics[] = {
     "walls = \"ghost\"; effects = { summation = { }; pressure = { };"
     " laplacian-viscosity = { mu = 5.0; }; };" TANK_SEED_KERNELS,
     "walls = \"adami\";" TANK_EFFECTS TANK_ONE_KERNEL,
+    "walls = \"contact\";" TANK_EFFECTS TANK_ONE_KERNEL,
 };
 enum { PHYSICS = sizeof physics / sizeof physics[0] };
 
@@ -171,6 +172,8 @@ static void images_are_like_copies(void **state)
             struct copy c;
 
             if (!walls && strstr(physics[which], "adami"))
+                continue;
+            if (DIM == 3 && strstr(physics[which], "contact")) /* sees three supports far */
                 continue;
             make(&one, walls ? across : everywhere, walls ? SLIDING : "", physics[which]);
             make(&tank, walls ? copies_across : copies, walls ? SLIDING : "", physics[which]);
