@@ -134,14 +134,15 @@ static bool meet(const void *self, struct part_press_work *w, const struct parti
 
 /* --- places, once -------------------------------------------------------------------------------- */
 
-static int take_start(struct contact_press_self *c, const struct part_places *at)
+static int take_start(struct contact_press_self *c, const struct part_places *at,
+                      const struct contact_share *share)
 {
     struct part_press_work *w;
     int status;
 
     TRY(work(c, &w));
     look_around(c, at->p, w);
-    status = contact_start_short(at, &c->mean, &c->others, w->around, c->missing);
+    status = contact_start_short(at, &c->mean, &c->others, share, w->around, c->missing);
     work_free(&w);
     return status;
 }
@@ -159,7 +160,7 @@ static int take_places(struct contact_press_self *c, const struct part_places *a
     contact_room_free(&room);
     TRY(contact_mean_create(&c->mean, at, solids, share));
     TRY(contact_others_create(&c->others, at, &c->mean, share));
-    return take_start(c, at);
+    return take_start(c, at, share);
 }
 
 static int create(void *self, const struct part_places *at)

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "kernels/kernel.h"
+#include "shapes/shape-box.h"
 #include "shapes/shape.h"
 #include "state/period.h"
 
@@ -20,6 +21,8 @@ struct tally {
     int skins;
     int skin[NEAR];     /* points whose cells may matter */
     double from[NEAR][DIM]; /* steps to them             */
+    const double *across;   /* of a layer that is alone; NULL */
+    double side[2];         /* what is open behind and before it */
     struct contact_share sum;
 };
 
@@ -133,6 +136,15 @@ static unsigned open_ones(const struct tally *it, double (*step)[DIM])
     return open;
 }
 
+static void add_side(struct tally *it, const double *step, double w)
+{
+    double part = 0;
+
+    for (int d = 0; it->across && d < DIM; d++)
+        part += step[d] * it->across[d];
+    it->side[part > 0] += w;
+}
+
 /* A part of a cell around `middle`, its sides 2 half, weight w if it is open.  It is cut in
  * halves where its corners do not agree; the last are measured by Gauss' points. */
 static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
@@ -158,6 +170,7 @@ static void add_part(struct tally *it, const double *middle, double half, int cu
         it->sum.open += w / POINTS;
         for (int d = 0; d < DIM; d++)
             it->sum.normal[d] += w / POINTS * step[k][d] / length_of(step[k]);
+        add_side(it, step[k], w / POINTS);
     }
 }
 
@@ -175,12 +188,39 @@ static void keep_skin(void *self, int j, double r, const double *step)
     memcpy(it->from[it->skins++], step, sizeof it->from[0]);
 }
 
+/* The direction across a solid that is one layer thick where particle i is; false: it has
+ * more, as far as one can tell. */
+static bool across_of(const struct contact_room *r, int i, double *across)
+{
+    const struct particles *p = r->at->p;
+    const double *x = r->cells->x[i], dx = p->scales->dx;
+    const struct shape *shape = r->at->solid[p->object_of[p->from[KIND_WALL] + i]].shape;
+    double own[DIM], beside[DIM], there[DIM];
+
+    if (r->skin[i].alone)
+        memcpy(across, r->skin[i].axis[DIM - 1], sizeof own);
+    for (int d = 0; shape && shape->kind == SHAPE_BOX && d < DIM; d++) {
+        if (shape->to[d] - shape->from[d] > 1.5 * dx)
+            continue;
+        shape_box_own(shape, x, own);
+        for (int e = 0; e < DIM; e++) {
+            memcpy(beside, x, sizeof beside);
+            beside[e] += dx;
+            shape_box_own(shape, beside, there);
+            across[e] = (there[d] - own[d]) / dx;
+        }
+        return true;
+    }
+    return r->skin[i].alone;
+}
+
 struct contact_share contact_room_share(const struct contact_room *r, int i)
 {
     const double dx = r->at->p->scales->dx;
     const int reach = (int)ceil(r->at->kernel->support / dx), side = 2 * reach + 1;
     const int first = r->at->p->from[KIND_WALL];
     struct tally it; /* large: not all of it is cleared */
+    double across[DIM];
     int cells = 1;
 
     it.room = r;
@@ -189,6 +229,8 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
     it.group = r->at->solid[r->at->p->object_of[first + i]].group;
     it.skins = 0;
     it.sum = (struct contact_share){ 0 };
+    it.across = across_of(r, i, across) ? across : NULL;
+    it.side[0] = it.side[1] = 0;
     contact_cells_visit(r->cells, it.x, keep_skin, &it);
     for (int d = 0; d < DIM; d++)
         cells *= side;
@@ -203,5 +245,8 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
         if (w > 0)
             add_part(&it, middle, dx / 2, CUTS, w);
     }
+    it.sum.alone = it.across != NULL;
+    if (it.across)
+        it.sum.open = fmax(it.side[0], it.side[1]);
     return it.sum;
 }

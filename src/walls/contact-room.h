@@ -9,7 +9,12 @@
  * itself or in one that never moves against it.  Where faces lie between sites s_w is the sum over open
  * sites, which is what water on a lattice gives; where they are slanted or round it changes
  * with them smoothly.  Cells that a face cuts are cut, 4 times in the plane and twice in
- * space, to measure phi. */
+ * space, to measure phi.
+ *
+ * A solid that is one layer thick (a skin of one layer, a box) has water before it on both
+ * sides, and its density feels the sum: there s_w is the larger of what is open on one side and on the
+ * other, so that it holds water on one side.  When the other becomes wet, both stand farther
+ * from it. */
 #ifndef WALLS_CONTACT_ROOM_H
 #define WALLS_CONTACT_ROOM_H
 
@@ -25,7 +30,8 @@ struct contact_room {
 
 struct contact_share {
     double open;        /* s_w, from 0 to about 1 */
-    double normal[DIM]; /* n_w, shorter than s_w  */
+    double normal[DIM]; /* n_w                    */
+    bool alone;         /* its solid is one layer thick here */
 };
 
 int contact_room_create(struct contact_room *r, const struct part_places *at,

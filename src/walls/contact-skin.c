@@ -43,7 +43,8 @@ void contact_skin_fit(const struct part_places *at, const struct contact_cells *
     s.along = to->axis[0];
     s.nearest = 1.9 * dx;
     contact_cells_visit(cells, cells->x[i], keep_nearest, &s);
-    to->half[1] = s.nearest < 1.9 * dx ? s.nearest / 2 : dx / 2;
+    to->alone = !(s.nearest < 1.9 * dx);
+    to->half[1] = to->alone ? dx / 2 : s.nearest / 2;
 }
 #else
 void contact_skin_fit(const struct part_places *at, const struct contact_cells *cells, int i,

@@ -1,7 +1,8 @@
 /* contact-skin.h -- the room that points of a skin fill, at rest.
  *
  * A skin is known by its points alone: each fills a cell, a box along the line to its nearest
- * neighbour, as long as that is far, and across it as wide as the layers are apart. */
+ * neighbour, as long as that is far, and across it as wide as the layers are apart, dx where
+ * there is one layer only. */
 #ifndef WALLS_CONTACT_SKIN_H
 #define WALLS_CONTACT_SKIN_H
 
@@ -11,6 +12,7 @@
 struct contact_skin {
     double axis[DIM][DIM]; /* unit vectors          */
     double half[DIM];      /* half its sides [m]    */
+    bool alone;            /* the only layer: water on either side is before it */
 };
 
 /* Of solid i, counted from the first; cells hold all solids. */

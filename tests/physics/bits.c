@@ -34,6 +34,7 @@ static const char *const physics[] = {
     "walls = \"adami\";" TANK_EFFECTS TANK_ONE_KERNEL,
     "walls = \"adami\"; effects = { summation = { }; pressure = { };"
     " laminar-viscosity = { mu = 0.7; }; }; eos = { tension = false; };" TANK_SEED_KERNELS,
+    "walls = \"contact\";" TANK_EFFECTS TANK_SEED_KERNELS,
 };
 enum { PHYSICS = sizeof physics / sizeof physics[0] };
 

@@ -4,12 +4,14 @@
 #include "tank.h"
 
 #include "base/status.h"
+#include "kernels/kernel.h"
 #include "matter/eos.h"
 #include "plan/inside.h"
 #include "shapes/shape.h"
 #include "walls/contact-press.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -172,38 +174,71 @@ static double stored(struct tank *t, double time, const double *y)
     return sum;
 }
 
-/* q_w m_w = dE/d rho_w, one by one. */
+/* q_w m_w = dE/d rho_w, one by one: of one in so many solids. */
+static void check_slopes(struct tank *t, int every, const char *what)
+{
+    double off = 0, most = 0;
+    struct view v;
+
+    tank_shake(t, 5, 0.2, 0.5, 0.01);
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        const int n = particles_count(plan_particles(t->plan), k);
+        double *y = n > 0 ? t->y + layout_at(plan_layout(t->plan), t->plan->row.density[k]) : NULL;
+        for (int i = 0; i < n; i += every) {
+            const double was = y[i], h = 1e-3 * 1e-3 * plan_scales(t->plan)->rho0;
+            observe_view(t->moment, 0, t->y, &v);
+            const double q = v.p2[k][i] * v.p->m[v.p->from[k] + i];
+            y[i] = was + h;
+            double slope = stored(t, 0, t->y);
+            y[i] = was - h;
+            slope = (slope - stored(t, 0, t->y)) / (2 * h);
+            y[i] = was;
+            off = fmax(off, fabs(slope - q));
+            most = fmax(most, q);
+        }
+    }
+    check(most > 0 && off < 2e-5 * most, "%s: q m is off by %g of %g J m^D/kg", what, off, most);
+    tank_free(t);
+}
+
 static void pressure_is_the_slope_of_what_is_stored(void **state)
 {
     const char *const waters[] = { tank_water, tank_parted_water };
     const char *const beams[] = { "", tank_beam };
-    double off = 0, most = 0;
+    struct tank t;
 
     (void)state;
     for (int beam = 0; beam < (DIM == 2 ? 2 : 1); beam++) {
-        struct tank t;
-        struct view v;
         tank_make(&t, waters[beam], tank_frame, beams[beam], EFFECTS, NULL);
-        tank_shake(&t, 5, 0.2, 0.5, 0.01);
-        for (int k = KIND_WALL; k < KINDS; k++) {
-            const int n = particles_count(plan_particles(t.plan), k);
-            double *y = n > 0 ? t.y + layout_at(plan_layout(t.plan), t.plan->row.density[k]) : NULL;
-            for (int i = 0; i < n; i += 7) {
-                const double was = y[i], h = 1e-3 * 1e-3 * plan_scales(t.plan)->rho0;
-                observe_view(t.moment, 0, t.y, &v);
-                const double q = v.p2[k][i] * v.p->m[v.p->from[k] + i];
-                y[i] = was + h;
-                double slope = stored(&t, 0, t.y);
-                y[i] = was - h;
-                slope = (slope - stored(&t, 0, t.y)) / (2 * h);
-                y[i] = was;
-                off = fmax(off, fabs(slope - q));
-                most = fmax(most, q);
-            }
-        }
-        tank_free(&t);
+        check_slopes(&t, 7, beams[beam]);
     }
-    check(off < 2e-5 * most, "q m is off by %g of %g J m^D/kg", off, most);
+}
+
+/* With every kernel that weighs densities: what is open is measured with it, and
+ * before a face it is less than half. */
+static void every_kernel_weighs_the_room(void **state)
+{
+    const struct kernel *const *kernels = engine_pick()->kernels;
+
+    (void)state;
+    for (int i = 0; kernels[i]; i++) {
+        char text[256];
+        struct tank t;
+        snprintf(text, sizeof text, "kernel = { support = 2.5; density = \"%s\"; };" EFFECTS,
+                 kernels[i]->name);
+        tank_make(&t, tank_bare_water, tank_frame, text, NULL);
+        const struct contact_press_self *c = self_of(&t);
+        double least = HUGE_VAL, most = 0;
+        for (int k = 0; k < c->mean.n; k++) {
+            least = fmin(least, c->others.room[k] / t.plan->scales.rho0);
+            most = fmax(most, c->others.room[k] / t.plan->scales.rho0);
+        }
+        print_message("# %s: rooms from %.2g to %.3f of the kernel\n", kernels[i]->name, least,
+                      most);
+        check(least > 0 && most > 0.05 && most < 0.5, "%s: rooms from %g to %g", kernels[i]->name,
+              least, most);
+        check_slopes(&t, 41, kernels[i]->name);
+    }
 }
 
 /* What moves against other solids gives them what they store: dE/dt = -F.v of the lift, where
@@ -266,6 +301,7 @@ int main(void)
         cmocka_unit_test(room_is_that_of_a_fine_quadrature),
         cmocka_unit_test(means_are_means_and_symmetric),
         cmocka_unit_test(pressure_is_the_slope_of_what_is_stored),
+        cmocka_unit_test(every_kernel_weighs_the_room),
         cmocka_unit_test(solids_push_each_other_by_what_they_store),
         cmocka_unit_test(dry_walls_do_not_press),
     };

@@ -16,6 +16,7 @@ static const char *const physics[] = {
     "walls = \"adami\"; effects = { continuity = { }; pressure = { };"
     " laminar-viscosity = { mu = 0.7; }; density-diffusion = { delta = 0.1; }; };",
     "walls = \"adami\"; " TANK_SLIPS,
+    "walls = \"contact\"; " TANK_SLIPS,
 };
 enum { PHYSICS = sizeof physics / sizeof physics[0] };
 

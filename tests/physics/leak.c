@@ -208,12 +208,21 @@ static void adami_walls_let_nobody_past_the_first_row(void **state)
     throw_at_all(&(struct blow){ .c0 = 30, .speed = 2, .most = 1, .walls = "adami" });
 }
 
+/* Walls that press by a mean yield where one particle hits them, by 0.7 dx at most where it meets
+ * few others, on tips and balls. */
+static void contact_walls_let_none_past_the_first_row(void **state)
+{
+    (void)state;
+    throw_at_all(&(struct blow){ .c0 = 30, .speed = 2, .most = 1, .walls = "contact" });
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_particle_gets_into_walls),
         cmocka_unit_test(a_hard_blow_gets_no_further_than_the_first_row),
         cmocka_unit_test(adami_walls_let_nobody_past_the_first_row),
+        cmocka_unit_test(contact_walls_let_none_past_the_first_row),
     };
 
     omp_set_num_threads(1); /* so few particles are not worth more */

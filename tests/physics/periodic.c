@@ -3,7 +3,6 @@
 #include "tank.h"
 
 #include "base/status.h"
-#include "plan/inside.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,11 +51,11 @@ static const double cell = 0.06;
 
 /* Every way to a density, every wall model, every viscosity. */
 static const char *const physics[] = {
-    TANK_EFFECTS TANK_ONE_KERNEL,
+    "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL,
     "walls = \"ghost\"; effects = { summation = { }; pressure = { };"
     " laplacian-viscosity = { mu = 5.0; }; };" TANK_SEED_KERNELS,
     "walls = \"adami\";" TANK_EFFECTS TANK_ONE_KERNEL,
-    "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL,
+    "walls = \"contact\";" TANK_EFFECTS TANK_ONE_KERNEL,
 };
 enum { PHYSICS = sizeof physics / sizeof physics[0] };
 
@@ -136,8 +135,6 @@ static void check_middle(const struct tank *tank, const struct tank *one, const 
                          const char *what)
 {
     const struct layout *l = plan_layout(tank->plan);
-    /* solids of walls = "contact" have single precision weights */
-    const double close = tank->plan->passes.press ? 1e-6 : 1e-11;
 
     for (int i = 0; i < l->rows; i++) {
         const struct layout_row *to = &l->row[i], *from;
@@ -157,7 +154,7 @@ static void check_middle(const struct tank *tank, const struct tank *one, const 
             bool middle = true;
             for (int e = 0; e < DIM; e++)
                 middle &= c->away[p][e] == 0;
-            check(!middle || fabs(a - b) <= close * most, "%s\n%s, number %d: %.15g among copies, "
+            check(!middle || fabs(a - b) <= 1e-11 * most, "%s\n%s, number %d: %.15g among copies, "
                   "%.15g where it repeats", what, to->name, k, a, b);
             compared += middle;
         }
@@ -175,6 +172,8 @@ static void images_are_like_copies(void **state)
             struct copy c;
 
             if (!walls && strstr(physics[which], "adami"))
+                continue;
+            if (DIM == 3 && strstr(physics[which], "contact")) /* sees three supports far */
                 continue;
             make(&one, walls ? across : everywhere, walls ? SLIDING : "", physics[which]);
             make(&tank, walls ? copies_across : copies, walls ? SLIDING : "", physics[which]);
