@@ -156,6 +156,7 @@ struct part_pressed {
     const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
     double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
     double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
+    bool all;          /* of all solids; else of those of the last narrow()   */
 };
 
 struct part_press_work; /* what members work in: memory of a wall model          */
@@ -172,6 +173,10 @@ struct part_press {
     /* All the memory that members will ever need; a pointer to NULL is welcome. */
     int (*work)(const void *self, struct part_press_work **out);
     void (*work_free)(struct part_press_work **work);
+
+    /* Until the next call forces ask for these solids only, met [solids] by id, counted
+     * from the first: fluid meets no others. */
+    void (*narrow)(const void *self, struct part_press_work *w, const bool *met);
 
     /* p says where solids are now, and which particle stands in which row. */
     void (*press)(const void *self, struct part_press_work *w, const struct particles *p,

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "kernels/kernel.h"
+#include "walls/contact-reach.h"
 #include "walls/contact-start.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@
 
 #define EPS 1e-3
 
-enum { CHUNK = 128 };
+enum { CHUNK = 128, MANY = 1024 }; /* particles, slices */
 
 int contact_press_prepare(void *self, const struct scales *s)
 {
@@ -28,6 +29,9 @@ struct part_press_work {
     double *pi;      /* m pi/N                                         */
     double *around;  /* o                                     [kg/m^D] */
     double *slope;   /* dg/do of the last press()                      */
+    bool *touched;   /* other solids are near                          */
+    int *row;        /* from the first solid                           */
+    struct contact_reach reach;
     struct contact_others_work others;
 };
 
@@ -41,6 +45,9 @@ static void work_free(struct part_press_work **work)
     free(w->pi);
     free(w->around);
     free(w->slope);
+    free(w->touched);
+    free(w->row);
+    contact_reach_free(&w->reach);
     contact_others_work_free(&w->others);
     free(w);
     *work = NULL;
@@ -58,7 +65,10 @@ static int work(const void *self, struct part_press_work **out)
     w->pi = status_alloc(n, sizeof *w->pi);
     w->around = status_alloc(n, sizeof *w->around);
     w->slope = status_alloc(n, sizeof *w->slope);
-    if (w->rho && w->pi && w->around && w->slope
+    w->touched = status_alloc(n, sizeof *w->touched);
+    w->row = status_alloc(n, sizeof *w->row);
+    if (w->rho && w->pi && w->around && w->slope && w->touched && w->row
+        && contact_reach_create(&w->reach, &c->mean) == STATUS_DONE
         && contact_others_work(&c->others, &w->others) == STATUS_DONE)
         return STATUS_DONE;
     work_free(out);
@@ -89,6 +99,7 @@ static void add_around(void *self, int i, int j, double r, const double *step)
     (void)step;
     m->w->around[i] += m->p->m[row_of(m->c, m->p, j)] * w;
     m->w->around[j] += m->p->m[row_of(m->c, m->p, i)] * w;
+    m->w->touched[i] = m->w->touched[j] = true;
 }
 
 /* o of all particles where the solids of p are: x of moments, else x0. */
@@ -98,9 +109,10 @@ static void look_around(const struct contact_press_self *c, const struct particl
     struct meeting m = { .c = c, .p = p, .w = w };
     const double (*x)[DIM] = (const double (*)[DIM])(p->x ? p->x : p->x0);
 
-    memset(w->around, 0, (size_t)c->mean.n * sizeof *w->around);
-    if (c->others.groups < 2)
+    if (c->others.groups < 2) /* around is 0 for good */
         return;
+    memset(w->around, 0, (size_t)c->mean.n * sizeof *w->around);
+    memset(w->touched, 0, (size_t)c->mean.n * sizeof *w->touched);
     for (int i = 0; i < c->mean.n; i++)
         memcpy(w->others.x[i], x[row_of(c, p, i)], sizeof w->others.x[i]);
     contact_others_place(&c->others, &w->others);
@@ -202,7 +214,8 @@ static double memory(const void *self)
 {
     const struct contact_press_self *c = self;
 
-    return contact_mean_memory(&c->mean) + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
+    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + 5.0 * c->mean.n
+           + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
 }
 
 static void start(const void *self, const struct particles *p, enum kind k, double *rho)
@@ -227,48 +240,93 @@ static void one_side(const struct contact_press_self *c, int n, double *mean, do
     }
 }
 
-/* Particles from..to-1 of the mean: what they show, and m pi/N. */
-static void press_chunk(const struct contact_press_self *c, struct part_press_work *w,
-                        const struct particles *p, double *shown, int from, int to)
+/* Rows of slices, and r there. */
+static void read_slice(const struct contact_press_self *c, struct part_press_work *w,
+                       const struct particles *p, const double *rho, int slice)
 {
-    const int first = p->from[KIND_WALL], n = to - from;
+    const int from = slice * CONTACT_ROWS, to = from + CONTACT_ROWS;
+
+    for (int i = from; i < to && i < c->mean.n; i++) {
+        w->row[i] = row_of(c, p, i) - p->from[KIND_WALL];
+        w->rho[i] = rho[w->row[i]]
+                    + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
+    }
+}
+
+/* A few slices: what they show, and m pi/N; m of the first solid. */
+static void press_chunk(const struct contact_press_self *c, struct part_press_work *w,
+                        const double *m, double *shown, const int *slice, int slices)
+{
+    const double *inverse = c->mean.inverse;
     double rho[CHUNK] = { 0 }, share[CHUNK], press[CHUNK];
 
-    for (int k = 0; k < n; k++)
-        rho[k] = contact_mean_sum(&c->mean, from + k, w->rho) * c->mean.inverse[from + k];
-    one_side(c, n, rho, share);
-    eos_pressures(&c->eos, n, rho, press);
-    for (int k = 0; k < n; k++) {
-        const int row = row_of(c, p, from + k);
-        shown[row - first] = rho[k];
-        w->pi[from + k] = p->m[row] * c->mean.inverse[from + k]
-                          * (press[k] / (rho[k] * rho[k]) * share[k]);
+    for (int k = 0; k < slices; k++) {
+        contact_mean_sums(&c->mean, slice[k], w->rho, rho + k * CONTACT_ROWS);
+        for (int l = 0; l < CONTACT_ROWS; l++)
+            rho[k * CONTACT_ROWS + l] *= inverse[slice[k] * CONTACT_ROWS + l];
     }
+    one_side(c, slices * CONTACT_ROWS, rho, share);
+    eos_pressures(&c->eos, slices * CONTACT_ROWS, rho, press);
+    for (int k = 0; k < slices * CONTACT_ROWS; k++) {
+        const int i = slice[k / CONTACT_ROWS] * CONTACT_ROWS + k % CONTACT_ROWS;
+        if (i >= c->mean.n)
+            break;
+        shown[w->row[i]] = rho[k];
+        w->pi[i] = m[w->row[i]] * inverse[i] * (press[k] / (rho[k] * rho[k]) * share[k]);
+    }
+}
+
+static void push_slice(const struct contact_press_self *c, const struct part_press_work *w,
+                       const double *m, double *p2, int slice)
+{
+    const int from = slice * CONTACT_ROWS, to = from + CONTACT_ROWS;
+    double sum[CONTACT_ROWS];
+
+    contact_mean_sums(&c->mean, slice, w->pi, sum);
+    for (int i = from; i < to && i < c->mean.n; i++)
+        p2[w->row[i]] = sum[i - from] / m[w->row[i]];
+}
+
+static void press_slices(const struct contact_press_self *c, struct part_press_work *w,
+                         const struct particles *p, const struct part_pressed *io,
+                         const struct contact_slices *of)
+{
+    const double *m = p->m + p->from[KIND_WALL];
+    const int *const *slice = (const int *const *)of->slice, *n = of->n;
+    const int solids = p->n - p->from[KIND_WALL];
+
+#pragma omp parallel for schedule(static) if (n[CONTACT_R] > MANY)
+    for (int k = 0; k < n[CONTACT_R]; k++)
+        read_slice(c, w, p, io->rho, slice[CONTACT_R][k]);
+    for (int i = 0; i < solids; i++) {
+        io->shown[i] = c->eos.rho0;
+        io->p2[i] = 0;
+    }
+#pragma omp parallel for schedule(static) if (n[CONTACT_PI] > MANY)
+    for (int k = 0; k < n[CONTACT_PI]; k += CHUNK / CONTACT_ROWS) {
+        const int left = n[CONTACT_PI] - k, most = CHUNK / CONTACT_ROWS;
+        press_chunk(c, w, m, io->shown, slice[CONTACT_PI] + k, left < most ? left : most);
+    }
+#pragma omp parallel for schedule(static) if (n[CONTACT_Q] > MANY)
+    for (int k = 0; k < n[CONTACT_Q]; k++)
+        push_slice(c, w, m, io->p2, slice[CONTACT_Q][k]);
 }
 
 static void press(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io)
 {
     const struct contact_press_self *c = self;
-    const int first = p->from[KIND_WALL], n = c->mean.n;
 
     look_around(c, p, w);
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i++)
-        w->rho[i] = io->rho[row_of(c, p, i) - first]
-                    + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
-    for (int i = 0; i < p->n - first; i++) {
-        io->shown[i] = c->eos.rho0;
-        io->p2[i] = 0;
-    }
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i += CHUNK)
-        press_chunk(c, w, p, io->shown, i, i + CHUNK < n ? i + CHUNK : n);
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i++) {
-        const int row = row_of(c, p, i);
-        io->p2[row - first] = contact_mean_sum(&c->mean, i, w->pi) / p->m[row];
-    }
+    if (!io->all && c->others.groups > 1)
+        contact_reach_widen(&w->reach, w->touched);
+    press_slices(c, w, p, io, io->all ? &w->reach.all : &w->reach.near);
+}
+
+static void narrow(const void *self, struct part_press_work *w, const bool *met)
+{
+    (void)self;
+    contact_reach_narrow(&w->reach, met);
 }
 
 const struct part_press contact_press = {
@@ -277,6 +335,7 @@ const struct part_press contact_press = {
     .start = start,
     .work = work,
     .work_free = work_free,
+    .narrow = narrow,
     .press = press,
     .meet = meet,
     .memory = memory,
