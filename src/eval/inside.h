@@ -22,6 +22,7 @@ struct workspace {
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
+    int *rows;       /* [solids] of other solids near them; NULL              */
     bool *met;       /* [solids] by id: with fluid in a list, that of so many builds; NULL */
     const struct list *met_list;
     long met_builds;

@@ -137,15 +137,12 @@ int passes_meet(struct evaluation *e, const struct plan_field *of)
     const struct plan_part *wall = e->m->plan->passes.press;
     const struct particles *p = e->m->particles;
     struct workspace *w = e->m->work;
-    const int first = p->from[KIND_WALL], n = p->n - first;
     double (*f)[DIM] = (double (*)[DIM])w->pressed;
+    const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f, w->rows);
 
     (void)of;
-    memset(f, 0, (size_t)n * sizeof *f);
-    if (!wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f))
-        return STATUS_DONE;
-    for (int i = 0; i < n; i++) {
-        const int place = e->m->list->slot[first + i];
+    for (int k = 0; k < n; k++) {
+        const int i = w->rows[k], place = e->m->list->slot[p->from[KIND_WALL] + i];
         for (int d = 0; d < DIM && place >= 0; d++)
             w->f[(size_t)place * DIM + d] += f[i][d];
     }

@@ -36,7 +36,8 @@ static int take_sums(const struct plan *p, struct workspace *w)
         w->p2 = workspace_lines(solids);
         w->pressed = workspace_lines(DIM * solids);
         w->met = status_alloc(solids + 1, sizeof *w->met);
-        if (!w->p2 || !w->pressed || !w->met)
+        w->rows = status_alloc(solids + 1, sizeof *w->rows);
+        if (!w->p2 || !w->pressed || !w->met || !w->rows)
             return STATUS_FAILED;
         TRY(p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press));
     }
@@ -107,6 +108,7 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     free(w->p2);
     free(w->pressed);
     free(w->met);
+    free(w->rows);
     if (w->press)
         p->passes.press->part->as.wall->press->work_free(&w->press);
     free(w->sum);

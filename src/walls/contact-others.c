@@ -34,6 +34,7 @@ static void sort(struct contact_others *o, const struct part_places *at,
         o->groups += n > o->from[o->groups];
     }
     o->from[o->groups] = n;
+    o->still = o->groups > 0 && group_of(at, mean, o->member[0]) == 0 ? o->from[1] : 0;
 }
 
 int contact_others_create(struct contact_others *o, const struct part_places *at,
@@ -116,7 +117,7 @@ struct search {
 
 void contact_others_place(const struct contact_others *o, struct contact_others_work *w)
 {
-    for (int g = 0; g < o->groups; g++)
+    for (int g = w->placed > 0; g < o->groups; g++)
         for (int d = 0; d < DIM; d++) {
             w->low[g][d] = HUGE_VAL;
             w->high[g][d] = -HUGE_VAL;
@@ -126,6 +127,7 @@ void contact_others_place(const struct contact_others *o, struct contact_others_
                 w->high[g][d] = x > w->high[g][d] ? x : w->high[g][d];
             }
         }
+    w->placed = o->still;
 }
 
 /* The box in which groups a and b may be near each other; false: nowhere. */

@@ -14,7 +14,7 @@
 struct contact_others {
     const struct kernel_use *kernel;
     const struct scales *scales;
-    int n, groups;
+    int n, groups, still; /* members of the first groups that never move          */
     int *from, *member;  /* [groups + 1] into member: particles of the mean, by group */
     double *room;        /* [n] s [kg/m^D]                                             */
 };
@@ -23,6 +23,7 @@ struct contact_others {
 struct contact_others_work {
     double (*x)[DIM];           /* [n] where particles of the mean are now [m]  */
     double (*low)[DIM], (*high)[DIM]; /* [groups]                               */
+    int placed;                 /* so many members stand where they are for good */
     int *one, *other;           /* [n] those that may be near each other        */
     int *last, *before;         /* [n] chains of the others in a bin             */
 };
@@ -36,7 +37,7 @@ void contact_others_work_free(struct contact_others_work *w);
 /* Particles i and j of the mean at w->x, r apart; step from i to j. */
 typedef void contact_others_see(void *self, int i, int j, double r, const double *step);
 
-/* To be called when w->x is new, before visits. */
+/* To be called when w->x of members w->placed and on are new, before visits. */
 void contact_others_place(const struct contact_others *o, struct contact_others_work *w);
 
 /* Tells of all pairs of different groups within the support, once each, always in the same

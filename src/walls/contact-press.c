@@ -113,8 +113,10 @@ static void look_around(const struct contact_press_self *c, const struct particl
         return;
     memset(w->around, 0, (size_t)c->mean.n * sizeof *w->around);
     memset(w->touched, 0, (size_t)c->mean.n * sizeof *w->touched);
-    for (int i = 0; i < c->mean.n; i++)
+    for (int k = w->others.placed; k < c->mean.n; k++) {
+        const int i = c->others.member[k];
         memcpy(w->others.x[i], x[row_of(c, p, i)], sizeof w->others.x[i]);
+    }
     contact_others_place(&c->others, &w->others);
     contact_others_visit(&c->others, &w->others, add_around, &m);
 }
@@ -134,16 +136,23 @@ static void add_force(void *self, int i, int j, double r, const double *step)
     }
 }
 
-static bool meet(const void *self, struct part_press_work *w, const struct particles *p,
-                 const double *p2, double (*f)[DIM])
+static int meet(const void *self, struct part_press_work *w, const struct particles *p,
+                const double *p2, double (*f)[DIM], int *row)
 {
     const struct contact_press_self *c = self;
     struct meeting m = { .c = c, .p = p, .w = w, .p2 = p2, .f = f };
+    int n = 0;
 
     if (c->others.groups < 2)
-        return false;
-    contact_others_visit(&c->others, &w->others, add_force, &m);
-    return true;
+        return 0;
+    for (int i = 0; i < c->mean.n; i++)
+        if (w->touched[i]) {
+            row[n] = row_of(c, p, i) - p->from[KIND_WALL];
+            memset(f[row[n++]], 0, sizeof *f);
+        }
+    if (n > 0)
+        contact_others_visit(&c->others, &w->others, add_force, &m);
+    return n;
 }
 
 /* --- places, once -------------------------------------------------------------------------------- */
