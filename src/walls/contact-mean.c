@@ -104,6 +104,42 @@ static void fill_rows(struct making *k, const struct contact_cells *solids)
     }
 }
 
+/* Those that are read by each slice, into m->reads where that is there; how many. */
+static long find_reads(struct contact_mean *m, int *seen)
+{
+    long n = 0;
+
+    for (int s = 0; s < m->slices; s++)
+        seen[s] = -1;
+    for (int s = 0; s < m->slices; s++) {
+        m->reads_from[s] = n;
+        for (long e = m->start[s]; e < m->start[s + 1]; e++) {
+            const int other = m->column[e] / CONTACT_ROWS;
+            if (seen[other] == s)
+                continue;
+            seen[other] = s;
+            if (m->reads)
+                m->reads[n] = other;
+            n++;
+        }
+    }
+    m->reads_from[m->slices] = n;
+    return n;
+}
+
+static int list_reads(struct contact_mean *m)
+{
+    int *seen = status_alloc((unsigned long)m->slices + 1, sizeof *seen);
+
+    m->reads_from = status_alloc((unsigned long)m->slices + 1, sizeof *m->reads_from);
+    if (seen && m->reads_from)
+        m->reads = status_alloc((unsigned long)find_reads(m, seen) + 1, sizeof *m->reads);
+    if (m->reads)
+        find_reads(m, seen);
+    free(seen);
+    return m->reads ? STATUS_DONE : STATUS_FAILED;
+}
+
 static void weigh_rows(struct contact_mean *m, double *one)
 {
     for (int i = 0; i < m->n; i++)
@@ -131,7 +167,7 @@ static int make_rows(struct making *k, const struct contact_cells *solids)
     fill_rows(k, solids);
     weigh_rows(m, one);
     free(one);
-    return STATUS_DONE;
+    return list_reads(m);
 }
 
 int contact_mean_create(struct contact_mean *m, const struct part_places *at,
@@ -168,34 +204,16 @@ void contact_mean_free(struct contact_mean *m)
     free(m->column);
     free(m->weight);
     free(m->inverse);
+    free(m->reads_from);
+    free(m->reads);
     *m = (struct contact_mean){ 0 };
 }
 
 double contact_mean_memory(const struct contact_mean *m)
 {
     return (double)m->n * (sizeof *m->solid + sizeof *m->inverse)
-           + (double)m->slices * sizeof *m->start
+           + (double)m->slices * (sizeof *m->start + sizeof *m->reads_from)
+           + (double)(m->slices > 0 ? m->reads_from[m->slices] : 0) * sizeof *m->reads
            + (double)(m->slices > 0 ? m->start[m->slices] : 0)
                  * (sizeof *m->column + sizeof *m->weight);
-}
-
-/* Four sums at once, each in the order of its row: one alone waits for its own additions. */
-void contact_mean_sums(const struct contact_mean *m, int slice, const double *r,
-                       double sum[CONTACT_ROWS])
-{
-    const int *column = m->column;
-    const float *weight = m->weight;
-    const long end = m->start[slice + 1];
-    double a = 0, b = 0, c = 0, d = 0;
-
-    for (long e = m->start[slice]; e < end; e += CONTACT_ROWS) {
-        a += (double)weight[e] * r[column[e]];
-        b += (double)weight[e + 1] * r[column[e + 1]];
-        c += (double)weight[e + 2] * r[column[e + 2]];
-        d += (double)weight[e + 3] * r[column[e + 3]];
-    }
-    sum[0] = a;
-    sum[1] = b;
-    sum[2] = c;
-    sum[3] = d;
 }

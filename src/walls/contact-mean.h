@@ -24,6 +24,8 @@ struct contact_mean {
     int *column;      /* which of the n                              */
     float *weight;    /* K, times a constant                         */
     double *inverse;  /* [slices][CONTACT_ROWS] 1/N                  */
+    long *reads_from; /* [slices + 1] into reads                     */
+    int *reads;       /* slices whose particles a slice has weights of */
 };
 
 /* share [solids] of contact-room.h. */
@@ -42,8 +44,18 @@ static inline long contact_mean_length(const struct contact_mean *m, int slice)
     return (m->start[slice + 1] - m->start[slice]) / CONTACT_ROWS;
 }
 
-/* sum_w' K_ww' r_w' of the rows of a slice. */
-void contact_mean_sums(const struct contact_mean *m, int slice, const double *r,
-                       double sum[CONTACT_ROWS]);
+/* sum_w' K_ww' r_w' of the rows of a slice: each in its own order, and none waits for the
+ * others' additions. */
+static inline void contact_mean_sums(const struct contact_mean *m, int slice, const double *r,
+                                     double *restrict to)
+{
+    double sum[CONTACT_ROWS] = { 0 };
+
+    for (long e = m->start[slice]; e < m->start[slice + 1]; e += CONTACT_ROWS)
+        for (int k = 0; k < CONTACT_ROWS; k++)
+            sum[k] += (double)m->weight[e + k] * r[m->column[e + k]];
+    for (int k = 0; k < CONTACT_ROWS; k++)
+        to[k] = sum[k];
+}
 
 #endif

@@ -63,8 +63,8 @@ static void spread(struct contact_reach *r, enum contact_stage stage)
 
     for (int k = 0; k < r->near.n[stage]; k++) {
         const int s = r->near.slice[stage][k];
-        for (long e = m->start[s]; e < m->start[s + 1]; e++)
-            r->in[m->column[e] / CONTACT_ROWS] |= 1u << (stage - 1);
+        for (long e = m->reads_from[s]; e < m->reads_from[s + 1]; e++)
+            r->in[m->reads[e]] |= 1u << (stage - 1);
     }
 }
 
