@@ -19,10 +19,13 @@ struct contact_others {
     double *room;        /* [n] s [kg/m^D]                                             */
 };
 
+enum { CONTACT_BLOCK = 16 }; /* members that have a box in common */
+
 /* What a search works in. */
 struct contact_others_work {
     double (*x)[DIM];           /* [n] where particles of the mean are now [m]  */
-    double (*low)[DIM], (*high)[DIM]; /* [groups]                               */
+    double (*low)[DIM], (*high)[DIM]; /* [groups] the box of each               */
+    double (*box)[2][DIM];      /* of its blocks                                 */
     int placed;                 /* so many members stand where they are for good */
     int *one, *other;           /* [n] those that may be near each other        */
     int *last, *before;         /* [n] chains of the others in a bin             */
