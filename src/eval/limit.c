@@ -23,15 +23,6 @@ static void keep_body(const struct plan_body *b,
     keep_fastest(&one, b->path, limit);
 }
 
-/* Parts bound the fluid: what solids press with is not asked for. */
-static void look(struct moment *m, double t, const double *y, struct view *v)
-{
-    if (m->plan->passes.fields > 0)
-        observe_view(m, t, y, v);
-    else
-        moment_view(m, t, y, v);
-}
-
 void moment_limit(struct moment *m, double t, const double *y, bool stiff, struct limit limit[2])
 {
     const struct plan *p = m->plan;
@@ -39,7 +30,7 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
 
     limit[0] = (struct limit){ .where = -1 };
     limit[1] = (struct limit){ .where = -1, .decay = true };
-    look(m, t, y, &v);
+    observe_fluid(m, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
         if (&p->part[i] == p->stiff && !stiff)

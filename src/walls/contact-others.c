@@ -91,15 +91,10 @@ void contact_others_work_free(struct contact_others_work *w)
     *w = (struct contact_others_work){ 0 };
 }
 
-double contact_others_fill(const struct contact_others *o, int i, double around, double *slope)
+double contact_others_near(const struct contact_others *o, int i, double around, double *slope)
 {
-    const double h = 0.02;
+    const double h = CONTACT_SOFT, off = around / o->room[i] - 1, root = sqrt(off * off + h * h);
 
-    if (around == 0) { /* most: g is 0, to the bit */
-        *slope = 1 / sqrt(1 + h * h);
-        return 0;
-    }
-    const double off = around / o->room[i] - 1, root = sqrt(off * off + h * h);
     *slope = -off / root;
     return o->room[i] * (sqrt(1 + h * h) - root);
 }

@@ -48,7 +48,17 @@ void contact_others_place(const struct contact_others *o, struct contact_others_
 void contact_others_visit(const struct contact_others *o, struct contact_others_work *w,
                           contact_others_see *see, void *self);
 
-/* g of particle i, and its slope. */
-double contact_others_fill(const struct contact_others *o, int i, double around, double *slope);
+/* g of particle i, and its slope; where no others are, as around most, g is 0 to the bit. */
+#define CONTACT_SOFT 0.02 /* h */
+double contact_others_near(const struct contact_others *o, int i, double around, double *slope);
+
+static inline double contact_others_fill(const struct contact_others *o, int i, double around,
+                                         double *slope)
+{
+    if (around != 0)
+        return contact_others_near(o, i, around, slope);
+    *slope = 1 / __builtin_sqrt(1 + CONTACT_SOFT * CONTACT_SOFT);
+    return 0;
+}
 
 #endif
