@@ -32,11 +32,12 @@ static double alike(const struct contact_share *a, const struct contact_share *b
     return fmax(0, 1 - off);
 }
 
-static double weight_of(const struct making *k, int j, double r)
+/* Some at the edge of the kernel are too small for a float, and are none. */
+static float weight_of(const struct making *k, int j, double r)
 {
     if (k->number[j] < 0 || group_of(k, j) != group_of(k, k->me))
         return 0;
-    return contact_room_kernel(k->at, r) * alike(&k->share[k->me], &k->share[j]);
+    return (float)(contact_room_kernel(k->at, r) * alike(&k->share[k->me], &k->share[j]));
 }
 
 static void count(void *self, int j, double r, const double *step)
@@ -60,14 +61,14 @@ static void enter(void *self, int j, double r, const double *step)
 {
     struct making *k = self;
     const int row = k->number[k->me], column = k->number[j];
-    const double w = weight_of(k, j, r);
+    const float w = weight_of(k, j, r);
 
     (void)step;
     if (!(w > 0))
         return;
     const long at = contact_mean_at(k->m, row, k->entries++);
     k->m->column[at] = column;
-    k->m->weight[at] = column < row ? mirrored(k->m, column, row) : (float)w;
+    k->m->weight[at] = column < row ? mirrored(k->m, column, row) : w;
 }
 
 /* A slice is as long as the longest of its rows. */
