@@ -22,6 +22,10 @@ struct workspace {
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
+    int *rows;       /* [solids] of other solids near them; NULL              */
+    bool *met;       /* [solids] by id: with fluid in a list, that of so many builds; NULL */
+    const struct list *met_list;
+    long met_builds;
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */

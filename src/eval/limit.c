@@ -30,7 +30,7 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
 
     limit[0] = (struct limit){ .where = -1 };
     limit[1] = (struct limit){ .where = -1, .decay = true };
-    observe_view(m, t, y, &v);
+    observe_fluid(m, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
         if (&p->part[i] == p->stiff && !stiff)

@@ -16,15 +16,10 @@ static struct moment *observer(struct moment *run)
 }
 
 /* Densities out of bounds are looked at all the same: a view shows what is there. */
-void observe_view(struct moment *run, double t, const double *y, struct view *v)
+static void look_at_sums(struct moment *run, double t, const double *y, struct view *v)
 {
-    struct moment *o = run->plan->passes.fields > 0 ? observer(run) : run;
+    struct moment *o = observer(run);
 
-    if (run->plan->passes.fields == 0) {
-        moment_view(run, t, y, v);
-        moment_press(run, v);
-        return;
-    }
     if (o)
         rates_fields(o, t, y, v);
     else
@@ -32,6 +27,21 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
     for (int k = 0; k < KINDS; k++) /* a position that is not finite has no sums */
         if (!v->rho[k])
             v->rho[k] = run->work->rho + run->particles->from[k];
+}
+
+void observe_fluid(struct moment *run, double t, const double *y, struct view *v)
+{
+    if (run->plan->passes.fields > 0)
+        look_at_sums(run, t, y, v);
+    else
+        moment_view(run, t, y, v);
+}
+
+void observe_view(struct moment *run, double t, const double *y, struct view *v)
+{
+    observe_fluid(run, t, y, v);
+    if (run->plan->passes.fields == 0)
+        moment_press(run, v);
 }
 
 int observe_forces(struct moment *run, double t, const double *y)

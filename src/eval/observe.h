@@ -21,6 +21,10 @@ void observe_sheet(struct moment *run, double t, const double *y, struct book_sh
 /* All particles at (t, y); lent until the next look. */
 void observe_view(struct moment *run, double t, const double *y, struct view *v);
 
+/* The same where only the fluid is looked at: solids may lack their pressure, and show the
+ * densities that their rows hold. */
+void observe_fluid(struct moment *run, double t, const double *y, struct view *v);
+
 /* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it.
  * STATUS_FAILED when the right-hand side cannot answer. */
 int observe_forces(struct moment *run, double t, const double *y);

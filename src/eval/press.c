@@ -5,22 +5,51 @@
 
 #include <string.h>
 
-/* From densities of rows of y, both [solids], to p/rho^2. */
-static void press(struct moment *m, double *rho, double *p2)
+/* Owners of a group that have a neighbour in a segment: its first row says so. */
+static void mark(const struct moment *m, int group, const struct list_segment *s)
+{
+    const struct particles *p = m->particles;
+
+    for (int lane = 0; s->rows > 0 && lane < m->list->lanes; lane++)
+        if (s->j[lane] != m->list->listed) {
+            const int row = m->list->order[m->list->group_slot[group] + lane];
+            m->work->met[particles_id_of(p, row) - p->from[KIND_WALL]] = true;
+        }
+}
+
+/* Solids that fluid meets are those with fluid in the list, as long as it stands. */
+static void narrow(struct moment *m)
 {
     const struct plan_part *wall = m->plan->passes.press;
-    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2 };
+    const struct list *l = m->list;
+    struct workspace *w = m->work;
+
+    if (w->met_list == l && w->met_builds == l->builds)
+        return;
+    memset(w->met, 0, (size_t)(m->particles->n - m->particles->from[KIND_WALL]) * sizeof *w->met);
+    for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
+        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
+            if (l->segment[s].partner == KIND_FLUID)
+                mark(m, g, &l->segment[s]);
+    wall->part->as.wall->press->narrow(wall->self, w->press, w->met);
+    w->met_list = l;
+    w->met_builds = l->builds;
+}
+
+/* From densities of rows of y, both [solids], to p/rho^2. */
+static void press(struct moment *m, double *rho, double *p2, bool all)
+{
+    const struct plan_part *wall = m->plan->passes.press;
+    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2, .all = all };
 
     wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
 }
 
-void moment_press(struct moment *m, struct view *v)
+static void press_rows(struct moment *m, struct view *v, bool all)
 {
     struct workspace *w = m->work;
     const int *from = v->p->from;
 
-    if (!m->plan->passes.press)
-        return;
     for (int k = KIND_WALL; k < KINDS; k++) {
         const int n = particles_count(v->p, k);
         if (n == 0)
@@ -29,13 +58,22 @@ void moment_press(struct moment *m, struct view *v)
         v->rho[k] = w->rho + from[k];
         v->p2[k] = w->p2 + (from[k] - from[KIND_WALL]);
     }
-    press(m, w->rho + from[KIND_WALL], w->p2);
+    press(m, w->rho + from[KIND_WALL], w->p2, all);
 }
 
+void moment_press(struct moment *m, struct view *v)
+{
+    if (m->plan->passes.press)
+        press_rows(m, v, true);
+}
+
+/* Rates ask for solids that fluid meets, fields that are looked at for all. */
 int passes_press(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
-    moment_press(e->m, &e->view);
+    if (e->ask)
+        narrow(e->m);
+    press_rows(e->m, &e->view, !e->ask);
     return STATUS_DONE;
 }
 
@@ -84,7 +122,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
         return STATUS_DONE;
     lead(e, rho);
-    press(e->m, rho, p2);
+    press(e->m, rho, p2, false);
     for (int id = first; id < p->n; id++) {
         const int row = particles_row_of(p, id);
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);
@@ -99,15 +137,12 @@ int passes_meet(struct evaluation *e, const struct plan_field *of)
     const struct plan_part *wall = e->m->plan->passes.press;
     const struct particles *p = e->m->particles;
     struct workspace *w = e->m->work;
-    const int first = p->from[KIND_WALL], n = p->n - first;
     double (*f)[DIM] = (double (*)[DIM])w->pressed;
+    const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f, w->rows);
 
     (void)of;
-    memset(f, 0, (size_t)n * sizeof *f);
-    if (!wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f))
-        return STATUS_DONE;
-    for (int i = 0; i < n; i++) {
-        const int place = e->m->list->slot[first + i];
+    for (int k = 0; k < n; k++) {
+        const int i = w->rows[k], place = e->m->list->slot[p->from[KIND_WALL] + i];
         for (int d = 0; d < DIM && place >= 0; d++)
             w->f[(size_t)place * DIM + d] += f[i][d];
     }

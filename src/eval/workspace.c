@@ -35,7 +35,9 @@ static int take_sums(const struct plan *p, struct workspace *w)
         const size_t solids = n - (size_t)particles_count(p->particles, KIND_FLUID);
         w->p2 = workspace_lines(solids);
         w->pressed = workspace_lines(DIM * solids);
-        if (!w->p2 || !w->pressed)
+        w->met = status_alloc(solids + 1, sizeof *w->met);
+        w->rows = status_alloc(solids + 1, sizeof *w->rows);
+        if (!w->p2 || !w->pressed || !w->met || !w->rows)
             return STATUS_FAILED;
         TRY(p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press));
     }
@@ -105,6 +107,8 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     free(w->rho);
     free(w->p2);
     free(w->pressed);
+    free(w->met);
+    free(w->rows);
     if (w->press)
         p->passes.press->part->as.wall->press->work_free(&w->press);
     free(w->sum);

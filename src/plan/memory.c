@@ -89,7 +89,7 @@ static double pressed(const struct plan *p)
     const double fluid = particles_count(p->particles, KIND_FLUID);
 
     return wall ? wall->part->as.wall->press->memory(wall->self) + 8 * p->particles->n
-                      + 8 * (p->particles->n - fluid) * (1 + DIM)
+                      + (8 * (1 + DIM) + 5) * (p->particles->n - fluid)
                 : 0;
 }
 

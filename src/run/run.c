@@ -86,7 +86,7 @@ static void keep_density(struct run *r, double t, const double *y)
     struct view v;
     int n;
 
-    observe_view(r->moment, t, y, &v);
+    observe_fluid(r->moment, t, y, &v);
     n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
     for (int i = 0; i < n; i++) {
         const double rho = v.rho[KIND_FLUID][i];

@@ -139,8 +139,8 @@ struct part_pressure {
 /* Where a solid stands at t = 0. */
 struct part_solid {
     const struct shape *shape; /* that its particles fill; NULL: a skin, known by its points */
-    int group;                 /* solids of one number never move against each other; -1:
-                                  no solid                                    */
+    int group;                 /* solids of one number never move against each other, those
+                                  of 0 do not move at all; -1: no solid       */
 };
 
 /* All that a wall model may know of the places of solids. */
@@ -156,6 +156,7 @@ struct part_pressed {
     const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
     double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
     double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
+    bool all;          /* of all solids; else of those of the last narrow()   */
 };
 
 struct part_press_work; /* what members work in: memory of a wall model          */
@@ -173,15 +174,19 @@ struct part_press {
     int (*work)(const void *self, struct part_press_work **out);
     void (*work_free)(struct part_press_work **work);
 
+    /* Until the next call forces ask for these solids only, met [solids] by id, counted
+     * from the first: fluid meets no others. */
+    void (*narrow)(const void *self, struct part_press_work *w, const bool *met);
+
     /* p says where solids are now, and which particle stands in which row. */
     void (*press)(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io);
 
-    /* Forces between solids, at the places of the last press(), added to f [solids][DIM] by
-     * row [N]; returns false, and leaves f alone, where no two solids ever move against each
-     * other. */
-    bool (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
-                 const double *p2, double (*f)[DIM]);
+    /* Forces between solids, at the places of the last press(), into f [solids][DIM] by row
+     * [N]: of the rows whose number it returns, to row [solids], each once.  The rest of f is
+     * left as it was. */
+    int (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
+                const double *p2, double (*f)[DIM], int *row);
 
     /* Bytes that it took, with one work. */
     double (*memory)(const void *self);
@@ -226,6 +231,7 @@ struct part {
     int (*blocks)(const void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS]);
 
+    /* Of the fluid: solids of v have no pressure. */
     void (*limit)(const void *self, const struct view *v, struct limit *out);
 
     /* Adds what it stores. */

@@ -32,11 +32,12 @@ static double alike(const struct contact_share *a, const struct contact_share *b
     return fmax(0, 1 - off);
 }
 
-static double weight_of(const struct making *k, int j, double r)
+/* Some at the edge of the kernel are too small for a float, and are none. */
+static float weight_of(const struct making *k, int j, double r)
 {
     if (k->number[j] < 0 || group_of(k, j) != group_of(k, k->me))
         return 0;
-    return contact_room_kernel(k->at, r) * alike(&k->share[k->me], &k->share[j]);
+    return (float)(contact_room_kernel(k->at, r) * alike(&k->share[k->me], &k->share[j]));
 }
 
 static void count(void *self, int j, double r, const double *step)
@@ -50,9 +51,9 @@ static void count(void *self, int j, double r, const double *step)
 /* The weight of the pair as the row of the lower number has it. */
 static float mirrored(const struct contact_mean *m, int row, int column)
 {
-    for (long e = m->start[row]; e < m->start[row + 1]; e++)
-        if (m->column[e] == column)
-            return m->weight[e];
+    for (long e = 0; e < contact_mean_length(m, row / CONTACT_ROWS); e++)
+        if (m->column[contact_mean_at(m, row, e)] == column)
+            return m->weight[contact_mean_at(m, row, e)];
     return 0;
 }
 
@@ -60,13 +61,96 @@ static void enter(void *self, int j, double r, const double *step)
 {
     struct making *k = self;
     const int row = k->number[k->me], column = k->number[j];
-    const double w = weight_of(k, j, r);
+    const float w = weight_of(k, j, r);
 
     (void)step;
     if (!(w > 0))
         return;
-    k->m->column[k->entries] = column;
-    k->m->weight[k->entries++] = column < row ? mirrored(k->m, column, row) : (float)w;
+    const long at = contact_mean_at(k->m, row, k->entries++);
+    k->m->column[at] = column;
+    k->m->weight[at] = column < row ? mirrored(k->m, column, row) : w;
+}
+
+/* A slice is as long as the longest of its rows. */
+static void measure_rows(struct making *k, const struct contact_cells *solids)
+{
+    struct contact_mean *m = k->m;
+
+    for (int slice = 0; slice < m->slices; slice++) {
+        long longest = 0;
+        for (int i = slice * CONTACT_ROWS; i < m->n && i < (slice + 1) * CONTACT_ROWS; i++) {
+            k->me = m->solid[i];
+            k->entries = 0;
+            contact_cells_visit(solids, solids->x[k->me], count, k);
+            longest = k->entries > longest ? k->entries : longest;
+            m->entries += k->entries;
+        }
+        m->start[slice + 1] = m->start[slice] + longest * CONTACT_ROWS;
+    }
+}
+
+/* Filling names a particle of its own slice, so that it asks for none that is not there. */
+static void fill_rows(struct making *k, const struct contact_cells *solids)
+{
+    struct contact_mean *m = k->m;
+
+    for (int i = 0; i < m->slices * CONTACT_ROWS; i++) {
+        const int own = i < m->n ? i : m->n - 1;
+        k->me = m->solid[own];
+        k->entries = 0;
+        if (i < m->n)
+            contact_cells_visit(solids, solids->x[k->me], enter, k);
+        for (long e = k->entries; e < contact_mean_length(m, i / CONTACT_ROWS); e++)
+            m->column[contact_mean_at(m, i, e)] = own;
+    }
+}
+
+/* Those that are read by each slice, into m->reads where that is there; how many. */
+static long find_reads(struct contact_mean *m, int *seen)
+{
+    long n = 0;
+
+    for (int s = 0; s < m->slices; s++)
+        seen[s] = -1;
+    for (int s = 0; s < m->slices; s++) {
+        m->reads_from[s] = n;
+        for (long e = m->start[s]; e < m->start[s + 1]; e++) {
+            const int other = m->column[e] / CONTACT_ROWS;
+            if (seen[other] == s)
+                continue;
+            seen[other] = s;
+            if (m->reads)
+                m->reads[n] = other;
+            n++;
+        }
+    }
+    m->reads_from[m->slices] = n;
+    return n;
+}
+
+static int list_reads(struct contact_mean *m)
+{
+    int *seen = status_alloc((unsigned long)m->slices + 1, sizeof *seen);
+
+    m->reads_from = status_alloc((unsigned long)m->slices + 1, sizeof *m->reads_from);
+    if (seen && m->reads_from)
+        m->reads = status_alloc((unsigned long)find_reads(m, seen) + 1, sizeof *m->reads);
+    if (m->reads)
+        find_reads(m, seen);
+    free(seen);
+    return m->reads ? STATUS_DONE : STATUS_FAILED;
+}
+
+static void weigh_rows(struct contact_mean *m, double *one)
+{
+    for (int i = 0; i < m->n; i++)
+        one[i] = 1;
+    for (int slice = 0; slice < m->slices; slice++) {
+        double sum[CONTACT_ROWS];
+        contact_mean_sums(m, slice, one, sum);
+        for (int k = 0; k < CONTACT_ROWS; k++)
+            m->inverse[slice * CONTACT_ROWS + k] = sum[k] > 0 ? 1 / sum[k] : 0;
+    }
 }
 
 static int make_rows(struct making *k, const struct contact_cells *solids)
@@ -74,28 +158,17 @@ static int make_rows(struct making *k, const struct contact_cells *solids)
     struct contact_mean *m = k->m;
     double *one = status_alloc((unsigned long)m->n + 1, sizeof *one);
 
-    for (int i = 0; i < m->n; i++) {
-        m->start[i] = k->entries;
-        k->me = m->solid[i];
-        contact_cells_visit(solids, solids->x[k->me], count, k);
-    }
-    m->start[m->n] = k->entries;
-    m->column = status_alloc((unsigned long)k->entries + 1, sizeof *m->column);
-    m->weight = status_alloc((unsigned long)k->entries + 1, sizeof *m->weight);
+    measure_rows(k, solids);
+    m->column = status_alloc((unsigned long)m->start[m->slices] + 1, sizeof *m->column);
+    m->weight = status_alloc((unsigned long)m->start[m->slices] + 1, sizeof *m->weight);
     if (!one || !m->column || !m->weight) {
         free(one);
         return STATUS_FAILED;
     }
-    k->entries = 0;
-    for (int i = 0; i < m->n; i++) {
-        k->me = m->solid[i];
-        contact_cells_visit(solids, solids->x[k->me], enter, k);
-        one[i] = 1;
-    }
-    for (int i = 0; i < m->n; i++)
-        m->inverse[i] = 1 / contact_mean_sum(m, i, one);
+    fill_rows(k, solids);
+    weigh_rows(m, one);
     free(one);
-    return STATUS_DONE;
+    return list_reads(m);
 }
 
 int contact_mean_create(struct contact_mean *m, const struct part_places *at,
@@ -107,13 +180,14 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
     *m = (struct contact_mean){ 0 };
     m->solid = status_alloc((unsigned long)n + 1, sizeof *m->solid);
     m->start = status_alloc((unsigned long)n + 2, sizeof *m->start);
-    m->inverse = status_alloc((unsigned long)n + 1, sizeof *m->inverse);
+    m->inverse = status_alloc((unsigned long)n + CONTACT_ROWS, sizeof *m->inverse);
     if (number && m->solid && m->start && m->inverse) {
         for (int i = 0; i < n; i++) {
             number[i] = share[i].open > 0 ? m->n : -1;
             if (number[i] >= 0)
                 m->solid[m->n++] = i;
         }
+        m->slices = (m->n + CONTACT_ROWS - 1) / CONTACT_ROWS;
         status = make_rows(&(struct making){ .m = m, .at = at, .share = share, .number = number,
                                              .first = first },
                            solids);
@@ -131,20 +205,16 @@ void contact_mean_free(struct contact_mean *m)
     free(m->column);
     free(m->weight);
     free(m->inverse);
+    free(m->reads_from);
+    free(m->reads);
     *m = (struct contact_mean){ 0 };
 }
 
 double contact_mean_memory(const struct contact_mean *m)
 {
-    return (double)m->n * (sizeof *m->solid + sizeof *m->start + sizeof *m->inverse)
-           + (double)(m->n > 0 ? m->start[m->n] : 0) * (sizeof *m->column + sizeof *m->weight);
-}
-
-double contact_mean_sum(const struct contact_mean *m, int i, const double *r)
-{
-    double sum = 0;
-
-    for (long e = m->start[i]; e < m->start[i + 1]; e++)
-        sum += (double)m->weight[e] * r[m->column[e]];
-    return sum;
+    return (double)m->n * (sizeof *m->solid + sizeof *m->inverse)
+           + (double)m->slices * (sizeof *m->start + sizeof *m->reads_from)
+           + (double)(m->slices > 0 ? m->reads_from[m->slices] : 0) * sizeof *m->reads
+           + (double)(m->slices > 0 ? m->start[m->slices] : 0)
+                 * (sizeof *m->column + sizeof *m->weight);
 }

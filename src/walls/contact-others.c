@@ -34,6 +34,7 @@ static void sort(struct contact_others *o, const struct part_places *at,
         o->groups += n > o->from[o->groups];
     }
     o->from[o->groups] = n;
+    o->still = o->groups > 0 && group_of(at, mean, o->member[0]) == 0 ? o->from[1] : 0;
 }
 
 int contact_others_create(struct contact_others *o, const struct part_places *at,
@@ -68,11 +69,12 @@ int contact_others_work(const struct contact_others *o, struct contact_others_wo
     w->x = status_alloc(n + 1, sizeof *w->x);
     w->low = status_alloc((unsigned long)o->groups + 1, sizeof *w->low);
     w->high = status_alloc((unsigned long)o->groups + 1, sizeof *w->high);
+    w->box = status_alloc(n / CONTACT_BLOCK + (unsigned long)o->groups + 1, sizeof *w->box);
     w->one = status_alloc(n + 1, sizeof *w->one);
     w->other = status_alloc(n + 1, sizeof *w->other);
     w->last = status_alloc(n + 1, sizeof *w->last);
     w->before = status_alloc(n + 1, sizeof *w->before);
-    return w->x && w->low && w->high && w->one && w->other && w->last && w->before
+    return w->x && w->low && w->high && w->box && w->one && w->other && w->last && w->before
                ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -81,6 +83,7 @@ void contact_others_work_free(struct contact_others_work *w)
     free(w->x);
     free(w->low);
     free(w->high);
+    free(w->box);
     free(w->one);
     free(w->other);
     free(w->last);
@@ -88,9 +91,9 @@ void contact_others_work_free(struct contact_others_work *w)
     *w = (struct contact_others_work){ 0 };
 }
 
-double contact_others_fill(const struct contact_others *o, int i, double around, double *slope)
+double contact_others_near(const struct contact_others *o, int i, double around, double *slope)
 {
-    const double h = 0.02, off = around / o->room[i] - 1, root = sqrt(off * off + h * h);
+    const double h = CONTACT_SOFT, off = around / o->room[i] - 1, root = sqrt(off * off + h * h);
 
     *slope = -off / root;
     return o->room[i] * (sqrt(1 + h * h) - root);
@@ -109,18 +112,47 @@ struct search {
     double width;               /* of a bin [m]                                   */
 };
 
+static void empty(double *low, double *high)
+{
+    for (int d = 0; d < DIM; d++) {
+        low[d] = HUGE_VAL;
+        high[d] = -HUGE_VAL;
+    }
+}
+
+/* A box becomes large enough for another one, or for a point: low = high. */
+static void widen(double *low, double *high, const double *other_low, const double *other_high)
+{
+    for (int d = 0; d < DIM; d++) {
+        low[d] = other_low[d] < low[d] ? other_low[d] : low[d];
+        high[d] = other_high[d] > high[d] ? other_high[d] : high[d];
+    }
+}
+
+/* Number of a group's first block: no two groups share one. */
+static int block_of(const struct contact_others *o, int g)
+{
+    return o->from[g] / CONTACT_BLOCK + g;
+}
+
+static int block_end(const struct contact_others *o, int g, int from)
+{
+    return from + CONTACT_BLOCK < o->from[g + 1] ? from + CONTACT_BLOCK : o->from[g + 1];
+}
+
 void contact_others_place(const struct contact_others *o, struct contact_others_work *w)
 {
-    for (int g = 0; g < o->groups; g++)
-        for (int d = 0; d < DIM; d++) {
-            w->low[g][d] = HUGE_VAL;
-            w->high[g][d] = -HUGE_VAL;
-            for (int k = o->from[g]; k < o->from[g + 1]; k++) {
-                const double x = w->x[o->member[k]][d];
-                w->low[g][d] = x < w->low[g][d] ? x : w->low[g][d];
-                w->high[g][d] = x > w->high[g][d] ? x : w->high[g][d];
-            }
+    for (int g = w->placed > 0; g < o->groups; g++) {
+        double (*box)[2][DIM] = w->box + block_of(o, g);
+        empty(w->low[g], w->high[g]);
+        for (int from = o->from[g]; from < o->from[g + 1]; from += CONTACT_BLOCK, box++) {
+            empty(box[0][0], box[0][1]);
+            for (int k = from; k < block_end(o, g, from); k++)
+                widen(box[0][0], box[0][1], w->x[o->member[k]], w->x[o->member[k]]);
+            widen(w->low[g], w->high[g], box[0][0], box[0][1]);
         }
+    }
+    w->placed = o->still;
 }
 
 /* The box in which groups a and b may be near each other; false: nowhere. */
@@ -149,17 +181,29 @@ static bool common(struct search *s, int a, int b)
     return true;
 }
 
+static bool overlaps(const struct search *s, const double *low, const double *high)
+{
+    bool some = true;
+
+    for (int d = 0; d < DIM; d++)
+        some = some && high[d] >= s->low[d] && low[d] <= s->high[d];
+    return some;
+}
+
 static int collect(const struct search *s, int g, int *to)
 {
+    const struct contact_others *o = s->o;
+    double (*box)[2][DIM] = s->w->box + block_of(o, g);
     int n = 0;
 
-    for (int k = s->o->from[g]; k < s->o->from[g + 1]; k++) {
-        const double *x = s->w->x[s->o->member[k]];
-        bool inside = true;
-        for (int d = 0; d < DIM; d++)
-            inside = inside && x[d] >= s->low[d] && x[d] <= s->high[d];
-        to[n] = s->o->member[k];
-        n += inside;
+    for (int from = o->from[g]; from < o->from[g + 1]; from += CONTACT_BLOCK, box++) {
+        if (!overlaps(s, box[0][0], box[0][1]))
+            continue;
+        for (int k = from; k < block_end(o, g, from); k++) {
+            const double *x = s->w->x[o->member[k]];
+            to[n] = o->member[k];
+            n += overlaps(s, x, x);
+        }
     }
     return n;
 }

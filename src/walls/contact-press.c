@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK = 128 };
-
 int contact_press_prepare(void *self, const struct scales *s)
 {
     struct contact_press_self *c = self;
@@ -19,17 +17,9 @@ int contact_press_prepare(void *self, const struct scales *s)
     return STATUS_DONE;
 }
 
-/* --- what members work in, all in the order of the mean -------------------------------------- */
+/* --- what members work in -------------------------------------------------------------------- */
 
-struct part_press_work {
-    double *rho;     /* r                                     [kg/m^D] */
-    double *pi;      /* m pi/N                                         */
-    double *around;  /* o                                     [kg/m^D] */
-    double *slope;   /* dg/do of the last press()                      */
-    struct contact_others_work others;
-};
-
-static void work_free(struct part_press_work **work)
+void contact_press_work_free(struct part_press_work **work)
 {
     struct part_press_work *w = *work;
 
@@ -39,15 +29,18 @@ static void work_free(struct part_press_work **work)
     free(w->pi);
     free(w->around);
     free(w->slope);
+    free(w->touched);
+    free(w->row);
+    contact_reach_free(&w->reach);
     contact_others_work_free(&w->others);
     free(w);
     *work = NULL;
 }
 
-static int work(const void *self, struct part_press_work **out)
+int contact_press_work(const void *self, struct part_press_work **out)
 {
     const struct contact_press_self *c = self;
-    const unsigned long n = (unsigned long)c->mean.n + 1;
+    const unsigned long n = (unsigned long)c->mean.slices * CONTACT_ROWS + 1;
     struct part_press_work *w = *out = status_alloc(1, sizeof *w);
 
     if (!w)
@@ -56,10 +49,13 @@ static int work(const void *self, struct part_press_work **out)
     w->pi = status_alloc(n, sizeof *w->pi);
     w->around = status_alloc(n, sizeof *w->around);
     w->slope = status_alloc(n, sizeof *w->slope);
-    if (w->rho && w->pi && w->around && w->slope
+    w->touched = status_alloc(n, sizeof *w->touched);
+    w->row = status_alloc(n, sizeof *w->row);
+    if (w->rho && w->pi && w->around && w->slope && w->touched && w->row
+        && contact_reach_create(&w->reach, &c->mean) == STATUS_DONE
         && contact_others_work(&c->others, &w->others) == STATUS_DONE)
         return STATUS_DONE;
-    work_free(out);
+    contact_press_work_free(out);
     return STATUS_FAILED;
 }
 
@@ -74,19 +70,15 @@ struct meeting {
     double (*f)[DIM];
 };
 
-static int row_of(const struct contact_press_self *c, const struct particles *p, int i)
-{
-    return particles_row_of(p, p->from[KIND_WALL] + c->mean.solid[i]);
-}
-
 static void add_around(void *self, int i, int j, double r, const double *step)
 {
     const struct meeting *m = self;
     const double w = kernel_w(m->c->kernel, r);
 
     (void)step;
-    m->w->around[i] += m->p->m[row_of(m->c, m->p, j)] * w;
-    m->w->around[j] += m->p->m[row_of(m->c, m->p, i)] * w;
+    m->w->around[i] += m->p->m[contact_press_row(m->c, m->p, j)] * w;
+    m->w->around[j] += m->p->m[contact_press_row(m->c, m->p, i)] * w;
+    m->w->touched[i] = m->w->touched[j] = true;
 }
 
 /* o of all particles where the solids of p are: x of moments, else x0. */
@@ -96,11 +88,14 @@ static void look_around(const struct contact_press_self *c, const struct particl
     struct meeting m = { .c = c, .p = p, .w = w };
     const double (*x)[DIM] = (const double (*)[DIM])(p->x ? p->x : p->x0);
 
-    memset(w->around, 0, (size_t)c->mean.n * sizeof *w->around);
-    if (c->others.groups < 2)
+    if (c->others.groups < 2) /* around is 0 for good */
         return;
-    for (int i = 0; i < c->mean.n; i++)
-        memcpy(w->others.x[i], x[row_of(c, p, i)], sizeof w->others.x[i]);
+    memset(w->around, 0, (size_t)c->mean.n * sizeof *w->around);
+    memset(w->touched, 0, (size_t)c->mean.n * sizeof *w->touched);
+    for (int k = w->others.placed; k < c->mean.n; k++) {
+        const int i = c->others.member[k];
+        memcpy(w->others.x[i], x[contact_press_row(c, p, i)], sizeof w->others.x[i]);
+    }
     contact_others_place(&c->others, &w->others);
     contact_others_visit(&c->others, &w->others, add_around, &m);
 }
@@ -109,7 +104,7 @@ static void look_around(const struct contact_press_self *c, const struct particl
 static void add_force(void *self, int i, int j, double r, const double *step)
 {
     const struct meeting *m = self;
-    const int first = m->p->from[KIND_WALL], a = row_of(m->c, m->p, i), b = row_of(m->c, m->p, j);
+    const int first = m->p->from[KIND_WALL], a = contact_press_row(m->c, m->p, i), b = contact_press_row(m->c, m->p, j);
     const double q = m->p2[a - first] * m->w->slope[i] + m->p2[b - first] * m->w->slope[j];
     const double push = r > 0 ? m->p->m[a] * m->p->m[b] * q * kernel_gradient(m->c->kernel, r) / r
                               : 0;
@@ -120,16 +115,23 @@ static void add_force(void *self, int i, int j, double r, const double *step)
     }
 }
 
-static bool meet(const void *self, struct part_press_work *w, const struct particles *p,
-                 const double *p2, double (*f)[DIM])
+int contact_press_meet(const void *self, struct part_press_work *w, const struct particles *p,
+                const double *p2, double (*f)[DIM], int *row)
 {
     const struct contact_press_self *c = self;
     struct meeting m = { .c = c, .p = p, .w = w, .p2 = p2, .f = f };
+    int n = 0;
 
     if (c->others.groups < 2)
-        return false;
-    contact_others_visit(&c->others, &w->others, add_force, &m);
-    return true;
+        return 0;
+    for (int i = 0; i < c->mean.n; i++)
+        if (w->touched[i]) {
+            row[n] = contact_press_row(c, p, i) - p->from[KIND_WALL];
+            memset(f[row[n++]], 0, sizeof *f);
+        }
+    if (n > 0)
+        contact_others_visit(&c->others, &w->others, add_force, &m);
+    return n;
 }
 
 /* --- places, once -------------------------------------------------------------------------------- */
@@ -140,11 +142,19 @@ static int take_start(struct contact_press_self *c, const struct part_places *at
     struct part_press_work *w;
     int status;
 
-    TRY(work(c, &w));
+    TRY(contact_press_work(c, &w));
     look_around(c, at->p, w);
     status = contact_start_short(at, &c->mean, &c->others, share, w->around, c->missing);
-    work_free(&w);
+    contact_press_work_free(&w);
     return status;
+}
+
+static int take_kinds(struct contact_press_self *c, const struct particles *p)
+{
+    c->kind = status_alloc((unsigned long)c->mean.n + 1, sizeof *c->kind);
+    for (int i = 0; c->kind && i < c->mean.n; i++)
+        c->kind[i] = p->object[p->object_of[p->from[KIND_WALL] + c->mean.solid[i]]].kind;
+    return c->kind ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int take_places(struct contact_press_self *c, const struct part_places *at,
@@ -160,10 +170,11 @@ static int take_places(struct contact_press_self *c, const struct part_places *a
     contact_room_free(&room);
     TRY(contact_mean_create(&c->mean, at, solids, share));
     TRY(contact_others_create(&c->others, at, &c->mean, share));
+    TRY(take_kinds(c, at->p));
     return take_start(c, at, share);
 }
 
-static int create(void *self, const struct part_places *at)
+int contact_press_create(void *self, const struct part_places *at)
 {
     struct contact_press_self *c = self;
     const int first = at->p->from[KIND_WALL], n = at->p->n - first;
@@ -187,24 +198,27 @@ static int create(void *self, const struct part_places *at)
     return status;
 }
 
-static void destroy(void *self)
+void contact_press_free(void *self)
 {
     struct contact_press_self *c = self;
 
     contact_mean_free(&c->mean);
     contact_others_free(&c->others);
     free(c->missing);
+    free(c->kind);
     c->missing = NULL;
+    c->kind = NULL;
 }
 
-static double memory(const void *self)
+double contact_press_memory(const void *self)
 {
     const struct contact_press_self *c = self;
 
-    return contact_mean_memory(&c->mean) + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
+    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + 6.0 * c->mean.n
+           + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
 }
 
-static void start(const void *self, const struct particles *p, enum kind k, double *rho)
+void contact_press_start(const void *self, const struct particles *p, enum kind k, double *rho)
 {
     const struct contact_press_self *c = self;
     const double *missing = c->missing + (p->from[k] - p->from[KIND_WALL]);
@@ -215,57 +229,20 @@ static void start(const void *self, const struct particles *p, enum kind k, doub
 
 /* --- pressure ---------------------------------------------------------------------------- */
 
-/* Particles from..to-1 of the mean: what they show, and m pi/N. */
-static void press_chunk(const struct contact_press_self *c, struct part_press_work *w,
-                        const struct particles *p, double *shown, int from, int to)
+const struct contact_slices *contact_press_look(const struct contact_press_self *c,
+                                                struct part_press_work *w,
+                                                const struct particles *p, bool all)
 {
-    const int first = p->from[KIND_WALL], n = to - from;
-    double rho[CHUNK] = { 0 }, share[CHUNK], press[CHUNK];
-
-    for (int k = 0; k < n; k++)
-        rho[k] = contact_mean_sum(&c->mean, from + k, w->rho) * c->mean.inverse[from + k];
-    contact_side(&c->eos, n, rho, share);
-    eos_pressures(&c->eos, n, rho, press);
-    for (int k = 0; k < n; k++) {
-        const int row = row_of(c, p, from + k);
-        shown[row - first] = rho[k];
-        w->pi[from + k] = p->m[row] * c->mean.inverse[from + k]
-                          * (press[k] / (rho[k] * rho[k]) * share[k]);
-    }
-}
-
-static void press(const void *self, struct part_press_work *w, const struct particles *p,
-                  const struct part_pressed *io)
-{
-    const struct contact_press_self *c = self;
-    const int first = p->from[KIND_WALL], n = c->mean.n;
-
     look_around(c, p, w);
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i++)
-        w->rho[i] = io->rho[row_of(c, p, i) - first]
-                    + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
-    for (int i = 0; i < p->n - first; i++) {
-        io->shown[i] = c->eos.rho0;
-        io->p2[i] = 0;
-    }
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i += CHUNK)
-        press_chunk(c, w, p, io->shown, i, i + CHUNK < n ? i + CHUNK : n);
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i++) {
-        const int row = row_of(c, p, i);
-        io->p2[row - first] = contact_mean_sum(&c->mean, i, w->pi) / p->m[row];
-    }
+    if (all)
+        return &w->reach.all;
+    if (c->others.groups > 1)
+        contact_reach_widen(&w->reach, w->touched);
+    return &w->reach.near;
 }
 
-const struct part_press contact_press = {
-    .create = create,
-    .free = destroy,
-    .start = start,
-    .work = work,
-    .work_free = work_free,
-    .press = press,
-    .meet = meet,
-    .memory = memory,
-};
+void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met)
+{
+    (void)self;
+    contact_reach_narrow(&w->reach, met);
+}

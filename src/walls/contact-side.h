@@ -7,8 +7,21 @@
 
 #include "matter/eos.h"
 
+#define CONTACT_SIDE_EPS 1e-3
+
 /* A chunk of n densities [kg/m^D] rho0 (1 + d) becomes rho0 (1 + d+), and share = dd+/dd. */
-void contact_side(const struct eos *eos, int n, double *rho, double *share);
+static inline void contact_side(double rho0, int n, double *restrict rho, double *restrict share)
+{
+    const double eps = CONTACT_SIDE_EPS;
+
+    for (int k = 0; k < n; k++) {
+        const double d = rho[k] / rho0 - 1, root = __builtin_sqrt(d * d + eps * eps);
+        const double wet = (d + root) / 2, dry = eps * eps / (2 * (root - d)); /* all digits */
+        const double over = d > 0 ? wet : dry;
+        rho[k] = rho0 * (1 + over);
+        share[k] = over / root;
+    }
+}
 
 /* rho0 (1 + d) [kg/m^D] of which pi is p/rho^2 for the density rho of a pressure p: what a solid
  * is to start with, so that it holds just what it is to hold.  Of pressures below

@@ -17,8 +17,112 @@
 #include "walls/contact-press.h"
 
 #include "base/lanes.h"
+#include "walls/contact-side.h"
 #include "walls/solid-rows.h"
 #include "walls/walls.h"
+
+enum { CHUNK = 32, MANY = 1024 }; /* slices: in a chunk; worth more threads than one */
+
+/* What goes through the passes over slices. */
+struct pressing {
+    const struct contact_press_self *c;
+    struct part_press_work *w;
+    const struct particles *p;
+    const struct part_pressed *io;
+};
+
+static int end_of(const struct contact_mean *m, int slice)
+{
+    return (slice + 1) * CONTACT_ROWS < m->n ? (slice + 1) * CONTACT_ROWS : m->n;
+}
+
+/* Rows of a slice, and r there. */
+static void read_slice(const struct pressing *of, int slice)
+{
+    const struct contact_press_self *c = of->c;
+    struct part_press_work *w = of->w;
+
+    for (int i = slice * CONTACT_ROWS; i < end_of(&c->mean, slice); i++) {
+        w->row[i] = contact_press_row(c, of->p, i) - of->p->from[KIND_WALL];
+        w->rho[i] = of->io->rho[w->row[i]]
+                    + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
+    }
+}
+
+/* A few slices: what they show, and m pi/N. */
+static void press_chunk(const struct pressing *of, const int *slice, int slices)
+{
+    const struct contact_mean *mean = &of->c->mean;
+    const int n = slices * CONTACT_ROWS, *row = of->w->row;
+    const double *m = of->p->m + of->p->from[KIND_WALL];
+    double rho[CHUNK * CONTACT_ROWS] = { 0 }, share[CHUNK * CONTACT_ROWS];
+    double press[CHUNK * CONTACT_ROWS];
+
+    for (int k = 0; k < slices; k++) {
+        contact_mean_sums(mean, slice[k], of->w->rho, rho + k * CONTACT_ROWS);
+        for (int l = 0; l < CONTACT_ROWS; l++)
+            rho[k * CONTACT_ROWS + l] *= mean->inverse[slice[k] * CONTACT_ROWS + l];
+    }
+    contact_side(of->c->eos.rho0, n, rho, share);
+    eos_pressures(&of->c->eos, n, rho, press);
+    for (int k = 0; k < n; k++)
+        press[k] = press[k] / (rho[k] * rho[k]) * share[k];
+    for (int k = 0; k < slices; k++) {
+        const int from = slice[k] * CONTACT_ROWS, at = k * CONTACT_ROWS - from;
+        for (int i = from; i < end_of(mean, slice[k]); i++) {
+            of->io->shown[row[i]] = rho[at + i];
+            of->w->pi[i] = m[row[i]] * mean->inverse[i] * press[at + i];
+        }
+    }
+}
+
+static void push_slice(const struct pressing *of, int slice)
+{
+    const int from = slice * CONTACT_ROWS, *row = of->w->row;
+    const double *m = of->p->m + of->p->from[KIND_WALL];
+    double sum[CONTACT_ROWS];
+
+    contact_mean_sums(&of->c->mean, slice, of->w->pi, sum);
+    for (int i = from; i < end_of(&of->c->mean, slice); i++)
+        of->io->p2[row[i]] = sum[i - from] / m[row[i]];
+}
+
+static void press(const void *self, struct part_press_work *w, const struct particles *p,
+                  const struct part_pressed *io)
+{
+    const struct contact_press_self *c = self;
+    const struct contact_slices *slices = contact_press_look(c, w, p, io->all);
+    const int *n = slices->n, *const *slice = (const int *const *)slices->slice;
+    const struct pressing of = { c, w, p, io };
+    const int solids = p->n - p->from[KIND_WALL];
+
+#pragma omp parallel for schedule(static) if (n[CONTACT_R] > MANY)
+    for (int k = 0; k < n[CONTACT_R]; k++)
+        read_slice(&of, slice[CONTACT_R][k]);
+    for (int i = 0; i < solids; i++) { /* where no water is */
+        io->shown[i] = c->eos.rho0;
+        io->p2[i] = 0;
+    }
+#pragma omp parallel for schedule(static) if (n[CONTACT_PI] > MANY)
+    for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
+        press_chunk(&of, slice[CONTACT_PI] + k,
+                    n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
+#pragma omp parallel for schedule(static) if (n[CONTACT_Q] > MANY)
+    for (int k = 0; k < n[CONTACT_Q]; k++)
+        push_slice(&of, slice[CONTACT_Q][k]);
+}
+
+static const struct part_press contact_press = {
+    .create = contact_press_create,
+    .free = contact_press_free,
+    .start = contact_press_start,
+    .work = contact_press_work,
+    .work_free = contact_press_work_free,
+    .narrow = contact_press_narrow,
+    .press = press,
+    .meet = contact_press_meet,
+    .memory = contact_press_memory,
+};
 
 static const char *const with[] = { "continuity", NULL };
 

@@ -1,12 +1,13 @@
 /* contact.c -- walls = "contact": the room around solids against a fine quadrature, means that
  * are means, a pressure that is the derivative of what is stored, forces between solids that
- * are the derivative of it, too; nothing hangs on a dry wall, and water finds its depth. */
+ * are the derivative of it, too, and leave out what no water meets; nothing hangs on a dry
+ * wall, and water finds its depth. */
 #include "tank.h"
 
 #include "base/status.h"
 #include "kernels/kernel.h"
 #include "matter/eos.h"
-#include "plan/inside.h"
+#include "eval/inside.h"
 #include "shapes/shape.h"
 #include "walls/contact-press.h"
 
@@ -129,10 +130,26 @@ static void room_is_that_of_a_fine_quadrature(void **state)
     tank_free(&t);
 }
 
+/* The weight of j in the row of i, and in how many entries it stands. */
+static double weight_of(const struct contact_mean *m, int i, int j, int *entries)
+{
+    double weight = 0;
+
+    *entries = 0;
+    for (long e = 0; e < contact_mean_length(m, i / CONTACT_ROWS); e++) {
+        const long at = contact_mean_at(m, i, e);
+        if (m->column[at] == j && m->weight[at] > 0) {
+            weight = m->weight[at];
+            ++*entries;
+        }
+    }
+    return weight;
+}
+
 static void means_are_means_and_symmetric(void **state)
 {
     struct tank t;
-    int pairs = 0;
+    long pairs = 0;
 
     (void)state;
     tank_make(&t, THINGS, EFFECTS, NULL);
@@ -141,19 +158,25 @@ static void means_are_means_and_symmetric(void **state)
     for (int i = 0; i < m->n; i++)
         one[i] = 1;
     for (int i = 0; i < m->n; i++) {
-        const double sum = contact_mean_sum(m, i, one) * m->inverse[i];
-        check(fabs(sum - 1) < 1e-14, "weights of row %d add up to %.17g", i, sum);
-        for (long e = m->start[i]; e < m->start[i + 1]; e++)
-            for (long f = m->start[m->column[e]]; f < m->start[m->column[e] + 1]; f++)
-                if (m->column[f] == i) {
-                    check(m->weight[f] == m->weight[e], "weights %g and %g of a pair",
-                          m->weight[f], m->weight[e]);
-                    pairs++;
-                }
+        double sum[CONTACT_ROWS];
+        contact_mean_sums(m, i / CONTACT_ROWS, one, sum);
+        sum[0] = sum[i % CONTACT_ROWS] * m->inverse[i];
+        check(fabs(sum[0] - 1) < 1e-14, "weights of row %d add up to %.17g", i, sum[0]);
+        for (long e = 0; e < contact_mean_length(m, i / CONTACT_ROWS); e++) {
+            const long at = contact_mean_at(m, i, e);
+            int entries;
+            if (!(m->weight[at] > 0))
+                continue;
+            const double back = weight_of(m, m->column[at], i, &entries);
+            check(back == m->weight[at], "weights %g and %g of a pair", back, m->weight[at]);
+            check(entries == 1, "%d weights of a pair", entries);
+            pairs++;
+        }
     }
-    check(pairs == m->start[m->n], "%d of %ld weights have a partner", pairs, m->start[m->n]);
-    print_message("# %d particles, %.1f weights each, %.0f bytes each\n", m->n,
-                  (double)m->start[m->n] / m->n, contact_mean_memory(m) / m->n);
+    check(pairs == m->entries, "%ld of %ld weights have a partner", pairs, m->entries);
+    print_message("# %d particles, %.1f weights each, %.0f bytes each, %.1f %% of them filling\n",
+                  m->n, (double)m->entries / m->n, contact_mean_memory(m) / m->n,
+                  100 - 100.0 * m->entries / m->start[m->slices]);
     test_free(one);
     tank_free(&t);
 }
@@ -269,6 +292,53 @@ static void solids_push_each_other_by_what_they_store(void **state)
     tank_free(&t);
 }
 
+/* --- what forces ask for ------------------------------------------------------------------- */
+
+/* Has the solid at x fluid in reach of the kernel? */
+static bool is_met(const struct view *v, const struct scales *s, const double *x)
+{
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        double r2 = 0;
+        for (int d = 0; d < DIM; d++)
+            r2 += pow(v->x[KIND_FLUID][(size_t)i * DIM + d] - x[d], 2);
+        if (r2 < s->support * s->support)
+            return true;
+    }
+    return false;
+}
+
+/* Right-hand sides leave out solids that are far from water, and those only; the others press
+ * as if nothing had been left out, to the bit. */
+static void forces_ask_for_solids_that_water_meets(void **state)
+{
+    struct tank t;
+    struct view v;
+    int met = 0, left = 0;
+
+    (void)state;
+    tank_make(&t, THINGS, EFFECTS, NULL);
+    const struct particles *p = plan_particles(t.plan);
+    const int n = p->n - p->from[KIND_WALL];
+    double *ydot = test_calloc((size_t)plan_size(t.plan), sizeof *ydot);
+    double *near = test_calloc((size_t)n, sizeof *near);
+    assert_int_equal(moment_eval(t.moment, ASK_ALL, 0, t.y, ydot), STATUS_DONE);
+    memcpy(near, t.moment->work->p2, (size_t)n * sizeof *near);
+    observe_view(t.moment, 0, t.y, &v);
+    for (int i = 0; i < n; i++) {
+        const double q = v.p2[KIND_WALL][i];
+        const bool wet = is_met(&v, plan_scales(t.plan), v.x[KIND_WALL] + (size_t)i * DIM);
+        check(near[i] == q || (near[i] == 0 && !wet), "solid %d presses with %.17g, not %.17g", i,
+              near[i], q);
+        met += wet && q > 0;
+        left += near[i] == 0 && q > 0;
+    }
+    print_message("# %d solids of %d are met, %d are left out\n", met, n, left);
+    check(met > 0 && left > n / 10, "%d met, %d left out", met, left);
+    test_free(ydot);
+    test_free(near);
+    tank_free(&t);
+}
+
 /* --- water ------------------------------------------------------------------------------------- */
 
 /* A dry wall does not press, and no solid ever pulls. */
@@ -303,6 +373,7 @@ int main(void)
         cmocka_unit_test(pressure_is_the_slope_of_what_is_stored),
         cmocka_unit_test(every_kernel_weighs_the_room),
         cmocka_unit_test(solids_push_each_other_by_what_they_store),
+        cmocka_unit_test(forces_ask_for_solids_that_water_meets),
         cmocka_unit_test(dry_walls_do_not_press),
     };
 
