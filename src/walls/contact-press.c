@@ -215,7 +215,7 @@ double contact_press_memory(const void *self)
     const struct contact_press_self *c = self;
 
     return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + 6.0 * c->mean.n
-           + 8.0 * c->mean.n * (c->others.groups > 1 ? 8 + DIM : 6);
+           + 8.0 * c->mean.n * (c->others.groups > 1 ? 9 + DIM : 6);
 }
 
 void contact_press_start(const void *self, const struct particles *p, enum kind k, double *rho)
