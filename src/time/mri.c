@@ -273,7 +273,7 @@ const struct fixed_kind mri_kind = {
                 .at = at, .vectors = vectors, .state = state, .restart = restart,
                 .rearrange = rearrange, .table = table,
                 .free = release },
-    .number = 0.5,
+    .number = 0.2,
     .sides = ASK_EXPLICIT,
     .length = length,
     .advance = advance,
