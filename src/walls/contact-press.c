@@ -104,7 +104,8 @@ static void look_around(const struct contact_press_self *c, const struct particl
 static void add_force(void *self, int i, int j, double r, const double *step)
 {
     const struct meeting *m = self;
-    const int first = m->p->from[KIND_WALL], a = contact_press_row(m->c, m->p, i), b = contact_press_row(m->c, m->p, j);
+    const int first = m->p->from[KIND_WALL];
+    const int a = contact_press_row(m->c, m->p, i), b = contact_press_row(m->c, m->p, j);
     const double q = m->p2[a - first] * m->w->slope[i] + m->p2[b - first] * m->w->slope[j];
     const double push = r > 0 ? m->p->m[a] * m->p->m[b] * q * kernel_gradient(m->c->kernel, r) / r
                               : 0;
