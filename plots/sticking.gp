@@ -9,11 +9,15 @@ array unit[3] = ['mm', 'force / ρgH²', 'mm']
 array top[3] = [60, 0.25, 3]
 families = 'slip stick slip-healed stick-healed'
 array name[4] = ['slip', 'stick', 'slip, no tension, healed', 'stick, no tension, healed']
+array wide[4] = [2, 2, 3.5, 3.5]
+array dash[4] = [2, 2, 1, 1]
+array mark[4] = [6, 6, 7, 7]
+array hue[4] = [1, 2, 1, 2]
 only(family) = sprintf("< awk '$1 == \"%s\"' %s", family, file)
 
-set terminal pngcairo size 1700, 620 font 'Sans,17'
+set terminal pngcairo size 1700, 560 font 'Sans,17'
 set output '../sticking.png'
-set multiplot layout 1, 3 margins 0.05, 0.985, 0.27, 0.92 spacing 0.06, 0.1
+set multiplot layout 1, 3 margins 0.05, 0.985, 0.13, 0.92 spacing 0.065, 0.1
 set xlabel 'spacing / mm' offset 0, 0.5
 set xrange [0:*]
 do for [k = 1:3] {
@@ -21,10 +25,8 @@ do for [k = 1:3] {
     set title say[k] offset 0, -0.6
     set ylabel unit[k] offset 1.5, 0
     set yrange [0:top[k]]
-    if (k == 2) { set key at screen 0.5, 0.02 center bottom horizontal maxrows 1 samplen 2 width 2 } \
-    else { unset key }
+    if (k == 1) { set key bottom left Left reverse samplen 2 spacing 1.2 } else { unset key }
     plot for [i = 1:4] only(word(families, i)) using (1000 * $2):3 with linespoints \
-        lw (i > 2 ? 3.5 : 2) dt (i > 2 ? 1 : 2) pt (i > 2 ? 7 : 6) ps 1.4 \
-        lc rgb pick(1 + (i + 1) % 2) title name[i]
+        lw wide[i] dt dash[i] pt mark[i] ps 1.4 lc rgb pick(hue[i]) title name[i]
 }
 unset multiplot
