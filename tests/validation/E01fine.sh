@@ -29,13 +29,16 @@ over20 2 >seen.p
 draw <<'G'
 set datafile separator ' '
 runs = 'tension healed'
+set terminal pngcairo size 900, 640 font 'Sans,11'
+set output 'E01fine.png'
 set multiplot layout 3, 1
 set lmargin 8
-set key top right
+set rmargin 26
+set key outside right
 set xrange [0.3:0.75]
 set ylabel 'load [N]'
 set yrange [-100:800]
-plot 'seen.q' with lines lw 2 lc rgb grey title 'P1 to P4 times the face: experiment', \
+plot 'seen.q' with lines lw 2 lc rgb grey title 'P1 to P4: experiment', \
     for [i = 1:words(runs)] word(runs, i).'.q' with lines lw 1.2 dt '-' lc rgb pick(i) title word(runs, i), \
     for [i = 1:words(runs)] word(runs, i).'.f' with lines lw 2 lc rgb pick(i) title 'force, '.word(runs, i)
 set ylabel 'P1 [kPa]'
@@ -46,7 +49,7 @@ set xrange [0:0.75]
 set ylabel 'H2, H4 [m]'
 set xlabel 't [s]'
 set yrange [0:0.6]
-set key top right
+set key outside right
 plot 'seen' using 1:11 with lines lw 2 lc rgb grey title 'experiment', '' using 1:13 with lines lw 2 lc rgb grey notitle, \
     for [i = 1:words(runs)] word(runs, i).'.h' using 1:2 with lines lw 1.2 lc rgb pick(i) title word(runs, i), \
     for [i = 1:words(runs)] word(runs, i).'.h' using 1:3 with lines lw 1.2 lc rgb pick(i) notitle
