@@ -3,8 +3,8 @@
 # needs: front.csv figures/constants.gp
 # reference: B01a_martin_moyce_1952_front_n2_2.csv B01b_martin_moyce_1952_front_square.csv B01c_martin_moyce_1952_height_square.csv
 #
-# Column of width a and height n^2 a:  T = n t sqrt(g/a),  Z = front / a.  Positions in front.csv
-# are those of particles; the surface is half a spacing further.  They had no beam: what they
+# Column of width a and height n^2 a:  T = n t sqrt(g/a),  Z = front / a.  Fronts in
+# front.csv are those of particles; the surface is half a spacing further.  They had no beam: what they
 # saw ends where one stands.
 load 'style.gp'
 table = '../front.csv'
@@ -25,7 +25,7 @@ last = 1.6 * arrival_min < T(until) ? 1.6 * arrival_min : T(until)
 top = reach_max > 0.9 * far ? 1.12 * far : 1.25 * reach_max
 
 run = "table using (T($1)):(Z($2)) skip 2 with lines lw 3 lc rgb pick(1) title 'this run' "
-low = "table using (T($1)):(($3 + dx / 2) / (n2 * a)) skip 2 " \
+low = "table using (T($1)):($3 / (n2 * a)) skip 2 " \
     ."with lines lw 3 lc rgb pick(1) title 'this run' "
 seen = "with points ps 1.6 lw 2 "
 if (abs(n2 - 2) < 0.05) {

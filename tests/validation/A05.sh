@@ -58,16 +58,17 @@ decay() {
 }
 # nu k^2 4 = 0.4946 1/s at Re = 250
 re250='effects.laminar-viscosity.mu=0 effects.stress-viscosity.mu=12.53'
+delta=effects.density-diffusion.delta=0.1
 re2500='effects.laminar-viscosity.mu=0 effects.stress-viscosity.mu=1.253'
 # shellcheck disable=SC2086 # two keys
 {
-    go re250 "$scene" $re250
-    go re250own "$scene" walls=own-density $re250
-    go re250push "$scene" walls=own-density eos.tension=false $re250
-    go re2500 "$scene" $re2500
-    go morris "$scene"
-    go long "$scene" spacing=0.05 until=23.5 effects.laminar-viscosity.mu=0
-    go longown "$scene" walls=own-density spacing=0.05 until=23.5 effects.laminar-viscosity.mu=0
+    go re250 "$scene" $re250 $delta
+    go re250own "$scene" walls=own-density $re250 $delta
+    go re250push "$scene" walls=own-density eos.tension=false $re250 $delta
+    go re2500 "$scene" $re2500 $delta
+    go morris "$scene" $delta
+    go long "$scene" spacing=0.05 until=23.5 effects.laminar-viscosity.mu=0 $delta
+    go longown "$scene" walls=own-density spacing=0.05 until=23.5 effects.laminar-viscosity.mu=0 $delta
     go sloshing "$scene" walls=own-density eos.tension=false until=23.5 effects.laminar-viscosity.mu=0 \
         effects.density-diffusion.delta=0.03
     go less "$scene" spacing=0.05 until=23.5 effects.laminar-viscosity.mu=0 effects.density-diffusion.delta=0.03

@@ -17,7 +17,7 @@ square='fluid.water.to=[0.05715,0.05715]'
 # scaled RUN N2 DX: T, Z, height over initial height
 scaled() {
     column "$1/front" x height | awk -v n="$2" -v dx="$3" '
-        { print $1 * sqrt(n * 9.81 / 0.05715), ($2 + dx / 2) / 0.05715, ($3 + dx / 2) / (n * 0.05715) }'
+        { print $1 * sqrt(n * 9.81 / 0.05715), ($2 + dx / 2) / 0.05715, $3 / (n * 0.05715) }'
 }
 # apart REFERENCE RUN COLUMN LARGEST-SHIFT: shift, largest and root-mean-square relative deviation
 apart() {
@@ -49,9 +49,10 @@ sed '/^[#T]/d' "$reference/B01c_martin_moyce_1952_height_square.csv" | tr , ' ' 
 runs=
 for walls in own-density adami; do
     slip=
+    stick=effects.artificial-viscosity.stick=particles
     [ $walls = own-density ] || slip=wall.tank.slip=true
-    go two-$walls "$scene" walls=$walls $slip
-    go one-$walls "$scene" walls=$walls $slip "$square" until=0.25
+    go two-$walls "$scene" walls=$walls $stick $slip
+    go one-$walls "$scene" walls=$walls $stick $slip "$square" until=0.25
     scaled two-$walls 2 1.42875e-3 >two-$walls.t
     scaled one-$walls 1 1.42875e-3 >one-$walls.t
     # shellcheck disable=SC2046 # three words

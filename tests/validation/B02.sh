@@ -6,7 +6,7 @@
 # a code be near the other codes: `data/reference/B02*.csv`, Koshizuka and Oka, Nucl. Sci. Eng. 123
 # (1996) 421. T = t sqrt(2 g/L), Z = front/L.
 . "$(dirname "$0")/lib.sh"
-go run "$cases/koshizuka.scene"
+go run "$cases/koshizuka.scene" walls=own-density effects.artificial-viscosity.stick=particles
 go slip "$cases/koshizuka.scene" walls=adami wall.tank.slip=true
 for run in run slip; do
     column $run/front x | awk '{ print $1 * sqrt(2 * 9.81 / 0.146), ($2 + 1.825e-3) / 0.146 }' >$run.t

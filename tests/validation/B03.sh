@@ -24,8 +24,8 @@ contact='walls=contact effects.artificial-viscosity.stick=none'
     go contact "$cases/buchner.scene" $contact
     go healed "$cases/buchner.scene" $contact eos.tension=false effects.density-healing={} until=1.3
 }
-go own "$cases/buchner.scene" spacing=0.02 until=1.3
-go stick "$cases/buchner.scene" walls=adami spacing=0.02 until=1.3
+go own "$cases/buchner.scene" walls=own-density effects.artificial-viscosity.stick=particles spacing=0.02 until=1.3
+go stick "$cases/buchner.scene" walls=adami effects.artificial-viscosity.stick=particles spacing=0.02 until=1.3
 go coarse "$cases/buchner.scene" walls=adami wall.tank.slip=true spacing=0.02 until=1.3
 # scaled RUN: T, disc, p1, p2, p3 in rho g H; h1, h2 in H
 scaled() {
