@@ -232,7 +232,9 @@ static void all_but_pressure_can_be_asked_for(void **state)
 
     (void)state;
     for (int i = 0; i < 2; i++) {
-        tank_make(&t[i], tank_bare_water, tank_frame, TANK_ONE_KERNEL, effects[i], NULL);
+        tank_make(&t[i], tank_bare_water, tank_frame, TANK_ONE_KERNEL,
+                  "walls = \"own-density\"; " /* not one with a pressure of its own */, effects[i],
+                  NULL);
         tank_shake(&t[i], 5, 0.2, 1, 0.01);
     }
     const long n = tank_at(&t[0], "book", NULL), u = tank_at(&t[0], "velocity of fluid", NULL);
