@@ -3,7 +3,7 @@
 #
 # A column of water, 0.2 m wide and deep, 40 spacings each (`data/scenes/still-water.scene`), and
 # one of 0.2 m x 0.2 m x 0.2 m with 12 (`tests/validation/still-water-3d.scene`), left alone for ten
-# seconds (3D: two), with two wall models. The reference is rho g z below a surface that keeps its
+# seconds (3D: two), with three wall models, of which `contact` is the default. The reference is rho g z below a surface that keeps its
 # place, and the equilibrium of Tait, which is at most 0.5 % above it
 # (`data/reference/A01_hydrostatic_column.csv`). Pressures are those of all particles at the end.
 #
@@ -39,7 +39,7 @@ report() {
     row "$2: ghosts: in pairs; lowest row" '0; 0.5 dx' "$g %; $7 dx" '0 %; 0.35 to 0.65 dx' \
         "$g == 0 && $7 > 0.35 && $7 < 0.65" ''
 }
-for walls in own-density adami; do
+for walls in contact own-density adami; do
     go flat-$walls "$scenes/still-water.scene" walls=$walls output.snapshots=2
     go deep-$walls "$cases/still-water-3d.scene" walls=$walls
     report flat-$walls "2D, $walls" 5e-3 2 78.48
@@ -48,14 +48,14 @@ done
 : >by-spacing
 for n in 10 20 40; do
     dx=$(awk -v n=$n 'BEGIN { printf "%.17g", 0.2 / n }')
-    for walls in own-density adami; do
+    for walls in contact own-density adami; do
         go "dx$n" "$scenes/still-water.scene" walls=$walls spacing="$dx" until=4 output.snapshots=2
         # shellcheck disable=SC2046 # three words
         set -- $(profile "dx$n" "$dx" 2)
         echo "$n $walls $4" >>by-spacing
     done
 done
-for walls in own-density adami; do
+for walls in contact own-density adami; do
     o=$(awk -v w=$walls '$2 == w { x = -log($1); y = log($3); n++; a += x; b += y; c += x * x; d += x * y }
         END { printf "%.2f", (n * d - a * b) / (n * c - a * a) }' by-spacing)
     e=$(awk -v w=$walls '$2 == w { printf "%s%s", n++ ? ", " : "", $3 }' by-spacing)
@@ -69,6 +69,7 @@ set ylabel 'p / ρgH'
 set xrange [0:1.05]
 set yrange [-0.05:1.1]
 plot 1 - x lw 2 lc rgb grey title 'ρgz', \
+    'flat-contact.p' with points pt 7 ps 0.3 lc rgb pick(4) title '2D, contact', \
     'flat-own-density.p' with points pt 7 ps 0.3 lc rgb pick(1) title '2D, own-density', \
     'flat-adami.p' with points pt 7 ps 0.3 lc rgb pick(2) title '2D, adami', \
     'deep-adami.p' with points pt 6 ps 0.6 lc rgb pick(3) title '3D, adami'

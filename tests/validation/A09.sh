@@ -2,7 +2,7 @@
 # A09.sh -- beams that bend far: elastica, and the bar of Turek and Hron
 #
 # Cantilevers of `theory = "elastica"`, 20 elements, brought to rest by damping (damping_ratio = 1,
-# default method, tol = 0.1: the way there does not matter): under a
+# default method and tolerance): under a
 # force at the tip, alpha = P L^2/EI, against Bisshopp and Drucker (`data/reference/A09a_elastica_tip_load.csv`),
 # under their own weight, K = q L^3/EI, against `A09b_elastica_uniform_load.csv`, and CSM1 and CSM2 of Turek
 # and Hron (2006), a bar of 0.35 m by 20 mm under a gravity of 2 m/s^2 (`A11a_turek_hron_reference.csv`:
@@ -16,7 +16,6 @@ beam() {
 dimension = 2;
 gravity = [0.0, -$4];
 until = $5;
-tol = 0.1;
 beam = { strip = { theory = "elastica"; at = [0.0, 0.0]; angle = 0.0; E = $2; density = 1000.0;
                    elements = 20; damping_ratio = 1.0; $3 }; };
 output = { interval = $(calc "$5 / 100"); };

@@ -8,7 +8,7 @@
 # deflection at rest; sound leaves with part of it.
 . "$(dirname "$0")/lib.sh"
 exact=-6.8604382e-05
-for walls in own-density adami; do
+for walls in contact own-density adami; do
     go $walls "$cases/water-on-plate.scene" walls=$walls
     column $walls/beam plate.mid_y >$walls.w
     late=$(mean 0.5 1 <$walls.w)
@@ -24,6 +24,7 @@ set xlabel 't [s]'
 set ylabel 'middle of the plate [mm]'
 set xrange [0:1]
 plot -0.068604 lw 2 lc rgb grey title 'exact', \
+    'contact.w' using 1:(1000 * $2) with lines lw 1 lc rgb pick(4) title 'contact', \
     'own-density.w' using 1:(1000 * $2) with lines lw 1 lc rgb pick(1) title 'own-density', \
     'adami.w' using 1:(1000 * $2) with lines lw 1 lc rgb pick(2) title 'adami'
 G

@@ -34,7 +34,8 @@ for file; do
     fi
     cp "$build/$case/rows" "$here/rows/$case.rows"
     for figure in "$build/$case/$case"*.png; do
-        cp "$figure" "$top/doc/img/validation-$(basename "$figure")"
+        [ ! -f "$figure" ] ||
+            cp "$figure" "$top/doc/img/validation-$(basename "$figure")"
     done
 done
 
