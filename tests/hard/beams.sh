@@ -2,9 +2,8 @@
 # beams.sh -- the flagship's beam stiff and soft, fine and light; its water with faster sound
 # and thicker: always stable, and the cost is what theory says.
 #
-# Right-hand sides within 30 % from E = 0.05 to 210 GPa; within 10 %, and the tip's mean within
-# 1.5 %, from 10 to 200 elements (0.4 mm: an eighth of the spacing, a 25th of the coarsest); its
-# peak is chance to 2 % (runs that begin 1e-6 spacings apart), the mean to 0.3 %.  A light
+# Right-hand sides within 30 % from E = 0.05 to 210 GPa; within 10 %, and the tip within 1.5 %,
+# from 10 to 200 elements (0.4 mm: an eighth of the spacing, a 25th of the coarsest).  A light
 # beam swings between the springs of compressible water with sqrt(k/m), and explicit steps of
 # the water follow that, so they shrink with the root of its mass at most.  Steps by sound
 # shrink like 1/c0, those by explicit viscosity like 1/mu, those by implicit viscosity not at
@@ -26,11 +25,6 @@ beam() {
         "$(number "$name" energy_defect_max) < 2e-3 * $(number "$name" energy_initial)"
 }
 
-# leaning NAME: mean of the tip's deflection
-leaning() {
-    awk -F, '/^[#t]/ { next } { x += $2; n++ } END { print x / n }' "$out/$1/beam.csv"
-}
-
 # work NAME: its right-hand sides
 work() {
     number "$1" rhs_explicit
@@ -50,8 +44,8 @@ for spacing in $fine 1e-2; do
     for n in 10 50 100 200; do
         beam "elements-$n" beam.elements=$n
         claim "at $spacing m: within 10 %" "sqrt(($(work "elements-$n") / $(work mesh) - 1) ^ 2) < 0.1"
-        claim 'the tip bends as far in the mean, to 1.5 %' \
-            "sqrt(($(leaning "elements-$n") / $(leaning mesh) - 1) ^ 2) < 0.015"
+        claim 'the tip bends as far, to 1.5 %' \
+            "sqrt(($(most "elements-$n" beam plate.tip_x) / $(most mesh beam plate.tip_x) - 1) ^ 2) < 0.015"
     done
 done
 spacing=$fine
