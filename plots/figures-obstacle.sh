@@ -89,6 +89,11 @@ tolerances()
     {
         echo "method,tol,$names"
         echo "reference,1e-7,$(results reference reference)"
+        for seed in 1 2 3 4 5 6; do
+            run "chance-$seed" method=imex5 tol=1e-6 until=0.3 disturbance.size=1e-6 \
+                disturbance.seed=$seed
+            echo "chance,1e-6,$(results "chance-$seed" reference)"
+        done
         for method in $methods; do
             for tol in 1e-1 1e-2 1e-3 1e-4 1e-5; do
                 run "tol-$method-$tol" method=$method tol=$tol until=0.3

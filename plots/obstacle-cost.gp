@@ -3,6 +3,7 @@
 # needs: spacings.csv stiffness.csv of plots/figures-obstacle.sh, which draws this
 load 'style.gp'
 methods = 'imex3 imex4 imex5 dv cks43'
+work = real(system("awk -F, '$1 == \"imex3\" && $2 > 4 && $2 < 4.1 { print $2 * $7; exit }' spacings.csv"))
 of(i, file) = sprintf("< grep '^%s,' %s", word(methods, i), file)
 
 set terminal pngcairo size 1600, 620 font 'Sans,17'
@@ -17,8 +18,8 @@ set rmargin at screen 0.325
 set xlabel 'dx [mm]'
 set ylabel 'peak of the tip [mm]'
 set xrange [0:6.5]
-set yrange [40:50]
-set key bottom left Left reverse samplen 2
+set yrange [40:46]
+set key top right samplen 2
 plot for [i in '1 2 4'] of(i + 0, 'spacings.csv') using 2:3 \
         with linespoints lw 2 pt 7 ps 1.3 lc rgb pick(i + 0) \
         title word(methods, i + 0)
@@ -32,7 +33,7 @@ set yrange [300:1e5]
 unset key
 plot for [i in '1 2 4'] of(i + 0, 'spacings.csv') using 2:7 \
         with linespoints lw 2 pt 7 ps 1.3 lc rgb pick(i + 0), \
-    (x > 1.9 ? 4.06 * 2888 / x : NaN) lw 1.5 dt '-' lc rgb grey
+    (x > 1.9 ? work / x : NaN) lw 1.5 dt '-' lc rgb grey
 
 set lmargin at screen 0.725
 set rmargin at screen 0.99

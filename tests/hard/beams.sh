@@ -2,12 +2,15 @@
 # beams.sh -- the flagship's beam stiff and soft, fine and light; its water with faster sound
 # and thicker: always stable, and the cost is what theory says.
 #
-# Right-hand sides within 30 % from E = 0.05 to 210 GPa; within 10 %, and the tip within 1.5 %,
+# Right-hand sides within 30 % from E = 0.05 to 210 GPa; within 10 %, and the tip's mean within 1.5 %,
 # from 10 to 200 elements (0.4 mm: an eighth of the spacing, a 25th of the coarsest).  A light
 # beam swings between the springs of compressible water with sqrt(k/m), and explicit steps of
 # the water follow that, so they shrink with the root of its mass at most.  Steps by sound
 # shrink like 1/c0, those by explicit viscosity like 1/mu, those by implicit viscosity not at
 # all.
+#
+# Means of the tip, not peaks: a shift of particles by 1e-6 spacings moves the peak by 2 %, for
+# water without tension falls apart where it hits, and the mean by 0.3 %.
 #
 # With STIFFWATER_LONG with the flagship's own spacing, else coarser.
 . "$top_srcdir/tests/lib.sh"
@@ -30,8 +33,14 @@ work() {
     number "$1" rhs_explicit
 }
 
+# bent NAME: how far its tip bends, the mean over the run
+bent() {
+    awk -F, '/^t/ { for (i = 1; i <= NF; i++) if ($i == "plate.tip_x") c = i; next }
+        /^#/ { next } { s += $c; n++ } END { print s / n }' "$out/$1/beam.csv"
+}
+
 beam plain
-tip=$(most plain beam plate.tip_x)
+tip=$(bent plain)
 
 # --- E and elements --------------------------------------------------------------------------
 for E in 0.05e9 0.5e9 5e9 50e9 210e9; do
@@ -45,7 +54,7 @@ for spacing in $fine 1e-2; do
         beam "elements-$n" beam.elements=$n
         claim "at $spacing m: within 10 %" "sqrt(($(work "elements-$n") / $(work mesh) - 1) ^ 2) < 0.1"
         claim 'the tip bends as far, to 1.5 %' \
-            "sqrt(($(most "elements-$n" beam plate.tip_x) / $(most mesh beam plate.tip_x) - 1) ^ 2) < 0.015"
+            "sqrt(($(bent "elements-$n") / $(bent mesh) - 1) ^ 2) < 0.015"
     done
 done
 spacing=$fine
@@ -59,8 +68,8 @@ for mass in 1 10 100 1000; do
     beam "mass-$mass" beam.mass="$(awk "BEGIN { print 0.165 / $mass }")"
     claim "1/$mass of the mass: at most sqrt($mass) times the work" \
         "$(work "mass-$mass") <= sqrt($mass) * $(work plain)"
-    claim 'no added-mass instability: the tip bends as far, to 8 %' \
-        "sqrt(($(most "mass-$mass" beam plate.tip_x) / $tip - 1) ^ 2) < 0.08"
+    claim 'no added-mass instability: the tip bends as far, to 2 %' \
+        "sqrt(($(bent "mass-$mass") / $tip - 1) ^ 2) < 0.02"
 done
 
 # --- sound and viscosity -----------------------------------------------------------------------
