@@ -7,7 +7,7 @@
 #     top_srcdir=PATH sh .../figures-accuracy.sh DIR [COMPARISON...]
 #
 # Runs, tables (compare.csv, compare.md) and all figures stay in DIR/accuracy/; the same command
-# again makes only what is missing, and with names of comparisons only those.  About twelve CPU
+# again makes only what is missing, and with names of comparisons only those.  About six CPU
 # minutes; times mean something on a machine that does nothing else.
 set -e
 
