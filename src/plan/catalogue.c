@@ -16,8 +16,8 @@
 #include "plan/kernels.h"
 
 const char *const catalogue_groups[] = {
-    "kernel", "domain", "reference", "disturbance", "eos", "effects", "fluid", "wall", "beam",
-    "probe", "panel", "output", NULL
+    "kernel", "domain", "reference", "disturbance", "pcisph", "eos", "effects", "fluid", "wall",
+    "beam", "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -32,6 +32,8 @@ static const struct group {
     { "reference", "scales of the flow", { settings_reference_params } },
     { "disturbance", "a start that differs by next to nothing, as `spread` makes it",
       { settings_disturbance_params } },
+    { "pcisph", "the method pcisph: pressure by prediction and correction",
+      { settings_pcisph_params } },
     { "eos", "equation of state; its own keys: see `explain tait`, `explain linear`",
       { settings_eos_params } },
     { "output", "how often files are written", { settings_output_params } },
