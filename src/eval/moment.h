@@ -116,7 +116,8 @@ void moment_body_book(struct moment *moment, double t, const double *y, double s
 struct moment_counts {
     long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
     long iterations;      /* for pressures solved step by step                    */
-    double compression;   /* the largest that a step has left, of rho0; 0: no such steps */
+    double compression;   /* the largest that a step has left, of the rest density */
+    double gain;          /* what an iteration corrects, of what it should        */
 };
 const struct moment_counts *moment_counts(const struct moment *moment);
 

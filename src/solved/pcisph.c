@@ -67,6 +67,8 @@ int pcisph_create(struct moment *moment, struct pcisph **out)
     p->full = pcisph_lattice_density(p->density, plan->scales.mass, plan->scales.dx);
     p->response = pcisph_lattice_response(p->density, own ? p->density : p->force,
                                           plan->scales.dx);
+    moment->counts.gain = p->set->gain * pcisph_lattice_response(p->density, p->force,
+                                                                 plan->scales.dx) / p->response;
     if (take_memory(p) == STATUS_DONE)
         return STATUS_DONE;
     pcisph_free(out);
@@ -240,9 +242,10 @@ static int refuse(struct pcisph *p, const struct view *v, int iterations, double
         snprintf(much, sizeof much, "%.3g %% too dense (limit %g %%)", 100 * worst->compression,
                  100 * p->set->limit);
     snprintf(p->m->refusal, sizeof p->m->refusal, "no pressure found: after %d "
-             "iterations of a step of %.3g s fluid particle %d (%.40s) at %.60s m is %s; iterations "
-             "diverge when delta is 1.2 times too large (pcisph.gain, two kernels) and are slow "
-             "when particles meet fast: try shorter steps, or a higher pcisph.most", iterations, h, particles_id_of(v->p, c),
+             "iterations of a step of %.3g s fluid particle %d (%.40s) at %.60s m is %s. They "
+             "diverge when delta is 1.2 times too large (pcisph.gain, two kernels), are slow when "
+             "particles meet fast (shorter steps, a higher pcisph.most), and in vain when water "
+             "starts too dense (pcisph.limit)", iterations, h, particles_id_of(v->p, c),
              v->p->object[v->p->object_of[c]].name, place, much);
     p->m->counts.refused++;
     return STATUS_FAILED;

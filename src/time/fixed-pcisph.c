@@ -3,7 +3,7 @@
  *   P = that of solved/pcisph.h for a step h from (x, v)
  *   u_new = u + h a(x, u, P)
  *   x_new = x + h u_new
- *   h = min(CFL hs/max(v_max, U/2), 0.25 sqrt(hs/a_max), 1/2 of 1/rate for decay)   (PC6)
+ *   h = min(CFL hs/max(v_max, U), 0.25 sqrt(hs/a_max), 1/2 of 1/rate for decay)     (PC6)
  *
  * No sound goes into the step.  U is the reference speed: without it the first steps, from
  * rest, would be too long.  Bodies with an implicit side take steps of their own under the
@@ -40,7 +40,7 @@ static double length(struct fixed *x)
     const struct layout *l = moment_layout(x->moment);
     const double hs = plan_length(x->plan) / 2;
     struct limit decay;
-    double h = 2 * x->number * pcisph_pace(x->own);
+    double h = x->number * pcisph_pace(x->own);
 
     x->limit = (struct limit){ .where = -1, .part = "reference speed" };
     for (int r = 0; r < l->rows; r++) {
