@@ -62,7 +62,7 @@ struct moment {
     double density_low, density_high;  /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
     struct face *face;                 /* eval/face.h; NULL                   */
-    char refusal[512];
+    char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];
     struct moment_counts counts;
 };

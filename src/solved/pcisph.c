@@ -243,9 +243,9 @@ static int refuse(struct pcisph *p, const struct view *v, int iterations, double
                  100 * p->set->limit);
     snprintf(p->m->refusal, sizeof p->m->refusal, "no pressure found: after %d "
              "iterations of a step of %.3g s fluid particle %d (%.40s) at %.60s m is %s. They "
-             "diverge when delta is 1.2 times too large (pcisph.gain, two kernels), are slow when "
-             "particles meet fast (shorter steps, a higher pcisph.most), and in vain when water "
-             "starts too dense (pcisph.limit)", iterations, h, particles_id_of(v->p, c),
+             "diverge when delta is too large for the kernels (pcisph.gain, kernel.support above "
+             "3 spacings, two kernels), are slow when particles meet fast (shorter steps, a higher "
+             "pcisph.most), and in vain when water starts too dense (pcisph.limit)", iterations, h, particles_id_of(v->p, c),
              v->p->object[v->p->object_of[c]].name, place, much);
     p->m->counts.refused++;
     return STATUS_FAILED;

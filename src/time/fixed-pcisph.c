@@ -5,7 +5,9 @@
  *   x_new = x + h u_new
  *   h = min(CFL hs/max(v_max, U), 0.25 sqrt(hs/a_max), 1/2 of 1/rate for decay)     (PC6)
  *
- * No sound goes into the step.  U is the reference speed: without it the first steps, from
+ * What is compressed is pushed apart within a step, so that a short step among long ones has a
+ * pressure many times too high: steps to the end of a segment are of about one length.  No
+ * sound goes into the step.  U is the reference speed: without it the first steps, from
  * rest, would be too long.  Bodies with an implicit side take steps of their own under the
  * forces of that pressure, as `staggered` has it.  Solenthaler, Pajarola 2009; Toth 2012,
  * sections 3.4.3, 3.6. */
@@ -107,6 +109,7 @@ const struct fixed_kind fixed_pcisph = {
                            "Solenthaler, Pajarola 2009; Toth 2012, (21), (22), section 3.4.3"),
     .number = 0.2,
     .sides = ASK_EXPLICIT,
+    .even = true,
     .take = take,
     .leave = leave,
     .length = length,

@@ -38,6 +38,9 @@ struct fixed_kind {
     unsigned sides;       /* of f: without ASK_IMPLICIT, bodies have
                              steps of their own                                */
 
+    bool even;              /* steps up to t_stop are of about one length, so that none
+                               is cut short there                              */
+
     /* Memory of the kind in x->own; NULL: it needs none. */
     int (*take)(struct fixed *x);
     void (*leave)(struct fixed *x);
