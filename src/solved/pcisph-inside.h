@@ -26,6 +26,10 @@ struct pcisph {
     double *push;               /* [n][DIM] G P                               */
 };
 
+/* pcisph-create.c: room for the places of a list that was made anew, as there may be more
+ * images than before; ones are 1, all else is 0. */
+int pcisph_fit(struct pcisph *p);
+
 /* A particle that is too dense, and by how much. */
 struct pcisph_worst {
     double compression; /* of the lattice's density */
