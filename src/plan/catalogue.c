@@ -181,7 +181,7 @@ static void explain_thing(const char *name, const char *about, const char *equat
         fputs("  no parameters\n", to);
 }
 
-static bool explain_group(const char *name, FILE *to)
+bool catalogue_explain_group(const char *name, FILE *to)
 {
     for (int i = 0; i < GROUPS; i++)
         if (strcmp(groups[i].name, name) == 0) {
@@ -277,7 +277,7 @@ int catalogue_explain(const char *name, FILE *to)
         name += 8;
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
         || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)
-        || explain_group(name, to) || kernels_explain(engine_pick(), name, to)
+        || catalogue_explain_group(name, to) || kernels_explain(engine_pick(), name, to)
         || explain_shape(name, to) || explain_table(name, to))
         return STATUS_DONE;
     all_names(names);
