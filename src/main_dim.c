@@ -43,6 +43,7 @@ static int explain(const char *name)
     for (int i = 0; method_table[i]; i++)
         if (strcmp(method_table[i]->name, name) == 0) {
             explain_method(method_table[i]);
+            catalogue_explain_group(name, stdout);
             return STATUS_DONE;
         }
     return catalogue_explain(name, stdout);

@@ -36,6 +36,8 @@ static const struct group {
     { "reference", "reference.", "Scales of the flow", { settings_reference_params } },
     { "disturbance", "disturbance.", "A start that differs by next to nothing, as `spread` makes it",
       { settings_disturbance_params } },
+    { "pcisph", "pcisph.", "Pressure by prediction and correction: of the method pcisph alone",
+      { settings_pcisph_params } },
     { "eos", "eos.", "Equation of state; beside these, the keys of its type: see EQUATIONS OF "
                      "STATE",
       { settings_eos_params } },

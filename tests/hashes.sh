@@ -66,6 +66,7 @@ shipped_rows() {
     ship all elastica until=0.6
     ship all soft-gate until=0.15
     ship all toth-dam-break spacing=5e-3 tol=1e-3 until=0.05
+    ship few toth-pcisph spacing=5e-3 until=0.1
     ship few toth-standard-sph spacing=5e-3 tol=1e-3 until=0.005
     ship all tank-sizes until=0.02
     ship few gate spacing=0.01 until=0.07
@@ -112,6 +113,8 @@ method_rows() {
     row few "$flat" bdf until=0.01
     row few "$flat" imex3 $thick until=0.01
     row few "$flat" staggered@0.25 until=0.01
+    row few "$flat" pcisph walls=own-density until=0.06
+    row few "$deep" pcisph walls=own-density until=0.05
     row few "$deep" default
     row few "$deep" adams
     row few "$deep" leapfrog

@@ -127,6 +127,7 @@ scene beam-alone 0.01 3.1e-5
 scene elastica 0.3 1.7e-3
 scene soft-gate 0.03 7e-4
 scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
+scene toth-pcisph 0.05 2e-3 spacing=5e-3 method=pcisph@0.1
 scene toth-standard-sph 0.01 5e-4 spacing=5e-3 tol=1e-3
 scene tank-sizes 0.01 3.3e-4
 scene gate 0.12 1.7e-3 spacing=0.01

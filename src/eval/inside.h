@@ -62,7 +62,7 @@ struct moment {
     double density_low, density_high;  /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
     struct face *face;                 /* eval/face.h; NULL                   */
-    char refusal[400];
+    char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];
     struct moment_counts counts;
 };
@@ -99,6 +99,10 @@ void moment_place(const struct moment *m, const struct view *v, int c, char text
 
 /* pack.c: records of these kinds (bits) in list order.  STATUS_FAILED: refused. */
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds);
+
+/* pack.c: the record of a dummy, far outside of everything, and those of other numbers far
+ * from one another, so that no pair of these is within the support of a kernel. */
+void pack_far(const struct plan *p, int number, double *record);
 
 /* press.c: densities and p/rho^2 of solids that press by more than a density of their own, in
  * v; their rows there are those of y before.  Nothing where there are none. */

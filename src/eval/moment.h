@@ -115,6 +115,9 @@ void moment_body_book(struct moment *moment, double t, const double *y, double s
  * matrix, and list rebuilds. */
 struct moment_counts {
     long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
+    long iterations;      /* for pressures solved step by step                    */
+    double compression;   /* the largest that a step has left, of the rest density */
+    double gain;          /* what an iteration corrects, of what it should        */
 };
 const struct moment_counts *moment_counts(const struct moment *moment);
 

@@ -12,9 +12,7 @@
 
 enum { CHUNK = 128 };
 
-/* Far outside of everything, and far from one another, so that no pair of
- * these is within the support of a kernel. */
-static void write_far(const struct plan *p, int number, double *r)
+void pack_far(const struct plan *p, int number, double *r)
 {
     const double edge = p->scales.period[0] > 0 ? p->scales.high[0] : p->list_def.high[0];
 
@@ -79,7 +77,7 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
         const double *x = v->x[k] + (size_t)i * DIM;
         double *r = m->work->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) {
-            write_far(p, s + 1, r);
+            pack_far(p, s + 1, r);
             continue;
         }
         write_place(r, x, l->offset ? l->offset[s] : NULL);
@@ -109,7 +107,7 @@ static void copy_chunk(const struct moment *m, const struct view *v, int k, int 
         const double *x = v->x[k] + (size_t)(l->order[s] - v->p->from[k]) * DIM;
         double *r = m->work->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
-            write_far(p, s + 1, r);
+            pack_far(p, s + 1, r);
             continue;
         }
         memcpy(r, original[s - from], RECORD * sizeof *r);
@@ -163,7 +161,7 @@ int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
         if (l->offset)
             copy_images(m, v, k);
     }
-    write_far(m->plan, 0, m->work->record + (size_t)l->listed * RECORD);
+    pack_far(m->plan, 0, m->work->record + (size_t)l->listed * RECORD);
     return bad < l->listed ? refuse_density(m, v, bad) : STATUS_DONE;
 }
 

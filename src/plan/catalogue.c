@@ -16,8 +16,8 @@
 #include "plan/kernels.h"
 
 const char *const catalogue_groups[] = {
-    "kernel", "domain", "reference", "disturbance", "eos", "effects", "fluid", "wall", "beam",
-    "probe", "panel", "output", NULL
+    "kernel", "domain", "reference", "disturbance", "pcisph", "eos", "effects", "fluid", "wall",
+    "beam", "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -32,6 +32,8 @@ static const struct group {
     { "reference", "scales of the flow", { settings_reference_params } },
     { "disturbance", "a start that differs by next to nothing, as `spread` makes it",
       { settings_disturbance_params } },
+    { "pcisph", "the method pcisph: pressure by prediction and correction",
+      { settings_pcisph_params } },
     { "eos", "equation of state; its own keys: see `explain tait`, `explain linear`",
       { settings_eos_params } },
     { "output", "how often files are written", { settings_output_params } },
@@ -179,7 +181,7 @@ static void explain_thing(const char *name, const char *about, const char *equat
         fputs("  no parameters\n", to);
 }
 
-static bool explain_group(const char *name, FILE *to)
+bool catalogue_explain_group(const char *name, FILE *to)
 {
     for (int i = 0; i < GROUPS; i++)
         if (strcmp(groups[i].name, name) == 0) {
@@ -275,7 +277,7 @@ int catalogue_explain(const char *name, FILE *to)
         name += 8;
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
         || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)
-        || explain_group(name, to) || kernels_explain(engine_pick(), name, to)
+        || catalogue_explain_group(name, to) || kernels_explain(engine_pick(), name, to)
         || explain_shape(name, to) || explain_table(name, to))
         return STATUS_DONE;
     all_names(names);

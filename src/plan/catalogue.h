@@ -27,4 +27,7 @@ int catalogue_list(const char *what, FILE *to);
  * name when there is no such thing. */
 int catalogue_explain(const char *name, FILE *to);
 
+/* The same of a group of keys alone, as some methods have one; false: there is none. */
+bool catalogue_explain_group(const char *name, FILE *to);
+
 #endif

@@ -53,6 +53,7 @@ struct input {
     struct settings_domain domain;
     struct settings_reference reference;
     struct settings_disturbance disturbance;
+    struct settings_pcisph pcisph;
     struct settings_eos eos;
     struct settings_output output;
     const struct part *pressure; /* equation of state */

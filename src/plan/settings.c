@@ -14,6 +14,7 @@ static const char *kernel_words[WORDS], *use_words[WORDS] = { "same" }, *eos_wor
                   *wall_words[WORDS], *side_words[WORDS] = { "all" };
 
 static const char *const initial_words[] = { "hydrostatic", "rest", "released", NULL };
+static const char *const delta_words[] = { "consistent", "toth", NULL };
 static const char *const axis_words[] = { "x", "y", DIM == 3 ? "z" : NULL, NULL };
 static const char *const probe_words[] = { "pressure", "height", "velocity", NULL };
 
@@ -92,6 +93,23 @@ const struct param settings_disturbance_params[] = {
     { .key = "seed", .unit = "", .type = PARAM_INTEGER, AT(settings_disturbance, seed),
       .fallback = 1, .max = 1e9, .about = "which chance: another seed is another shift of each "
       "particle, the same seed the same" },
+    { 0 },
+};
+
+const struct param settings_pcisph_params[] = {
+    { .key = "limit", .unit = "1", AT(settings_pcisph, limit), .fallback = 0.01, .min = 1e-6,
+      .max = 1, .about = "largest compression of the fluid that a step may leave, of the density "
+                         "of its lattice" },
+    { .key = "least", .unit = "", .type = PARAM_INTEGER, AT(settings_pcisph, least),
+      .fallback = 3, .min = 1, .max = 1000, .about = "iterations of a step at least" },
+    { .key = "most", .unit = "", .type = PARAM_INTEGER, AT(settings_pcisph, most),
+      .fallback = 50, .min = 1, .max = 100000,
+      .about = "iterations of a step at most; then the step is halved" },
+    { .key = "gain", .unit = "1", AT(settings_pcisph, gain), .fallback = 1, .min = 0.01,
+      .max = 10, .about = "factor on delta: how much of the error an iteration corrects" },
+    { .key = "delta", .unit = "", .type = PARAM_WORD, AT(settings_pcisph, delta),
+      .words = delta_words, .about = "delta of the kernel that density and pressure have in "
+      "common, or as Toth (2012) has it, of the density's alone, which allows two kernels" },
     { 0 },
 };
 

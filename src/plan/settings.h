@@ -44,6 +44,13 @@ struct settings_disturbance {
     int seed;
 };
 
+struct settings_pcisph { /* of the method pcisph */
+    double limit;      /* compression that a step may leave [1]        */
+    int least, most;   /* iterations of a step                         */
+    double gain;       /* factor on delta [1]                          */
+    const char *delta; /* "consistent" or "toth"                       */
+};
+
 struct settings_eos { /* beside the keys of the equation of state itself */
     const char *type;
     double lowest, highest; /* density bounds in rho0 */
@@ -90,8 +97,8 @@ struct settings_panel {
 };
 
 extern const struct param settings_params[], settings_kernel_params[], settings_domain_params[],
-    settings_reference_params[], settings_disturbance_params[], settings_eos_params[],
-    settings_output_params[], settings_fluid_params[], settings_wall_params[],
+    settings_reference_params[], settings_disturbance_params[], settings_pcisph_params[],
+    settings_eos_params[], settings_output_params[], settings_fluid_params[], settings_wall_params[],
     settings_probe_params[], settings_panel_params[];
 
 /* Fills in the words that come from tables of other rooms; call first. */

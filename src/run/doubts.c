@@ -202,7 +202,7 @@ int run_doubt_end(const struct run *r)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
                     "the book count them", out);
     doubt_solids(r);
-    if (r->past.tally.density[1] > 1.2 * rho0)
+    if (r->past.tally.density[1] > 1.2 * rho0 && moment_counts(r->moment)->iterations == 0)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
                     "the largest speed)", r->past.tally.density[1],
                     100 * (r->past.tally.density[1] / rho0 - 1));

@@ -69,6 +69,9 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "pair_passes", c->passes);
     json_integer(j, "operator_products", c->products);
     json_integer(j, "rebuilds", c->rebuilds);
+    json_integer(j, "pressure_iterations", c->iterations);
+    json_number(j, "pressure_compression", c->iterations ? c->compression : NAN);
+    json_number(j, "pressure_gain", c->gain > 0 ? c->gain : NAN);
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);

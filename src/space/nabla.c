@@ -40,9 +40,18 @@ LANES_INLINE void square(const lanes *own, const lanes *of, const struct block *
     *sum += *of * (b->gw[k] * b->gw[k] * b->r2[k]);
 }
 
+LANES_INLINE void weigh(const lanes *own, const lanes *of, const struct block *b, int k,
+                        lanes *sum)
+{
+    (void)own;
+    *sum += *of * b->w[k];
+}
+
+enum { SLOPES = NEED_X | NEED_R2 | NEED_GRADW };
+
 /* Values have width `in`, sums `out`; all but pass, g and b are constants. */
 LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int in, int out,
-                            row_term *term)
+                            unsigned needs, row_term *term)
 {
     const struct nabla_job *job = pass->job;
     const int dummy = job->list->listed;
@@ -53,7 +62,7 @@ LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int
     gather_side(job->record, v.first, v.end, dummy, &a);
     visit_own(&v, dummy, pass->from, in, own);
     while (visit_segment(&v, job->meets[v.kind]))
-        while (visit_rows(&v, job->record, NEED_X | NEED_R2 | NEED_GRADW, job->kernel, &a, b))
+        while (visit_rows(&v, job->record, needs, job->kernel, &a, b))
             for (int k = 0; k < b->n; k++) {
                 fetch_values(pass->from, v.j + (size_t)k * LANES, in, of);
                 term(own, of, b, k, sum);
@@ -61,17 +70,18 @@ LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int
     visit_write(&v, out, sum, pass->to);
 }
 
-#define GROUPS(name, in, out, term)                                                         \
+#define GROUPS(name, in, out, needs, term)                                                  \
     static void name(const void *pass, int chunk, int from, int to, struct block *b)        \
     {                                                                                       \
         (void)chunk;                                                                        \
         for (int g = from; g < to; g++)                                                     \
-            add_group(pass, g, b, in, out, term);                                           \
+            add_group(pass, g, b, in, out, needs, term);                                    \
     }
 
-GROUPS(diverge_groups, DIM, 1, diverge)
-GROUPS(ascend_groups, 1, DIM, ascend)
-GROUPS(square_groups, 1, 1, square)
+GROUPS(diverge_groups, DIM, 1, SLOPES, diverge)
+GROUPS(ascend_groups, 1, DIM, SLOPES, ascend)
+GROUPS(square_groups, 1, 1, SLOPES, square)
+GROUPS(weigh_groups, 1, 1, NEED_W, weigh)
 
 static void divergence(const struct nabla_job *job, unsigned kinds, const double *a, double *to)
 {
@@ -91,6 +101,12 @@ static void squares(const struct nabla_job *job, unsigned kinds, const double *q
     visit_chunks(job->list, kinds, square_groups, &(struct pass){ job, q, to });
 }
 
+static void weights(const struct nabla_job *job, unsigned kinds, const double *q, double *to)
+{
+    visit_clear(job->list, kinds, 1, to);
+    visit_chunks(job->list, kinds, weigh_groups, &(struct pass){ job, q, to });
+}
+
 const struct nabla_engine LANE_NAME(nabla_engine) = {
-    .divergence = divergence, .gradient = gradient, .squares = squares,
+    .divergence = divergence, .gradient = gradient, .squares = squares, .weights = weights,
 };

@@ -5,6 +5,7 @@
  *     (D a)_i = sum over j of m_i m_j (a_i - a_j) . gradW_ij
  *     (G p)_i = sum over j of m_i m_j (p_i + p_j) gradW_ij
  *     (T q)_i = sum over j of q_j |m_i m_j gradW_ij|^2
+ *     (W q)_i = sum over j of q_j m_i m_j W_ij
  *
  * When `meets` is symmetric, G is the transpose of D: the sum of p . D a over all owners is
  * that of a . G p.  Where neighbours are on all sides, at density rho0, D a / m tends to
@@ -41,6 +42,7 @@ struct nabla_engine {
                        double *to);
     void (*gradient)(const struct nabla_job *job, unsigned kinds, const double *p, double *to);
     void (*squares)(const struct nabla_job *job, unsigned kinds, const double *q, double *to);
+    void (*weights)(const struct nabla_job *job, unsigned kinds, const double *q, double *to);
 };
 extern const struct nabla_engine nabla_engine_lanes2, nabla_engine_lanes4, nabla_engine_lanes8;
 

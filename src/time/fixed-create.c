@@ -41,7 +41,7 @@ static int take_memory(struct fixed *x)
     for (int i = 0; i < VECTORS; i++)
         if (!(*place[i] = status_alloc((unsigned long)x->n, sizeof(double))))
             return STATUS_FAILED;
-    return STATUS_DONE;
+    return x->kind->take ? x->kind->take(x) : STATUS_DONE;
 }
 
 int fixed_create(const struct method *m, const struct method_def *def, struct moment *moment,
@@ -81,6 +81,8 @@ void fixed_free(void **self)
 
     if (!x)
         return;
+    if (x->own)
+        x->kind->leave(x);
     free(x->y);
     free(x->f);
     free(x->y_old);

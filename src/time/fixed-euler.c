@@ -35,8 +35,7 @@ int fixed_euler_advance(struct fixed *x, double h)
     return STATUS_DONE;
 }
 
-/* Largest length of the vectors in a row of y or f, and whose it is. */
-static double largest(const struct layout_row *row, const double *y, int *where)
+double fixed_largest(const struct layout_row *row, const double *y, int *where)
 {
     double most = 0;
 
@@ -54,7 +53,7 @@ static double largest(const struct layout_row *row, const double *y, int *where)
     return sqrt(most);
 }
 
-static double shorter(struct fixed *x, double h, double other, int where, const char *name)
+double fixed_shorter(struct fixed *x, double h, double other, int where, const char *name)
 {
     if (!(other < h))
         return h;
@@ -74,11 +73,11 @@ double fixed_euler_length(struct fixed *x)
         int fast = -1, pushed = -1;
         if (l->row[r].what != LAYOUT_VELOCITY || strncmp(l->row[r].name, "velocity", 8) != 0)
             continue;
-        const double v = largest(&l->row[r], x->y, &fast), a = largest(&l->row[r], x->f, &pushed);
+        const double v = fixed_largest(&l->row[r], x->y, &fast), a = fixed_largest(&l->row[r], x->f, &pushed);
         if (v > 0)
-            h = shorter(x, h, 0.4 * H / v, fast, "velocity in (38)");
+            h = fixed_shorter(x, h, 0.4 * H / v, fast, "velocity in (38)");
         if (a > 0)
-            h = shorter(x, h, 0.25 * sqrt(H / a), pushed, "force in (38)");
+            h = fixed_shorter(x, h, 0.25 * sqrt(H / a), pushed, "force in (38)");
     }
     return h;
 }

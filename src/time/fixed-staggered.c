@@ -34,25 +34,25 @@ static double length(struct fixed *x)
     return nextafter(x->substep, 0);
 }
 
-/* right = y + h_b M^-1 F_n, entries of bodies. */
-static void push(struct fixed *x, double h, double *right)
+/* right = y + h_b M^-1 F_n, entries of bodies, f of the water at t_n. */
+static void push(const struct fixed *x, double h, const double *f, double *right)
 {
     const double c[2] = { 1, h };
 
     for (int k = 0; k < x->ranges; k++) {
         const long i = x->range[k][0];
-        vector_combine(2, c, (const double *[]){ x->y + i, x->f_old + i }, x->range[k][1] - i,
+        vector_combine(2, c, (const double *[]){ x->y + i, f + i }, x->range[k][1] - i,
                        right + i);
     }
 }
 
-static int bend(struct fixed *x, double h)
+int fixed_bend(struct fixed *x, double h, const double *f)
 {
     const long steps = (long)(h / x->substep) + 1;
 
     fixed_hold(x, x->y);
     for (long k = 1; k <= steps; k++) {
-        push(x, h / steps, x->try);
+        push(x, h / steps, f, x->try);
         TRY(moment_solve(x->moment, x->t_old + h * k / steps, h / steps, x->try, x->y));
     }
     return STATUS_DONE;
@@ -61,7 +61,7 @@ static int bend(struct fixed *x, double h)
 static int advance(struct fixed *x, double h)
 {
     TRY(fixed_euler_advance(x, h));
-    return x->ranges > 0 ? bend(x, h) : STATUS_DONE;
+    return x->ranges > 0 ? fixed_bend(x, h, x->f_old) : STATUS_DONE;
 }
 
 static const char *serves(const struct plan *plan)

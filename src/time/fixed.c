@@ -174,6 +174,8 @@ int fixed_step(void *self, double t_stop, struct method_step *out)
     if (ensure_rates(x) != STATUS_DONE)
         return collapse(x, 0);
     h = length(x);
+    if (x->kind->even && !(x->seconds > 0))
+        h = left / ceil(left / h - 1e-9);
     const bool last = h >= left * (1 - (x->seconds > 0 ? CONSTANT_SLACK : 1e-12));
     asked = h = last ? left : h;
     begin(x);

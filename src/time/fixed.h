@@ -26,6 +26,7 @@ struct fixed {
     double *y_old, *f_old;
     double *try, *rates;  /* [n] scratch of advance()                          */
     bool has_f, stepped;
+    void *own;            /* of the kind, see take(); NULL                     */
     struct limit limit;   /* what decided on the step                          */
     long halved;
     char table[64];
@@ -37,6 +38,13 @@ struct fixed_kind {
     unsigned sides;       /* of f: without ASK_IMPLICIT, bodies have
                              steps of their own                                */
 
+    bool even;              /* steps up to t_stop are of about one length, so that none
+                               is cut short there                              */
+
+    /* Memory of the kind in x->own; NULL: it needs none. */
+    int (*take)(struct fixed *x);
+    void (*leave)(struct fixed *x);
+
     /* Length of a step from (t, y) with rates f [s]; sets limit. */
     double (*length)(struct fixed *x);
 
@@ -44,7 +52,7 @@ struct fixed_kind {
      * is handed up. */
     int (*advance)(struct fixed *x, double h);
 };
-extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered;
+extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered, fixed_pcisph;
 
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);
@@ -75,6 +83,16 @@ void fixed_hold(const struct fixed *x, double *to);
 /* length() and advance() of fixed_euler; bodies with steps of their own are held
  * where others look at them, and their entries of y are left to the caller. */
 double fixed_euler_length(struct fixed *x);
+
+/* Largest length of the vectors in a row of y or f, and whose it is. */
+double fixed_largest(const struct layout_row *row, const double *y, int *where);
+
+/* The shorter one of h and `other`, which then is what decides: of particle `where`. */
+double fixed_shorter(struct fixed *x, double h, double other, int where, const char *name);
+
+/* Bodies with steps of their own: y_old goes on by h under the forces of f, as
+ * fixed_staggered does it. */
+int fixed_bend(struct fixed *x, double h, const double *f);
 int fixed_euler_advance(struct fixed *x, double h);
 
 #define FIXED_METHOD(NAME, ORDER, ABOUT, SOURCE)                                         \
