@@ -4,6 +4,7 @@
 
 #include "bodies/bodies.h"
 #include "plan/engine.h"
+#include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "fill/flow.h"
 #include "walls/walls.h"
@@ -53,6 +54,7 @@ struct input {
     struct settings_domain domain;
     struct settings_reference reference;
     struct settings_disturbance disturbance;
+    struct settings_mps mps;
     struct settings_eos eos;
     struct settings_output output;
     const struct part *pressure; /* equation of state */

@@ -68,7 +68,8 @@ int fixed_create(const struct method *m, const struct method_def *def, struct mo
         snprintf(x->table, sizeof x->table, "%s", m->name);
     else
         snprintf(x->table, sizeof x->table, "%s@%g", m->name, x->number);
-    if (take_memory(x) != STATUS_DONE) {
+    if (take_memory(x) != STATUS_DONE
+        || (x->kind->begin && x->kind->begin(x) != STATUS_DONE)) {
         fixed_free(out);
         return STATUS_FAILED;
     }
@@ -81,6 +82,8 @@ void fixed_free(void **self)
 
     if (!x)
         return;
+    if (x->kind->end)
+        x->kind->end(x);
     free(x->y);
     free(x->f);
     free(x->y_old);

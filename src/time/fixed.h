@@ -28,6 +28,7 @@ struct fixed {
     bool has_f, stepped;
     struct limit limit;   /* what decided on the step                          */
     long halved;
+    void *own;            /* of the kind                                       */
     char table[64];
 };
 
@@ -43,8 +44,14 @@ struct fixed_kind {
     /* y_old, f_old at t_old -> y at t_old + h.  May set f and has_f.  A refusal
      * is handed up. */
     int (*advance)(struct fixed *x, double h);
+
+    bool without_pressure; /* f is asked for without it: advance() solves for it */
+
+    /* Of what the kind keeps in x->own; NULL: nothing.  end() may find it unmade. */
+    int (*begin)(struct fixed *x);
+    void (*end)(struct fixed *x);
 };
-extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered;
+extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered, fixed_mps;
 
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);

@@ -37,6 +37,7 @@ const struct method *const method_table[] = {
     &fixed_leapfrog.method,
     &fixed_euler.method,
     &fixed_staggered.method,
+    &fixed_mps.method,
     &mri_kind.method,
     &arkode_erk2.method,
     &arkode_erk3.method,
