@@ -37,13 +37,22 @@ static void explain_method(const struct method *m)
            m->varies ? "" : "@1e-4s");
 }
 
-/* Methods first: the catalogue knows what a scene is made of, not how it is run. */
+static bool has_keys(const char *name)
+{
+    for (int i = 0; catalogue_groups[i]; i++)
+        if (strcmp(catalogue_groups[i], name) == 0)
+            return true;
+    return false;
+}
+
+/* Methods first: the catalogue knows what a scene is made of, not how it is run, but a
+ * method may have a group of keys that bears its name. */
 static int explain(const char *name)
 {
     for (int i = 0; method_table[i]; i++)
         if (strcmp(method_table[i]->name, name) == 0) {
             explain_method(method_table[i]);
-            return STATUS_DONE;
+            return has_keys(name) ? catalogue_explain(name, stdout) : STATUS_DONE;
         }
     return catalogue_explain(name, stdout);
 }
