@@ -37,7 +37,8 @@ static void explain_method(const struct method *m)
            m->varies ? "" : "@1e-4s");
 }
 
-/* Methods first: the catalogue knows what a scene is made of, not how it is run. */
+/* Methods first: the catalogue knows what a scene is made of, not how it is run, but a
+ * method may have a group of keys that bears its name. */
 static int explain(const char *name)
 {
     for (int i = 0; method_table[i]; i++)

@@ -11,6 +11,7 @@
 #include "cli/roff.h"
 #include "kernels/kernel.h"
 #include "plan/catalogue.h"
+#include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "fill/flow.h"
@@ -49,6 +50,7 @@ static const struct group {
     { "panel.NAME", "panel.NAME.", "A part of a wall or beam whose force is told",
       { settings_panel_params } },
     { "output", "output.", "How often files are written", { settings_output_params } },
+    { "mps", "mps.", "How the method mps computes", { settings_mps_params } },
 };
 
 enum { GROUPS = sizeof groups / sizeof groups[0] };

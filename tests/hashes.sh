@@ -71,6 +71,7 @@ shipped_rows() {
     ship all tank-sizes until=0.02
     ship few gate spacing=0.01 until=0.07
     ship all sloshing-tank spacing=0.02 until=0.3
+    ship few mps-dam-break spacing=7.3e-3 until=0.1
     ship few wave-maker spacing=0.03 until=0.1
     ship all taylor-green until=0.2
     ship all poiseuille until=0.1125

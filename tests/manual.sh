@@ -42,7 +42,7 @@ stands()
     keys=$((keys + 1))
     case $1 in
     scene) tag=$2 ;;
-    kernel | domain | reference | disturbance | eos | output) tag=$1.$2 ;;
+    kernel | domain | reference | disturbance | eos | output | mps) tag=$1.$2 ;;
     fluid | wall | probe | panel | beam) tag=$1.NAME.$2 ;;
     *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
     esac
@@ -51,7 +51,7 @@ stands()
 
 for dimension in 2 3; do
     program=$build/stiffwater-${dimension}d
-    names='scene kernel domain reference disturbance eos fluid wall probe panel output'
+    names='scene kernel domain reference disturbance eos fluid wall probe panel output mps'
     for table in effects eos walls bodies; do
         names="$names $("$program" list $table | awk '{ print $1 }')"
     done

@@ -100,6 +100,17 @@ static double temper(const struct operator *a, double *near)
     return most;
 }
 
+/* The same by the operator's own M. */
+static double precondition_own(const struct operator *a, const double *residual, double *near)
+{
+    double most = 0;
+
+    a->precondition(a->self, residual, near);
+    for (int k = 0; k < a->n; k++)
+        most = fmax(most, fabs(near[k]));
+    return most;
+}
+
 /* near = M^-1 residual; its largest entry. */
 static double precondition(const struct operator *a, const double *residual, double *near)
 {
@@ -159,7 +170,7 @@ static int on_precondition(void *self, N_Vector residual, N_Vector near, sunreal
     vector_copy(s->solver->size, vector_read(residual), s->residual);
     if (a->clear)
         a->clear(a->self, s->residual);
-    s->at.correction = precondition(a, s->residual, to);
+    s->at.correction = (a->precondition ? precondition_own : precondition)(a, s->residual, to);
     s->at.work = vector_dot(s->solver->size, s->residual, to, s->solver->partial);
     TRY(sign(s, s->at.work));
     s->enough = a->enough && a->enough(a->self, &s->at);

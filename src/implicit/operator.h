@@ -74,6 +74,10 @@ struct operator {
      * NULL: the diagonal alone. */
     void (*temper)(void *self, double *v);
 
+    /* near = M^-1 residual, M about A, symmetric and positive definite; then there are no
+     * bodies.  NULL: M is the diagonal, tempered, and what bodies bring. */
+    void (*precondition)(void *self, const double *residual, double *near);
+
     /* Exact enough?  Asked before each product.  NULL: see near. */
     bool (*enough)(void *self, const struct operator_progress *at);
 

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "bodies/bodies.h"
+#include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "scene/scene.h"
@@ -16,8 +17,8 @@
 #include "plan/kernels.h"
 
 const char *const catalogue_groups[] = {
-    "kernel", "domain", "reference", "disturbance", "pcisph", "eos", "effects", "fluid", "wall",
-    "beam", "probe", "panel", "output", NULL
+    "kernel", "domain", "reference", "disturbance", "pcisph", "mps", "eos", "effects", "fluid",
+    "wall", "beam", "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -44,6 +45,7 @@ static const struct group {
     { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
     { "panel", "panel.NAME: a part of a wall or beam whose force is told",
       { settings_panel_params } },
+    { "mps", "how the method mps computes", { settings_mps_params } },
 };
 
 enum { NAMES = 128, GROUPS = sizeof groups / sizeof groups[0] };

@@ -31,6 +31,9 @@ static int read_top(struct scene *scene, struct input *in)
                    settings_disturbance_params, NULL, DIM, &in->disturbance));
     TRY(scene_fill(scene, scene_child(root, "pcisph"), "pcisph", settings_pcisph_params, NULL,
                    DIM, &in->pcisph));
+    TRY(scene_fill(scene, scene_child(root, "mps"), "mps", settings_mps_params, NULL, DIM,
+                   &in->mps));
+    settings_mps_complete(&in->mps);
     return scene_fill(scene, scene_child(root, "output"), "output", settings_output_params,
                       NULL, DIM, &in->output);
 }

@@ -4,6 +4,7 @@
 
 #include "bodies/bodies.h"
 #include "plan/engine.h"
+#include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "fill/flow.h"
 #include "walls/walls.h"
@@ -54,6 +55,7 @@ struct input {
     struct settings_reference reference;
     struct settings_disturbance disturbance;
     struct settings_pcisph pcisph;
+    struct settings_mps mps;
     struct settings_eos eos;
     struct settings_output output;
     const struct part *pressure; /* equation of state */

@@ -71,7 +71,10 @@ void fixed_hold(const struct fixed *x, double *to)
 static int ensure_rates(struct fixed *x)
 {
     if (!x->has_f)
-        TRY(moment_eval(x->moment, (struct ask){ .sides = x->kind->sides }, x->t, x->y, x->f));
+        TRY(moment_eval(x->moment,
+                        (struct ask){ .sides = x->kind->sides,
+                                      .without_pressure = x->kind->without_pressure },
+                        x->t, x->y, x->f));
     x->has_f = true;
     return STATUS_DONE;
 }

@@ -40,6 +40,7 @@ struct fixed_kind {
 
     bool even;              /* steps up to t_stop are of about one length, so that none
                                is cut short there                              */
+    bool without_pressure;  /* f is asked for without it: advance() solves for it */
 
     /* Memory of the kind in x->own; NULL: it needs none. */
     int (*take)(struct fixed *x);
@@ -52,7 +53,8 @@ struct fixed_kind {
      * is handed up. */
     int (*advance)(struct fixed *x, double h);
 };
-extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered, fixed_pcisph;
+extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered, fixed_pcisph,
+                               fixed_mps;
 
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);

@@ -38,6 +38,7 @@ const struct method *const method_table[] = {
     &fixed_euler.method,
     &fixed_staggered.method,
     &fixed_pcisph.method,
+    &fixed_mps.method,
     &mri_kind.method,
     &arkode_erk2.method,
     &arkode_erk3.method,

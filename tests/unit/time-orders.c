@@ -170,9 +170,15 @@ static bool claimed(const struct method *m, enum problem_name which, double got)
     return got > least - slack && got < most + slack;
 }
 
+/* Its fluid is incompressible: the exact solution here is none of its equations. */
+static bool solves_another_problem(const struct method *m)
+{
+    return strcmp(m->name, "mps") == 0;
+}
+
 static bool fits(const struct measured *p, const struct method *m)
 {
-    return m->order > 0 && !m->varies && !(m->serves && m->serves(p->tank.plan));
+    return !solves_another_problem(m) && m->order > 0 && !m->varies && !(m->serves && m->serves(p->tank.plan));
 }
 
 static bool served[128]; /* by any problem */
@@ -257,7 +263,7 @@ static void no_method_is_left_out(void **state)
 {
     (void)state;
     for (int i = 0; method_table[i]; i++)
-        check(served[i], "%s has not been measured: it serves none of these problems",
+        check(served[i] || solves_another_problem(method_table[i]), "%s has not been measured: it serves none of these problems",
               method_table[i]->name);
 }
 

@@ -1,0 +1,246 @@
+/* poisson.c -- the matrix, its factor, and the solve. */
+#include "solved/poisson.h"
+
+#include "base/status.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORTH_THREADS = 4096 };
+
+/* --- memory ---------------------------------------------------------------------- */
+
+int poisson_create(int size, int iterations, struct poisson *s)
+{
+    const size_t n = (size_t)size + 1;
+
+    *s = (struct poisson){ .size = size, .iterations = iterations };
+    s->diagonal = status_alloc(n, sizeof(double));
+    s->residual = status_alloc(n, sizeof(double));
+    s->factor.diagonal = status_alloc(n, sizeof(double));
+    s->from = status_alloc(n, sizeof *s->from);
+    s->lower_from = status_alloc(n, sizeof *s->lower_from);
+    s->queue = status_alloc(n, sizeof *s->queue);
+    s->tied = status_alloc(n, sizeof *s->tied);
+    if (!s->diagonal || !s->residual || !s->factor.diagonal || !s->from || !s->lower_from
+        || !s->queue || !s->tied)
+        return STATUS_FAILED;
+    return operator_solver_create(size, iterations, &s->solver);
+}
+
+void poisson_free(struct poisson *s)
+{
+    free(s->diagonal), free(s->residual), free(s->from), free(s->column), free(s->value);
+    free(s->lower_from), free(s->lower_column), free(s->queue), free(s->tied);
+    free(s->factor.diagonal), free(s->factor.lower);
+    operator_solver_free(&s->solver);
+    *s = (struct poisson){ 0 };
+}
+
+static int take_entries(struct poisson *s, size_t entries)
+{
+    if (entries <= s->room && s->column)
+        return STATUS_DONE;
+    free(s->column), free(s->value), free(s->lower_column), free(s->factor.lower);
+    s->room = entries + entries / 8 + 64;
+    s->column = status_alloc(s->room, sizeof *s->column);
+    s->value = status_alloc(s->room, sizeof *s->value);
+    s->lower_column = status_alloc(s->room, sizeof *s->lower_column);
+    s->factor.lower = status_alloc(s->room, sizeof *s->factor.lower);
+    return s->column && s->value && s->lower_column && s->factor.lower ? STATUS_DONE
+                                                                        : STATUS_FAILED;
+}
+
+/* --- the matrix ------------------------------------------------------------------ */
+
+/* What a row is made of. */
+struct rows {
+    const struct near *near;
+    const char *role;
+    poisson_weight *weight;
+    const void *self;
+    double e;
+};
+
+/* Puts an entry where columns ascend; the row has had `n` so far. */
+static void insert(int *column, double *value, size_t n, int j, double a)
+{
+    size_t k = n;
+
+    for (; k > 0 && column[k - 1] > j; k--) {
+        column[k] = column[k - 1];
+        value[k] = value[k - 1];
+    }
+    column[k] = j;
+    value[k] = a;
+}
+
+/* Row i: its entries off the diagonal go to column, value [their number, returned]. */
+static size_t make_row(const struct rows *of, int i, int *column, double *value,
+                       double *diagonal)
+{
+    const struct near *near = of->near;
+    size_t n = 0;
+    double step[DIM];
+
+    *diagonal = 1;
+    if (of->role[i] != POISSON_UNKNOWN)
+        return 0;
+    *diagonal = of->e;
+    for (size_t k = near->from[i]; k < near->from[i + 1]; k++) {
+        const int j = near->origin[near->place[k]];
+        if (of->role[j] == POISSON_DUMMY)
+            continue;
+        const double a = of->weight(of->self, sqrt(near_step(near, i, near->place[k], step)));
+        *diagonal += a;
+        if (of->role[j] == POISSON_UNKNOWN && a > 0)
+            insert(column, value, n++, j, -a);
+    }
+    return n;
+}
+
+/* Rows stand where their neighbours do, near->from, with gaps; then side by side. */
+static void close_gaps(struct poisson *s, const struct near *near, const size_t *length)
+{
+    size_t at = 0, lower = 0;
+
+    for (int i = 0; i < s->n; i++) {
+        const size_t first = near->from[i], n = length[i];
+        memmove(s->column + at, s->column + first, n * sizeof *s->column);
+        memmove(s->value + at, s->value + first, n * sizeof *s->value);
+        s->from[i] = at;
+        s->lower_from[i] = lower;
+        for (size_t k = at; k < at + n && s->column[k] < i; k++) {
+            s->lower_column[lower] = s->column[k];
+            s->factor.lower[lower++] = s->value[k];
+        }
+        at += n;
+    }
+    s->from[s->n] = at;
+    s->lower_from[s->n] = lower;
+}
+
+int poisson_assemble(struct poisson *s, const struct near *near, const char *role,
+                     poisson_weight *weight, const void *self, double e)
+{
+    const struct rows of = { near, role, weight, self, e };
+
+    TRY(take_entries(s, near->from[near->n]));
+    s->n = near->n;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < s->n; i++)
+        s->lower_from[i] = make_row(&of, i, s->column + near->from[i],
+                                    s->value + near->from[i], &s->diagonal[i]);
+    close_gaps(s, near, s->lower_from);
+    memcpy(s->factor.diagonal, s->diagonal, (size_t)s->n * sizeof(double));
+    for (int i = s->n; i < s->size; i++)
+        s->diagonal[i] = 1;
+    s->factor.n = s->n;
+    s->factor.from = s->lower_from;
+    s->factor.column = s->lower_column;
+    return STATUS_DONE;
+}
+
+/* --- is it definite? ------------------------------------------------------------- */
+
+/* Goes on from `first` along entries; returns how many were reached. */
+static int reach(struct poisson *s, int first)
+{
+    int at = 0, n = 0;
+
+    s->queue[n++] = first;
+    s->tied[first] = true;
+    while (at < n) {
+        const int i = s->queue[at++];
+        for (size_t k = s->from[i]; k < s->from[i + 1]; k++)
+            if (!s->tied[s->column[k]]) {
+                s->tied[s->column[k]] = true;
+                s->queue[n++] = s->column[k];
+            }
+    }
+    return n;
+}
+
+static bool beside_surface(const struct poisson *s, int i)
+{
+    double others = 0;
+
+    for (size_t k = s->from[i]; k < s->from[i + 1]; k++)
+        others -= s->value[k];
+    return s->diagonal[i] > others * (1 + 1e-12);
+}
+
+int poisson_loose(struct poisson *s, const char *role, int *joined)
+{
+    memset(s->tied, 0, (size_t)s->n * sizeof *s->tied);
+    for (int i = 0; i < s->n; i++)
+        if (role[i] == POISSON_UNKNOWN && !s->tied[i] && beside_surface(s, i))
+            reach(s, i);
+    for (int i = 0; i < s->n; i++)
+        if (role[i] == POISSON_UNKNOWN && !s->tied[i]) {
+            *joined = reach(s, i);
+            return i;
+        }
+    return -1;
+}
+
+/* --- the solve ------------------------------------------------------------------- */
+
+static void multiply(void *self, const double *x, double *to)
+{
+    const struct poisson *s = self;
+
+#pragma omp parallel for schedule(static) if (s->n > WORTH_THREADS)
+    for (int i = 0; i < s->n; i++) {
+        double sum = s->diagonal[i] * x[i];
+        for (size_t k = s->from[i]; k < s->from[i + 1]; k++)
+            sum += s->value[k] * x[s->column[k]];
+        to[i] = sum;
+    }
+    for (int i = s->n; i < s->size; i++)
+        to[i] = x[i];
+}
+
+static void precondition(void *self, const double *residual, double *near)
+{
+    const struct poisson *s = self;
+
+    cholesky_solve(&s->factor, residual, near);
+    for (int i = s->n; i < s->size; i++)
+        near[i] = residual[i];
+}
+
+/* Residual b - A p, and how large b is [2-norm]. */
+static double begin(struct poisson *s, const double *b, const double *p)
+{
+    double square = 0;
+
+    multiply(s, p, s->residual);
+    for (int i = 0; i < s->size; i++) {
+        const double source = i < s->n ? b[i] : 0;
+        s->residual[i] = i < s->n ? source - s->residual[i] : 0;
+        square += source * source;
+    }
+    return sqrt(square);
+}
+
+int poisson_solve(struct poisson *s, const double *b, double exact, double *p,
+                  struct operator_report *report)
+{
+    struct operator a = { .self = s, .n = s->size, .width = 1, .diagonal = s->diagonal,
+                          .apply = multiply, .precondition = precondition };
+    const double size = begin(s, b, p);
+
+    *report = (struct operator_report){ 0 };
+    if (!(size > 0)) {
+        memset(p, 0, (size_t)s->n * sizeof *p);
+        return STATUS_DONE;
+    }
+    if (cholesky_factor(&s->factor) != 0) {
+        report->cause = OPERATOR_NOT_POSITIVE;
+        return STATUS_FAILED;
+    }
+    a.near = exact * size;
+    return operator_solve(s->solver, &a, p, s->residual, report);
+}
