@@ -24,6 +24,21 @@ LANES_INLINE void diverge(const lanes *own, const lanes *of, const struct block 
     *sum += b->gw[k] * approach;
 }
 
+/* v . (grad grad W) v = W'' (e.v)^2 + (W'/r)(v^2 - (e.v)^2); W'' = lap W - (D - 1) W'/r. */
+LANES_INLINE void curve(const lanes *own, const lanes *of, const struct block *b, int k,
+                        lanes *sum)
+{
+    lanes along = (own[0] - of[0]) * b->x[0][k];
+    lanes all = (own[0] - of[0]) * (own[0] - of[0]);
+
+    for (int d = 1; d < DIM; d++) {
+        along += (own[d] - of[d]) * b->x[d][k];
+        all += (own[d] - of[d]) * (own[d] - of[d]);
+    }
+    along = along * along / (b->r2[k] + 1e-300); /* coincident particles: 0 */
+    *sum += (b->lw[k] - DIM * b->gw[k]) * along + b->gw[k] * all;
+}
+
 LANES_INLINE void ascend(const lanes *own, const lanes *of, const struct block *b, int k,
                          lanes *sum)
 {
@@ -41,8 +56,8 @@ LANES_INLINE void square(const lanes *own, const lanes *of, const struct block *
 }
 
 /* Values have width `in`, sums `out`; all but pass, g and b are constants. */
-LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int in, int out,
-                            row_term *term)
+LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, unsigned rows, int in,
+                            int out, row_term *term)
 {
     const struct nabla_job *job = pass->job;
     const int dummy = job->list->listed;
@@ -53,7 +68,7 @@ LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int
     gather_side(job->record, v.first, v.end, dummy, &a);
     visit_own(&v, dummy, pass->from, in, own);
     while (visit_segment(&v, job->meets[v.kind]))
-        while (visit_rows(&v, job->record, NEED_X | NEED_R2 | NEED_GRADW, job->kernel, &a, b))
+        while (visit_rows(&v, job->record, rows, job->kernel, &a, b))
             for (int k = 0; k < b->n; k++) {
                 fetch_values(pass->from, v.j + (size_t)k * LANES, in, of);
                 term(own, of, b, k, sum);
@@ -61,22 +76,30 @@ LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int
     visit_write(&v, out, sum, pass->to);
 }
 
-#define GROUPS(name, in, out, term)                                                         \
+#define ROWS (NEED_X | NEED_R2 | NEED_GRADW)
+#define GROUPS(name, rows, in, out, term)                                                   \
     static void name(const void *pass, int chunk, int from, int to, struct block *b)        \
     {                                                                                       \
         (void)chunk;                                                                        \
         for (int g = from; g < to; g++)                                                     \
-            add_group(pass, g, b, in, out, term);                                           \
+            add_group(pass, g, b, rows, in, out, term);                                     \
     }
 
-GROUPS(diverge_groups, DIM, 1, diverge)
-GROUPS(ascend_groups, 1, DIM, ascend)
-GROUPS(square_groups, 1, 1, square)
+GROUPS(diverge_groups, ROWS, DIM, 1, diverge)
+GROUPS(curve_groups, ROWS | NEED_LAPW, DIM, 1, curve)
+GROUPS(ascend_groups, ROWS, 1, DIM, ascend)
+GROUPS(square_groups, ROWS, 1, 1, square)
 
 static void divergence(const struct nabla_job *job, unsigned kinds, const double *a, double *to)
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, diverge_groups, &(struct pass){ job, a, to });
+}
+
+static void bend(const struct nabla_job *job, unsigned kinds, const double *v, double *to)
+{
+    visit_clear(job->list, kinds, 1, to);
+    visit_chunks(job->list, kinds, curve_groups, &(struct pass){ job, v, to });
 }
 
 static void gradient(const struct nabla_job *job, unsigned kinds, const double *p, double *to)
@@ -92,5 +115,5 @@ static void squares(const struct nabla_job *job, unsigned kinds, const double *q
 }
 
 const struct nabla_engine LANE_NAME(nabla_engine) = {
-    .divergence = divergence, .gradient = gradient, .squares = squares,
+    .divergence = divergence, .bend = bend, .gradient = gradient, .squares = squares,
 };
