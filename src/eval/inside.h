@@ -61,6 +61,7 @@ struct moment {
     double pull[DIM];                  /* of other body forces than the weight [N] */
     double density_low, density_high;  /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
+    void *ahead;                       /* what implicit_ahead works in; of the run's; NULL */
     struct face *face;                 /* eval/face.h; NULL                   */
     char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];

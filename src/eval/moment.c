@@ -54,6 +54,8 @@ static int take_work(struct moment *m)
 {
     TRY(workspace_create(m->plan, &m->work));
     TRY(face_create(m));
+    if (plan_ahead(m->plan) > 0)
+        TRY(implicit_ahead.create(m, &m->ahead));
     return m->plan->solver ? m->plan->solver->create(m, &m->solver) : STATUS_DONE;
 }
 
@@ -73,6 +75,7 @@ static int create(const struct plan *plan, struct moment *beside, struct moment 
     if (beside) {
         m->work = beside->work;
         m->face = beside->face;
+        m->ahead = beside->ahead;
     } else if (status == STATUS_DONE) {
         status = take_work(m);
     }
@@ -112,6 +115,7 @@ void moment_free(struct moment **moment)
     if (!m->beside) {
         if (m->solver)
             m->plan->solver->free(&m->solver);
+        implicit_ahead.free(&m->ahead);
         face_free(&m->face);
         workspace_free(m->plan, &m->work);
     }

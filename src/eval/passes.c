@@ -59,6 +59,11 @@ static bool sources(const struct plan *p)
     return false;
 }
 
+static bool looks_ahead(const struct plan *p)
+{
+    return plan_ahead(p) > 0;
+}
+
 #define FIELDS_OF_PAIRS (PASS_RECORDS | PASS_PAIRS)
 #define PLACES (PASS_POSITION | PASS_MOTION)
 
@@ -88,6 +93,10 @@ const struct pass passes_table[] = {
 { "all but pressure", PASS_OVER_PAIRS,
     FIELDS_OF_PAIRS, 0, PASS_OTHERS, 0,
     SOLVES, fluid, passes_others },
+{ "pressure that looks ahead", PASS_SOLVE,
+    FIELDS_OF_PAIRS | PLACES | PASS_VELOCITY | PASS_DENSITY | PASS_SOLID_DENSITY | PASS_OTHERS,
+    PLACES | PASS_VELOCITY, 0, PASS_PRESSURE | PASS_SOLID_PRESSURE,
+    PASS_FOR_RATES | PASS_FOR_APART, looks_ahead, passes_look_ahead },
 { "slip at faces", PASS_OVER_PAIRS,
     FIELDS_OF_PAIRS, 0, PASS_SLIP, PASS_PUSH,
     FORCES | PASS_FOR_IMPLICIT, faces, passes_slip },
@@ -115,6 +124,9 @@ const struct pass passes_table[] = {
 { "sources of density", PASS_POINTWISE,
     PLACES | PASS_VELOCITY | PASS_DENSITY, 0, 0, PASS_DENSITY_RATE,
     MOVES | PASS_FOR_DENSITIES, sources, passes_sources },
+{ "power that looks ahead", PASS_POINTWISE,
+    PASS_DENSITY_RATE, 0, 0, PASS_POWER,
+    PASS_FOR_RATES | PASS_FOR_APART, looks_ahead, passes_ahead_power },
 { "drift", PASS_POINTWISE,
     PASS_DRIFT, 0, 0, PASS_POSITION_RATE | PASS_POWER,
     MOVES, drifts, passes_drift },

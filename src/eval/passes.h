@@ -26,6 +26,9 @@ passes_run passes_motion, passes_press, passes_press_ahead, passes_meet, passes_
 passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, passes_apart,
     passes_fluid;
 
+/* ahead.c */
+passes_run passes_look_ahead, passes_ahead_power;
+
 /* push.c */
 passes_run passes_body_forces, passes_sources, passes_drift, passes_solids, passes_skins,
     passes_contacts, passes_load, passes_book, passes_half_book;

@@ -21,7 +21,7 @@ static int take_part(struct plan *p, const struct part *part, void **self, const
     to->self = self ? *self : NULL;
     if (self)
         *self = NULL;
-    to->slot = part->as.law || part_drifts(part) ? p->slots++ : -1;
+    to->slot = part_is_booked(part) ? p->slots++ : -1;
     snprintf(to->path, sizeof to->path, "%s", path);
     if (part->provides & FIELD_PRESSURE)
         p->pressure = to;
@@ -192,6 +192,7 @@ static int build(struct plan *p, struct scene *scene)
     make_list_def(p);
     TRY(plan_face_make(p, scene));
     TRY(passes_make(p, passes_table));
+    TRY(plan_ahead_agree(p, scene));
     return p->solver ? p->solver->agree(p) : STATUS_DONE;
 }
 

@@ -162,6 +162,11 @@ void plan_panels_free(struct plan *p);
 /* agree.c: refuses parts that do not go together. */
 int plan_agree(const struct plan *p, const struct scene *scene);
 
+/* ahead.c: the time that the pressure looks ahead [s], 0: not at all; refuses what a pressure
+ * that does so cannot go with. */
+double plan_ahead(const struct plan *p);
+int plan_ahead_agree(const struct plan *p, const struct scene *scene);
+
 /* tables.c: tables of laws, by lane-free arithmetic on pointers; summed densities. */
 int plan_tables_make(struct plan *p);
 void plan_fields_make(struct plan *p);

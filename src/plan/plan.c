@@ -15,6 +15,8 @@ const char *plan_halves(const struct plan *p)
         return plan_drifts(p);
     if (p->stiff)
         return "its viscosity is implicit (side = \"implicit\")";
+    if (plan_ahead(p) > 0)
+        return "its pressure looks ahead, by velocities and densities at once";
     return p->table.mixed ? "an effect of this scene adds to forces and to densities in one law"
                           : NULL;
 }

@@ -39,6 +39,7 @@ static double fluid_height(const struct plan *p)
 
 static int make_sound(struct plan *p, struct scene *scene)
 {
+    const double speeds = p->in.pressure->as.pressure->speeds;
     struct eos *e = p->in.pressure_self;
     double g2 = 0;
 
@@ -51,11 +52,11 @@ static int make_sound(struct plan *p, struct scene *scene)
                                "direction that is not periodic) the sound speed cannot be "
                                "computed; take 10 times the largest speed that "
                                "you expect", scene_path(scene));
-        e->c0 = p->in.fluids > 0 ? 10 * sqrt(2 * sqrt(g2) * fluid_height(p)) : 1;
+        e->c0 = p->in.fluids > 0 ? speeds * sqrt(2 * sqrt(g2) * fluid_height(p)) : 1;
         scene_computed(scene, "eos", "c0", e->c0);
     }
     if (isnan(p->in.reference.speed)) {
-        p->in.reference.speed = e->c0 / 10;
+        p->in.reference.speed = e->c0 / speeds;
         scene_computed(scene, "reference", "speed", p->in.reference.speed);
     }
     return STATUS_DONE;

@@ -34,6 +34,18 @@ struct plan_solver {
     int (*rearrange)(struct moment *m, const int *from);
 };
 
+/* A pressure that is solved for: one there is. */
+struct plan_ahead_solver {
+    /* What it works in, for a run's moment; free() takes NULL. */
+    int (*create)(struct moment *m, void **out);
+    void (*free)(void **self);
+
+    /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
+     * [dimension].  STATUS_FAILED: a refusal. */
+    int (*find)(void *self, struct moment *m, double t, const double *udot);
+};
+
+extern const struct plan_ahead_solver implicit_ahead; /* implicit/ahead.c */
 extern const struct plan_solver implicit_viscous; /* implicit/viscous.c */
 
 #endif

@@ -26,7 +26,8 @@ static void moduli(const void *self, int n, const double *rho, const double *p, 
     eos_moduli(&l->eos, n, p, modulus);
 }
 
-const struct part_pressure liquid_pressure = { .pressures = pressures, .moduli = moduli };
+const struct part_pressure liquid_pressure = { .pressures = pressures, .moduli = moduli,
+                                              .speeds = 10 };
 
 /* Sound and flow together, sound where it is: it is faster in what is pressed. */
 void liquid_limit(const void *self, const struct view *v, struct limit *out)

@@ -24,6 +24,21 @@ LANES_INLINE void diverge(const lanes *own, const lanes *of, const struct block 
     *sum += b->gw[k] * approach;
 }
 
+/* v . (grad grad W) v = W'' (e.v)^2 + (W'/r)(v^2 - (e.v)^2); W'' = lap W - (D - 1) W'/r. */
+LANES_INLINE void curve(const lanes *own, const lanes *of, const struct block *b, int k,
+                        lanes *sum)
+{
+    lanes along = (own[0] - of[0]) * b->x[0][k];
+    lanes all = (own[0] - of[0]) * (own[0] - of[0]);
+
+    for (int d = 1; d < DIM; d++) {
+        along += (own[d] - of[d]) * b->x[d][k];
+        all += (own[d] - of[d]) * (own[d] - of[d]);
+    }
+    along = along * along / (b->r2[k] + 1e-300); /* coincident particles: 0 */
+    *sum += (b->lw[k] - DIM * b->gw[k]) * along + b->gw[k] * all;
+}
+
 LANES_INLINE void ascend(const lanes *own, const lanes *of, const struct block *b, int k,
                          lanes *sum)
 {
@@ -79,6 +94,7 @@ LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int
     }
 
 GROUPS(diverge_groups, DIM, 1, SLOPES, diverge)
+GROUPS(curve_groups, DIM, 1, SLOPES | NEED_LAPW, curve)
 GROUPS(ascend_groups, 1, DIM, SLOPES, ascend)
 GROUPS(square_groups, 1, 1, SLOPES, square)
 GROUPS(weigh_groups, 1, 1, NEED_W, weigh)
@@ -87,6 +103,12 @@ static void divergence(const struct nabla_job *job, unsigned kinds, const double
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, diverge_groups, &(struct pass){ job, a, to });
+}
+
+static void bend(const struct nabla_job *job, unsigned kinds, const double *v, double *to)
+{
+    visit_clear(job->list, kinds, 1, to);
+    visit_chunks(job->list, kinds, curve_groups, &(struct pass){ job, v, to });
 }
 
 static void gradient(const struct nabla_job *job, unsigned kinds, const double *p, double *to)
@@ -108,5 +130,6 @@ static void weights(const struct nabla_job *job, unsigned kinds, const double *q
 }
 
 const struct nabla_engine LANE_NAME(nabla_engine) = {
-    .divergence = divergence, .gradient = gradient, .squares = squares, .weights = weights,
+    .divergence = divergence, .bend = bend, .gradient = gradient, .squares = squares,
+    .weights = weights,
 };

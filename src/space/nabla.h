@@ -6,6 +6,9 @@
  *     (G p)_i = sum over j of m_i m_j (p_i + p_j) gradW_ij
  *     (T q)_i = sum over j of q_j |m_i m_j gradW_ij|^2
  *     (W q)_i = sum over j of q_j m_i m_j W_ij
+ *     (C v)_i = sum over j of m_i m_j (v_i - v_j) . (grad grad W_ij) (v_i - v_j)
+ *
+ * C v is the rate of D v where positions move with v and v does not change.
  *
  * When `meets` is symmetric, G is the transpose of D: the sum of p . D a over all owners is
  * that of a . G p.  Where neighbours are on all sides, at density rho0, D a / m tends to
@@ -40,6 +43,7 @@ struct nabla_job {
 struct nabla_engine {
     void (*divergence)(const struct nabla_job *job, unsigned kinds, const double *a,
                        double *to);
+    void (*bend)(const struct nabla_job *job, unsigned kinds, const double *v, double *to);
     void (*gradient)(const struct nabla_job *job, unsigned kinds, const double *p, double *to);
     void (*squares)(const struct nabla_job *job, unsigned kinds, const double *q, double *to);
     void (*weights)(const struct nabla_job *job, unsigned kinds, const double *q, double *to);

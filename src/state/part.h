@@ -134,6 +134,12 @@ struct part_pressure {
 
     /* rho dp/drho [Pa] of n densities and their pressures; 0 where p is cut off. */
     part_moduli *moduli;
+
+    /* The time that a pressure looks ahead [s], and the residual of its solve as a share of the
+     * right-hand side; 0: it is that of the density alone.  NULL: likewise.  Its part begins
+     * with a struct eos that is linear, and what it gives has a column of the book. */
+    double (*ahead)(const void *self, double *residual);
+    double speeds; /* default sound speed by sqrt(2 g H) */
 };
 
 /* Where a solid stands at t = 0. */
@@ -244,6 +250,13 @@ struct part {
 static inline bool part_conserves(const struct part *part)
 {
     return part->as.law && part->as.law->conservative;
+}
+
+/* Is its power booked? */
+static inline bool part_is_booked(const struct part *part)
+{
+    return part->as.law || (part->as.summed && part->as.summed->carry)
+           || (part->as.pressure && part->as.pressure->ahead);
 }
 
 /* Does it move particles beside their velocity? */

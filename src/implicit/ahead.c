@@ -1,0 +1,145 @@
+/* ahead.c -- the solve for a pressure that looks ahead.
+ *
+ * Its guess is the pressure of the density, so that it is a function of (t, y) alone. */
+#include "implicit/ahead.h"
+
+#include "base/status.h"
+#include "plan/solver.h"
+#include "space/record.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PRODUCTS = 2000 };
+
+static void ahead_free(void **self)
+{
+    struct ahead *a = *self;
+
+    if (!a)
+        return;
+    double *const memory[] = { a->P, a->residual, a->b, a->term, a->still, a->diagonal,
+                               a->scalar, a->vector };
+    for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
+        free(memory[i]);
+    operator_solver_free(&a->solver);
+    free(a);
+    *self = NULL;
+}
+
+static void set_kinds(struct ahead *a, const struct plan *p)
+{
+    for (int k = 0; k < KINDS; k++)
+        if (particles_count(p->particles, k) > 0 && p->row.density[k] >= 0) {
+            a->kinds |= KIND_BIT(k);
+            a->meets[k] |= KIND_BIT(KIND_FLUID);
+            a->meets[KIND_FLUID] |= KIND_BIT(k);
+        }
+    a->job = (struct nabla_job){ .meets = a->meets, .kernel = p->kernel[PART_PRESSURE] };
+}
+
+static int take(struct ahead *a)
+{
+    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal };
+
+    for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
+        if (!(*vector[i] = workspace_lines((size_t)a->n)))
+            return STATUS_FAILED;
+    return operator_solver_create(a->n, PRODUCTS, &a->solver);
+}
+
+static int ahead_create(struct moment *m, void **out)
+{
+    const struct plan *p = m->plan;
+    struct ahead *a = *out = status_alloc(1, sizeof *a);
+
+    if (!a)
+        return STATUS_FAILED;
+    a->n = p->particles->n;
+    a->tau = p->pressure->part->as.pressure->ahead(p->pressure->self, &a->residual_share);
+    a->residual_share = fmin(a->residual_share, p->in.set.tol);
+    set_kinds(a, p);
+    return take(a);
+}
+
+/* After a rebuild there may be more images. */
+static int fit(struct ahead *a, const struct list *l)
+{
+    const size_t want = (size_t)l->listed + 1;
+
+    if (want <= a->places)
+        return STATUS_DONE;
+    free(a->scalar);
+    free(a->vector);
+    a->places = want + want / 8;
+    a->scalar = workspace_lines(a->places);
+    a->vector = workspace_lines(a->places * NABLA_STRIDE);
+    return a->scalar && a->vector ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int refuse(struct ahead *a, const struct operator_report *report, double t)
+{
+    const struct particles *all = a->m->particles;
+    int worst = 0;
+    char why[120];
+
+    for (int s = 1; s < a->listed; s++)
+        if (!(fabs(a->residual[s] / a->diagonal[s])
+              <= fabs(a->residual[worst] / a->diagonal[worst])))
+            worst = s;
+    const int c = a->m->list->order[worst];
+    operator_refusal(report, why, sizeof why);
+    snprintf(a->m->refusal, sizeof a->m->refusal,
+             "the pressure that looks ahead is not found at t = %g s: %s; worst near particle %d "
+             "(%s); a lower eos.c0 or eos.tau needs fewer products, about 2.3 c0 tau/dx", t, why,
+             particles_id_of(all, c), all->object[all->object_of[c]].name);
+    return STATUS_FAILED;
+}
+
+/* The guess, and what is missing there; the norm of b. */
+static double begin(struct ahead *a)
+{
+    double square = 0;
+
+    memset(a->P, 0, (size_t)a->n * sizeof *a->P);
+    for (int s = 0; s < a->listed; s++)
+        a->P[s] = a->m->work->record[(size_t)s * RECORD + RECORD_P2];
+    operator_apply(&a->operator, a->P, a->residual);
+    for (int s = 0; s < a->n; s++) {
+        a->residual[s] = a->b[s] - a->residual[s];
+        square += a->b[s] * a->b[s];
+    }
+    return sqrt(square);
+}
+
+static int find(void *self, struct moment *m, double t, const double *udot)
+{
+    struct ahead *a = self;
+    const struct list *l = m->list;
+    struct operator_report report;
+    int status = STATUS_DONE;
+
+    a->m = m;
+    if (fit(a, l) != STATUS_DONE) {
+        snprintf(m->refusal, sizeof m->refusal, "no memory to solve for the pressure at t = %g s",
+                 t);
+        return STATUS_FAILED;
+    }
+    ahead_assemble(a, udot);
+    a->operator.near = a->residual_share * begin(a);
+    if (a->operator.near > 0)
+        status = operator_solve(a->solver, &a->operator, a->P, a->residual, &report);
+    if (status != STATUS_DONE)
+        return refuse(a, &report, t);
+    if (a->operator.near > 0)
+        m->counts.products += report.products;
+    for (int s = 0; s < l->listed; s++)
+        m->work->record[(size_t)s * RECORD + RECORD_P2] = a->P[l->slot[l->order[s]]];
+    return STATUS_DONE;
+}
+
+const struct plan_ahead_solver implicit_ahead = {
+    .create = ahead_create, .free = ahead_free, .find = find,
+};
