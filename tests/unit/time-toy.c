@@ -2,7 +2,6 @@
 #include "time-toy.h"
 
 #include "base/status.h"
-#include "solved/mps.h"
 #include "state/limit.h"
 
 #include <math.h>
@@ -256,38 +255,6 @@ void moment_limit(struct moment *p, double t, const double *y, bool stiff, struc
     limit[1] = (struct limit){ .rate = p->decay, .decay = true, .where = -1, .part = "viscosity" };
     if (stiff && sqrt(p->stiffness) > p->wave)
         limit[0] = (struct limit){ .rate = sqrt(p->stiffness), .where = 0, .part = "beam.b" };
-}
-
-/* It has no pressure that could be solved for. */
-const char *mps_serves(const struct plan *p)
-{
-    (void)p;
-    return "a toy";
-}
-
-int mps_create(struct moment *p, struct mps **out)
-{
-    (void)p;
-    *out = NULL;
-    return STATUS_FAILED;
-}
-
-void mps_free(struct mps **mps)
-{
-    *mps = NULL;
-}
-
-int mps_step(struct mps *mps, double t, double h, const double *y, const double *f, double *to)
-{
-    (void)mps, (void)t, (void)h, (void)y, (void)f, (void)to;
-    return STATUS_FAILED;
-}
-
-double mps_length(const struct mps *mps, double number, double t, const double *y,
-                  struct limit *limit)
-{
-    (void)mps, (void)number, (void)t, (void)y, (void)limit;
-    return 0;
 }
 
 /* Its beam is there for stiffness, not to be followed. */
