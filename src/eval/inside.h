@@ -86,10 +86,8 @@ int workspace_fit(struct workspace *w, const struct list *l);
 /* moment.c: another moment of the run's plan, for looking. */
 int moment_create_beside(struct moment *run, struct moment **out);
 
-/* rearrange.c: rows of a fresh moment become those of the run; the id, of its kind, of the
- * particle number `which` in a row of the layout (of what is no particle, `which`). */
+/* rearrange.c: rows of a fresh moment become those of the run. */
 int moment_follow(struct moment *m, const struct moment *run);
-int moment_id(const struct moment *m, int row, int which);
 
 /* view.c: moves solids to (t, y) and says where everything is, but for densities
  * that are summed. */

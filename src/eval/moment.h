@@ -72,6 +72,10 @@ void moment_weights(const struct moment *moment, double tol, double *weight);
 /* "velocity of fluid.water particle 17" for entry i of y; static buffer. */
 const char *moment_entry(const struct moment *moment, long i);
 
+/* The id, of its kind, of the particle number `which` in a row of the layout; of what is no
+ * particle, `which`. */
+int moment_id(const struct moment *moment, int row, int which);
+
 /* y as it would be if rows were ids; `to` is not y. */
 void moment_by_id(const struct moment *moment, const double *y, double *to);
 

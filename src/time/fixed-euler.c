@@ -35,19 +35,21 @@ int fixed_euler_advance(struct fixed *x, double h)
     return STATUS_DONE;
 }
 
-double fixed_largest(const struct layout_row *row, const double *y, int *where)
+double fixed_largest(const struct fixed *x, int r, const double *y, int *where)
 {
+    const struct layout_row *row = &moment_layout(x->moment)->row[r];
     double most = 0;
 
     for (int i = 0; i < row->n; i++) {
+        const int id = moment_id(x->moment, r, i);
         double square = 0;
         for (int d = 0; d < row->components; d++) {
             const double c = y[row->offset + (long)i * row->components + d];
             square += c * c;
         }
-        if (square > most) {
+        if (square > most || (square == most && most > 0 && id < *where)) {
             most = square;
-            *where = i;
+            *where = id;
         }
     }
     return sqrt(most);
@@ -73,7 +75,8 @@ double fixed_euler_length(struct fixed *x)
         int fast = -1, pushed = -1;
         if (l->row[r].what != LAYOUT_VELOCITY || strncmp(l->row[r].name, "velocity", 8) != 0)
             continue;
-        const double v = fixed_largest(&l->row[r], x->y, &fast), a = fixed_largest(&l->row[r], x->f, &pushed);
+        const double v = fixed_largest(x, r, x->y, &fast);
+        const double a = fixed_largest(x, r, x->f, &pushed);
         if (v > 0)
             h = fixed_shorter(x, h, 0.4 * H / v, fast, "velocity in (38)");
         if (a > 0)

@@ -49,8 +49,8 @@ static double length(struct fixed *x)
         int fast = -1, pushed = -1;
         if (l->row[r].what != LAYOUT_VELOCITY || strncmp(l->row[r].name, "velocity", 8) != 0)
             continue;
-        const double v = fixed_largest(&l->row[r], x->y, &fast);
-        const double a = fixed_largest(&l->row[r], x->f, &pushed);
+        const double v = fixed_largest(x, r, x->y, &fast);
+        const double a = fixed_largest(x, r, x->f, &pushed);
         if (v > 0)
             h = fixed_shorter(x, h, x->number * hs / v, fast, "velocity");
         if (a > 0)

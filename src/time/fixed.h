@@ -86,8 +86,8 @@ void fixed_hold(const struct fixed *x, double *to);
  * where others look at them, and their entries of y are left to the caller. */
 double fixed_euler_length(struct fixed *x);
 
-/* Largest length of the vectors in a row of y or f, and whose it is. */
-double fixed_largest(const struct layout_row *row, const double *y, int *where);
+/* Largest length of the vectors in row r of y or f, and whose it is, by id: the first of equals. */
+double fixed_largest(const struct fixed *x, int r, const double *y, int *where);
 
 /* The shorter one of h and `other`, which then is what decides: of particle `where`. */
 double fixed_shorter(struct fixed *x, double h, double other, int where, const char *name);

@@ -170,10 +170,10 @@ static bool claimed(const struct method *m, enum problem_name which, double got)
     return got > least - slack && got < most + slack;
 }
 
-/* Its fluid is incompressible: the exact solution here is none of its equations. */
+/* Their fluid is incompressible: the exact solution here is none of their equations. */
 static bool solves_another_problem(const struct method *m)
 {
-    return strcmp(m->name, "mps") == 0;
+    return strcmp(m->name, "mps") == 0 || strcmp(m->name, "pcisph") == 0;
 }
 
 static bool fits(const struct measured *p, const struct method *m)
