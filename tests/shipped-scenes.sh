@@ -75,7 +75,7 @@ books()
                       END { print most }' "$1/book.csv")
     at_most "$1: energy defect of $energy J" "$(value "$1" energy_defect_max)" \
         "$(awk -v e="$energy" 'BEGIN { print 1e-3 * e }')"
-    at_most "$1: momentum defect [N s]" "$(value "$1" momentum_defect)" "$momentum"
+    at_most "$1: momentum defect [N s]" "$(value "$1" momentum_defect)" "$lost"
 }
 
 # same RUN OTHER WHAT
@@ -119,7 +119,7 @@ fails()
     tables "$1"
 }
 
-momentum=1e-9
+lost=1e-9
 scene dam-break 0.03 1.7e-3
 scene still-water 0.1 3.3e-3
 scene toth-beam 0.03 7e-4
@@ -129,9 +129,9 @@ scene elastica 0.3 1.7e-3
 scene soft-gate 0.03 7e-4
 scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
 scene toth-pcisph 0.05 2e-3 spacing=5e-3 method=pcisph@0.1
-momentum=8.4 # N s/m, the weight's: forces of its gradient, by the least pressure around, are not mutual
+lost=8.4 # N s/m, the weight's: forces of its gradient, by the least pressure around, are not mutual
 scene mps-dam-break 0.02 2e-3
-momentum=1e-9
+lost=1e-9
 scene toth-standard-sph 0.01 5e-4 spacing=5e-3 tol=1e-3
 scene tank-sizes 0.01 3.3e-4
 scene gate 0.12 1.7e-3 spacing=0.01
