@@ -49,6 +49,8 @@ asking
 ask="run -q -o refused"
 expect 1 "$still" method=mps walls=own-density until=0.01 spacing=1e-2 domain.lid=true 'domain.to=[0.2, 0.2]'
 says 'particle 0 (water)' 'have no surface' 'mps.compressibility'
+expect 1 "$still" method=mps@1e-7s walls=own-density until=0.01 spacing=1e-2
+says 'pressure' 'eos.highest' 'grows as 1/step^2' 'Its own step is' 'Steps are not halved'
 expect 1 "$still" method=mps walls=own-density until=0.01 spacing=1e-2 mps.iterations=3
 says 'after 3 products its residual is' 'mps.iterations' 'source is largest at particle'
 expect 2 "$still" method=mps walls=contact

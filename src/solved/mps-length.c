@@ -4,19 +4,22 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The largest speed, and whose; the reference speed when that is more. */
+/* The largest speed of fluid in the domain, and whose; the reference speed when that is more.
+ * What has left falls for ever, alone. */
 static double fastest(const struct mps *s, const double *y, struct limit *limit)
 {
     const struct moment *m = s->moment;
     const double *u = y + layout_at(&m->layout, m->plan->row.u);
+    const double *x = y + layout_at(&m->layout, m->plan->row.x);
     double most = m->plan->scales.speed;
 
     *limit = (struct limit){ .where = -1, .part = "mps, reference speed" };
     for (int id = 0; id < particles_count(m->particles, KIND_FLUID); id++) {
+        const size_t at = (size_t)particles_row(m->particles, KIND_FLUID, id) * DIM;
         double square = 0;
-        for (int d = 0, i = particles_row(m->particles, KIND_FLUID, id); d < DIM; d++)
-            square += u[(size_t)i * DIM + (size_t)d] * u[(size_t)i * DIM + (size_t)d];
-        if (sqrt(square) > most) {
+        for (size_t d = 0; d < DIM; d++)
+            square += u[at + d] * u[at + d];
+        if (sqrt(square) > most && list_inside(&m->plan->list_def, x + at)) {
             most = sqrt(square);
             *limit = (struct limit){ .where = id, .part = "mps, speed" };
         }

@@ -52,21 +52,27 @@ void mps_rate(const struct mps *s, double *rate)
 
 /* --- roles ----------------------------------------------------------------------- */
 
-/* Of a solid: only a first layer with fluid near it has a pressure. */
+/* Of a solid: only a first layer with fluid near it has a pressure.  Where solids alone have n0,
+ * as under the tip of a wedge on a floor, another wall covers it: no flow could ever take that
+ * number density back, and its source would push for ever. */
 static bool presses(const struct mps *s, int i)
 {
     const struct near *at = &s->near;
-    double step[DIM];
+    double step[DIM], solids = 0;
+    bool wet = false;
 
     if (i < at->fluid)
         return true;
     if (!s->face[mps_id(s, i)])
         return false;
-    for (size_t k = at->from[i]; k < at->from[i + 1]; k++)
-        if (at->origin[at->place[k]] < at->fluid
-            && near_step(at, i, at->place[k], step) < s->laplacian.re * s->laplacian.re)
-            return true;
-    return false;
+    for (size_t k = at->from[i]; k < at->from[i + 1]; k++) {
+        const double r2 = near_step(at, i, at->place[k], step);
+        if (at->origin[at->place[k]] >= at->fluid)
+            solids += weights_w(&s->density, sqrt(r2));
+        else
+            wet |= r2 < s->laplacian.re * s->laplacian.re;
+    }
+    return wet && solids < s->density.n0;
 }
 
 void mps_roles(struct mps *s)

@@ -55,6 +55,21 @@ static int refuse_solve(struct mps *s, const struct operator_report *report)
     return STATUS_FAILED;
 }
 
+/* Pressures stand in y as densities, and the source grows as 1/dt^2. */
+static int refuse_pressure(struct mps *s, int i)
+{
+    const struct plan *p = s->moment->plan;
+    char where[160];
+
+    place_text(s, i, where, sizeof where);
+    snprintf(s->moment->refusal, sizeof s->moment->refusal, "mps: pressure %.3g Pa of %.110s, n = "
+             "%.3g n0, is beyond %g rho0, eos.highest: a step of %.3g s takes too much compression "
+             "back, and the pressure for it grows as 1/step^2; longer steps, mps.gamma = 0.2, or "
+             "room between fluid and walls at the start", s->p[i], where,
+             s->number[i] / s->density.n0, p->in.eos.highest, s->h);
+    return STATUS_FAILED;
+}
+
 static int refuse_place(struct mps *s, double t)
 {
     snprintf(s->moment->refusal, sizeof s->moment->refusal,
@@ -156,6 +171,10 @@ static int find_pressure(struct mps *s, const double *y)
         return refuse_solve(s, &report);
     for (int i = 0; i < s->near.n && mps_is(s->key->clamp, "on"); i++)
         s->p[i] = fmax(s->p[i], 0);
+    for (int i = 0; i < s->near.n; i++)
+        if (!(eos_density(s->moment->plan->pressure->self, s->p[i]) <= s->moment->density_high)
+            && s->p[i] > 0)
+            return refuse_pressure(s, i);
     return STATUS_DONE;
 }
 

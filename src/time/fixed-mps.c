@@ -61,6 +61,8 @@ const struct fixed_kind fixed_mps = {
     .number = 0.2,
     .sides = ASK_EXPLICIT,
     .without_pressure = true,
+    .remedy = "Steps are not halved, as pressures grow with shorter ones. Try mps@0.2, which "
+              "chooses its steps, mps.gamma = 0.2 or mps.bundle = \"enhanced\"",
     .length = length,
     .advance = advance,
     .take = take,

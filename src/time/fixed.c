@@ -88,11 +88,26 @@ static double length(struct fixed *x)
     return x->seconds;
 }
 
+/* Of a kind that knows no better length. */
+static int stuck(struct fixed *x, double h)
+{
+    const char *refusal = moment_refusal(x->moment);
+    char cause[80];
+
+    snprintf(cause, sizeof cause, "Its own step is %.3g s there", x->kind->length(x));
+    return status_fail_with(STATUS_FAILED, (struct status_advice){ cause, x->kind->remedy },
+                            "%s has no answer at t = %.9g s, in a step of %.3g s: %s",
+                            x->kind->method.name, x->t_old, h,
+                            refusal[0] ? refusal : "the state is not finite");
+}
+
 static int collapse(struct fixed *x, double h)
 {
     const char *refusal = moment_refusal(x->moment);
     char remedy[160];
 
+    if (x->kind->remedy)
+        return stuck(x, h);
     if (x->seconds > 0 && h > 0) {
         const double bound = x->kind->length(x);
         return constant_fail(x->kind->method.name, x->seconds, x->t, refusal, bound, &x->limit);
@@ -134,7 +149,7 @@ static int advance(struct fixed *x, double *h)
     for (int k = 0; attempt(x, *h) != STATUS_DONE; k++) {
         x->has_f = false;
         x->halved++;
-        if (k == HALVINGS || *h / 2 < x->h_min)
+        if (x->kind->remedy || k == HALVINGS || *h / 2 < x->h_min)
             return STATUS_FAILED;
         status_clear(); /* what a solve said */
         *h /= 2;

@@ -42,6 +42,10 @@ struct fixed_kind {
                                is cut short there                              */
     bool without_pressure;  /* f is asked for without it: advance() solves for it */
 
+    /* What to do when a step has no answer and a shorter one is no better; NULL: the frame
+     * halves it. */
+    const char *remedy;
+
     /* Memory of the kind in x->own; NULL: it needs none. */
     int (*take)(struct fixed *x);
     void (*leave)(struct fixed *x);

@@ -98,6 +98,9 @@ sed -i '/artificial-viscosity/d' "$out/inviscid.scene"
 idle inviscid 'kernel.viscosity does nothing here' kernel.viscosity=viscosity-log
 add plain fluid ''
 idle plain 'substep is for the methods staggered and mri' substep=1e-3
+idle plain 'mps.gamma does nothing without method = "mps"' mps.gamma=0.2
+idle plain 'mps.bundle does nothing without' mps.bundle=enhanced method=leapfrog
+idle plain 'pcisph.limit does nothing without method = "pcisph"' pcisph.limit=0.02
 idle plain 'tol = 1e-05 does nothing with leapfrog' method=leapfrog tol=1e-5
 idle plain 'tol = 1e-05 does nothing with steps of a constant length' method=cks43@5e-4s tol=1e-5
 go plain "$out/plain.scene" until=0.01 tol=1e-5

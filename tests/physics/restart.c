@@ -27,6 +27,21 @@ enum { BEFORE = 20, AFTER = 7, CUT = 3, INSIDE = 3, PLACES = 60 };
     "  density = 1200.0; elements = 4; layers = 3; alpha = 3.0;"                          \
     "  theory = \"elastica\"; }; };"
 
+/* Water over a floor that repeats to the sides. */
+#if DIM == 2
+#define CELL                                                                             \
+    "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [3.0, -9.81];"                \
+    "domain = { from = [0.0, 0.0]; to = [0.1, 0.08]; periodic = [\"x\"]; };"             \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.1, 0.06]; }; };"     \
+    "wall = { tank = { type = \"box\"; from = [0.0, -0.02]; to = [0.1, 0.0]; }; };"
+#else
+#define CELL                                                                             \
+    "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [3.0, 0.0, -9.81];"           \
+    "domain = { from = [0.0, 0.0, 0.0]; to = [0.14, 0.14, 0.16]; periodic = [\"x\", \"y\"]; };" \
+    "fluid = { water = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.14, 0.14, 0.12]; }; };" \
+    "wall = { tank = { type = \"box\"; from = [0.0, 0.0, -0.06]; to = [0.14, 0.14, 0.0]; }; };"
+#endif
+
 /* Scenes; all have walls. */
 static const struct scene_of {
     const char *name, *water, *text, *beam;
@@ -34,6 +49,9 @@ static const struct scene_of {
     { "water", NULL, TANK_EFFECTS, "" },
     { "summed densities", NULL, TANK_SUMMED " eos = { tension = false; };", "" },
     { "contact walls", NULL, "walls = \"contact\";" TANK_EFFECTS, "" },
+    { "walls with densities of their own", NULL, "walls = \"own-density\";" TANK_EFFECTS, "" },
+    { "water that repeats", "cell", "walls = \"own-density\";" TANK_EFFECTS
+      "mps = { bundle = \"enhanced\"; nu = 1e-4; };", "" },
     { "adami walls", NULL, "walls = \"adami\";" TANK_EFFECTS, "" },
     { "implicit viscosity", NULL, VISCOUS, "" },
 #if DIM == 2
@@ -59,7 +77,11 @@ static void make(struct tank *t, const struct scene_of *of)
 {
     const char *beam = strcmp(of->beam, "linear") == 0 ? tank_beam : of->beam;
 
-    tank_make(t, of->water ? tank_parted_water : tank_water, tank_frame, of->text, beam, NULL);
+    if (of->water && strcmp(of->water, "cell") == 0)
+        tank_make(t, CELL, of->text, NULL);
+    else
+        tank_make(t, of->water ? tank_parted_water : tank_water, tank_frame, of->text, beam,
+                  NULL);
     tank_shake(t, 11, 0.05, 0.5, 1e-3);
 }
 

@@ -55,12 +55,15 @@ static const char *const scenes[][4] = {
     { "", "", "effects = { continuity = { }; pressure = { }; central-force = { omega = 3.0; }; };"
       TANK_ONE_KERNEL },
     { "cell", FLOOR, "walls = \"own-density\";" TANK_EFFECTS },
+    { "", MOVED "[0.1, 0.05]; }; };", "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL
+      "mps = { bundle = \"enhanced\"; nu = 1e-4; };" },
 #else
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", TANK_EFFECTS },
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", "walls = \"contact\";" TANK_EFFECTS },
     { "", "", "walls = \"own-density\"; effects = { continuity = { }; pressure = { };"
       " laminar-viscosity = { mu = 3.0; side = \"implicit\"; }; };" },
     { "cell", FLOOR, TANK_EFFECTS },
+    { "cell", FLOOR, "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL },
 #endif
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
@@ -356,7 +359,8 @@ static long check_refusal(int scene, const char *name)
 /* In space and where space repeats, one of each kind. */
 static bool chosen(int scene, const char *name)
 {
-    static const char *const all[] = { "imex3", "adams", "ab3", "dv", "leapfrog" };
+    static const char *const all[] = { "imex3", "adams", "ab3", "dv", "leapfrog", "pcisph",
+                                      "mps" };
 
     if (DIM == 2 && strcmp(scenes[scene][0], "cell") != 0)
         return true;

@@ -43,15 +43,20 @@ struct stirred {
     double *to;
 };
 
-static void stir(struct stirred *s)
+static void stir_in(struct stirred *s, const char *water, const char *walls)
 {
-    tank_make(&s->tank, tank_water, tank_frame, WALLS, TANK_EFFECTS, NULL);
+    tank_make(&s->tank, water, walls, WALLS, TANK_EFFECTS, NULL);
     tank_shake(&s->tank, 7, 0.15, 0.1, 0);
     s->to = tank_copy(&s->tank, s->tank.y);
     assert_int_equal(mps_create(s->tank.moment, &s->mps), 0);
     memset(s->tank.ydot, 0, (size_t)s->tank.n * sizeof(double));
     if (mps_step(s->mps, 0, 1e-4, s->tank.y, s->tank.ydot, s->to) != 0)
         fail_msg("%s", moment_refusal(s->tank.moment));
+}
+
+static void stir(struct stirred *s)
+{
+    stir_in(s, tank_water, tank_frame);
 }
 
 static void clear(struct stirred *s)
@@ -99,6 +104,101 @@ static void number_densities_and_surfaces_are_those_of_plain_loops(void **state)
         unknowns += m->role[i] == POISSON_UNKNOWN;
     }
     check(surfaces > 20 && unknowns > 20 && dummies > 20, "%d, %d, %d", surfaces, unknowns, dummies);
+    clear(&s);
+}
+
+/* A block that lies 0.6 spacings deep in the floor of the tank. */
+#if DIM == 2
+#define BLOCK "block = { type = \"box\"; from = [0.04, -0.003]; to = [0.06, 0.012]; };"
+#define BESIDE                                                                           \
+    "dimension = 2; until = 1.0; spacing = 5e-3; gravity = [0.0, -9.81];"                \
+    "domain = { from = [0.0, 0.0]; to = [0.1, 0.08]; };"                                 \
+    "fluid = { left = { type = \"box\"; from = [0.0, 0.0]; to = [0.04, 0.06]; };"        \
+    " right = { type = \"box\"; from = [0.06, 0.0]; to = [0.1, 0.06]; }; };"
+#else
+#define BLOCK                                                                            \
+    "block = { type = \"box\"; from = [0.04, 0.0, -0.012]; to = [0.08, 0.1, 0.048]; };"
+#define BESIDE                                                                           \
+    "dimension = 3; until = 1.0; spacing = 2e-2; gravity = [0.0, 0.0, -9.81];"           \
+    "domain = { from = [0.0, 0.0, 0.0]; to = [0.14, 0.1, 0.16]; };"                      \
+    "fluid = { left = { type = \"box\"; from = [0.0, 0.0, 0.0]; to = [0.04, 0.1, 0.12]; };" \
+    " right = { type = \"box\"; from = [0.08, 0.0, 0.0]; to = [0.14, 0.1, 0.12]; }; };"
+#endif
+
+static void walls_that_other_walls_cover_do_not_press(void **state)
+{
+    struct stirred s;
+    int covered = 0, press = 0;
+
+    (void)state;
+    stir_in(&s, BESIDE, "wall = { tank = { type = \"frame\"; }; " BLOCK " };");
+    const struct mps *m = s.mps;
+    const double re = 2.4 * m->moment->plan->scales.dx;
+    for (int i = m->near.fluid; i < m->near.n; i++) {
+        double solids = 0, wet = 0;
+        for (int j = 0; j < m->near.n; j++)
+            if (j != i && distance(m, i, j) < re)
+                *(j < m->near.fluid ? &wet : &solids) += re / distance(m, i, j) - 1;
+        const bool full = solids >= m->density.n0;
+        check(!full || m->role[i] == POISSON_DUMMY, "place %d presses under %g n0 of solids", i,
+              solids / m->density.n0);
+        covered += full && wet > 0 && m->face[mps_id(m, i)];
+        press += m->role[i] != POISSON_DUMMY;
+    }
+    check(covered > 1 && press > 20, "%d covered, %d press", covered, press);
+    clear(&s);
+}
+
+/* p rises by `slope` Pa/m along each coordinate in turn, on a lattice, with a pressure
+ * everywhere: du = -dt slope/rho0 along it.  But cmps, as published, has 0: p_j less the least
+ * pressure around j is the same for all j.  Of fluid at least `far` away from other bounds. */
+static void push_by_a_slope(struct stirred *s, const char *word, double share, double far)
+{
+    const double slope = 700, h = 1e-4, dx = s->tank.plan->scales.dx;
+    struct settings_mps key = s->tank.plan->in.mps;
+    struct mps *m = s->mps;
+    int inside = 0;
+
+    key.gradient = word;
+    m->key = &key;
+    m->h = h;
+    for (int along = 0; along < DIM; along++) {
+        for (int i = 0; i < m->near.n; i++) {
+            m->role[i] = POISSON_UNKNOWN;
+            m->p[i] = slope * (1 + m->near.x[i][along]);
+        }
+        mps_gradient(m);
+        for (int i = 0; i < m->near.fluid; i++) {
+            bool near = m->near.x[i][DIM - 1] > (DIM == 2 ? 0.06 : 0.12) - 2.4 * dx - far;
+            for (int d = 0; d < DIM; d++)
+                near |= m->near.x[i][d] < far || (d < DIM - 1 && m->near.x[i][d] > 0.1 - far);
+            if (near)
+                continue;
+            inside++;
+            for (int d = 0; d < DIM; d++)
+                check(fabs(m->du[i][d] + (d == along) * share * h * slope / 1000)
+                      < 1e-9 * h * slope / 1000, "%s: du[%d] = %g m/s of particle %d, p rises "
+                      "along %d", word, d, m->du[i][d], i, along);
+        }
+    }
+    check(inside > 100, "%d particles", inside);
+}
+
+static void a_slope_of_pressure_pushes_by_its_gradient(void **state)
+{
+    struct stirred s;
+
+    (void)state;
+    tank_make(&s.tank, tank_water, tank_frame, WALLS, TANK_EFFECTS, NULL);
+    s.to = tank_copy(&s.tank, s.tank.y);
+    assert_int_equal(mps_create(s.tank.moment, &s.mps), 0);
+    memset(s.tank.ydot, 0, (size_t)s.tank.n * sizeof(double));
+    assert_int_equal(mps_step(s.mps, 0, 1e-4, s.tank.y, s.tank.ydot, s.to), 0);
+    memcpy(s.mps->near.x, s.mps->was, (size_t)s.mps->near.n * sizeof *s.mps->was);
+    push_by_a_slope(&s, "minimum", 1, 0);
+    push_by_a_slope(&s, "gc", 1, 0);
+    if (DIM == 2)
+        push_by_a_slope(&s, "cmps", 0, 0.01);
     clear(&s);
 }
 
@@ -236,6 +336,8 @@ int main(void)
         cmocka_unit_test(constants_are_those_of_the_lattice),
         cmocka_unit_test(laplacian_of_a_square_is_exact_on_the_lattice),
         cmocka_unit_test(number_densities_and_surfaces_are_those_of_plain_loops),
+        cmocka_unit_test(walls_that_other_walls_cover_do_not_press),
+        cmocka_unit_test(a_slope_of_pressure_pushes_by_its_gradient),
         cmocka_unit_test(pressures_are_those_of_a_dense_solve),
         cmocka_unit_test(factor_without_fill_is_cholesky),
         cmocka_unit_test(factor_tells_the_row_that_fails),

@@ -170,7 +170,9 @@ static bool claimed(const struct method *m, enum problem_name which, double got)
     return got > least - slack && got < most + slack;
 }
 
-/* Their fluid is incompressible: the exact solution here is none of their equations. */
+/* Their fluid is incompressible: the exact solution here is none of their equations.  What is
+ * compressed at the start they take back in one step, however short, so that states have no
+ * limit for short steps; mps refuses the pressure of 2e-6 s here. */
 static bool solves_another_problem(const struct method *m)
 {
     return strcmp(m->name, "mps") == 0 || strcmp(m->name, "pcisph") == 0;
