@@ -356,13 +356,13 @@ static long check_refusal(int scene, const char *name)
     return 0;
 }
 
-/* In space and where space repeats, one of each kind. */
+/* In space, where space repeats, and for keys of mps, one of each kind. */
 static bool chosen(int scene, const char *name)
 {
     static const char *const all[] = { "imex3", "adams", "ab3", "dv", "leapfrog", "pcisph",
                                       "mps" };
 
-    if (DIM == 2 && strcmp(scenes[scene][0], "cell") != 0)
+    if (DIM == 2 && strcmp(scenes[scene][0], "cell") != 0 && !strstr(scenes[scene][2], "mps"))
         return true;
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
         if (strcmp(all[i], name) == 0)
