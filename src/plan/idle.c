@@ -243,48 +243,7 @@ static void doubt_top(const struct scene_node *root, const struct input *in)
                     scene_where(scene_child(root, "effects")));
 }
 
-/* Another value than in `plain`, which has no key given? */
-static bool changed(const struct param *row, const void *values, const void *plain)
-{
-    const char *at = (const char *)values + row->offset, *of = (const char *)plain + row->offset;
-
-    if (row->type == PARAM_WORD)
-        return strcmp(*(const char *const *)at, *(const char *const *)of) != 0;
-    return row->type == PARAM_NUMBER ? differs(*(const double *)at, *(const double *)of)
-                                     : is_given(row, values);
-}
-
-/* Keys that one method alone reads: tells of the first. */
-static void doubt_group(const struct scene_node *root, const struct input *in, const char *method,
-                        const struct param *rows, const void *values, const void *plain)
-{
-    const struct scene_node *group = scene_child(root, method);
-
-    if (!group || begins(in->set.method, method))
-        return;
-    for (; rows->key; rows++)
-        if (changed(rows, values, plain)) {
-            status_warn("%s: %s.%s does nothing without method = \"%s\"",
-                        where(group, rows->key), method, rows->key, method);
-            return;
-        }
-}
-
-static int doubt_methods(struct scene *scene, const struct input *in)
-{
-    const struct scene_node *root = scene_root(scene);
-    struct settings_pcisph pcisph;
-    struct settings_mps mps;
-
-    TRY(scene_fill(scene, NULL, "pcisph", settings_pcisph_params, NULL, DIM, &pcisph));
-    TRY(scene_fill(scene, NULL, "mps", settings_mps_params, NULL, DIM, &mps));
-    settings_mps_complete(&mps);
-    doubt_group(root, in, "pcisph", settings_pcisph_params, &in->pcisph, &pcisph);
-    doubt_group(root, in, "mps", settings_mps_params, &in->mps, &mps);
-    return STATUS_DONE;
-}
-
-int idle_scene(struct scene *scene, const struct input *in)
+int idle_scene(const struct scene *scene, const struct input *in)
 {
     const struct scene_node *root = scene_root(scene);
 
@@ -292,5 +251,6 @@ int idle_scene(struct scene *scene, const struct input *in)
     doubt_frame(root, in);
     doubt_kernels(root, in);
     doubt_top(root, in);
-    return doubt_methods(scene, in);
+    idle_methods(root, in);
+    return STATUS_DONE;
 }

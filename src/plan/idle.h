@@ -12,6 +12,9 @@ int idle_body(const struct scene_node *node, const char *path, const struct inpu
 
 /* Of the whole scene: refuses probes where nothing can be measured; warns of what is
  * harmless. */
-int idle_scene(struct scene *scene, const struct input *in);
+int idle_scene(const struct scene *scene, const struct input *in);
+
+/* idle-methods.c: warns of keys that one method alone reads, where that is not the scene's. */
+void idle_methods(const struct scene_node *root, const struct input *in);
 
 #endif
