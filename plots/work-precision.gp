@@ -6,7 +6,7 @@ load 'style.gp'
 load 'comparison.gp'
 
 # An error above this is none: it stands at the top edge.
-array most[5] = [10, 1, 1, 1, E0 > 0 ? E0 : 1e300]
+array most[quantities] = [10, 1, 1, 1, 1, 1, E0 > 0 ? E0 : 1e300]
 good(q) = strcol(3) eq 'done' && error(q) > 0 && error(q) <= most[q] ? error(q) : NaN
 at_edge(q) = strcol(3) eq 'failed' || strcol(3) eq 'stopped' || error(q) > most[q] ? 0.965 : NaN
 sign(i) = strcol(3) eq 'failed' ? 2 : strcol(3) eq 'stopped' ? 12 : 8
@@ -96,7 +96,7 @@ do for [k in shown] {
     eval start
     do for [n = 1:rows] {
         p = word(places, n)
-        if (sweeps > 0) { set label 7 p noenhanced at graph 0.02, 0.07 left }
+        if (p ne 'all') { set label 7 p noenhanced at graph 0.02, 0.07 left }
         eval both_panels
     }
     unset label 7

@@ -73,13 +73,13 @@ says spacing=0.024
 expect 0 $dam --methods cks43,leapfrog@0.25,leapfrog@0.025,leapfrog@4 --tols 1e-1,1e-5,20 --jobs 2 \
     --reference bs54:1e-07 --repeat 3 --growth -o dam
 }
-says "CPU time; error at most | position | front | impulse | energy [J/m] |" \
+says "CPU time; error at most | position | front | impulse | force | energy [J/m] |" \
     "pair passes; error at most |" "cks43 1e-5" "4 of 6 runs came to their end" \
     "| leapfrog@4 | failed | the fluid has run away" "| cks43 20 | refused | "
 head -n 1 dam/compare.csv | grep -q '^# units: ' || complain "compare.csv has no line of units"
 columns=method,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit
-columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,energy_defect
-sed -n 2p dam/compare.csv | grep -q -x "$columns,t_end,run,message" || complain "compare.csv has other columns"
+columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,error_force,error_probe,energy_defect
+sed -n 2p dam/compare.csv | grep -q -x "$columns,t_end,run,reference,message" || complain "compare.csv has other columns"
 [ "$(wc -l <dam/compare.csv)" = 8 ] || complain "compare.csv has not a row for each run"
 row dam cks43 1e-1 status "done"
 row dam cks43 1e-5 status "done"
@@ -116,13 +116,13 @@ grep -q -x 'gravity=\[9.8.*e-06,-9.8.*\]' dam/runs/disturbed-*/order || complain
 cmp -s dam/compare.md /dev/null && complain "compare.md is empty"
 if command -v gnuplot >/dev/null; then
     drawn dam work-precision work-precision-position work-precision-front \
-        work-precision-impulse work-precision-energy step-lengths
+        work-precision-impulse work-precision-force work-precision-energy step-lengths
     rm -f dam/figures/*.png
     echo old >dam/figures/work-precision-tip.png
     "$STIFFWATER" plot dam >said 2>&1 || complain "the figures cannot be drawn again"
     says dam/figures/work-precision-energy.png
     drawn dam work-precision work-precision-position work-precision-front \
-        work-precision-impulse work-precision-energy step-lengths
+        work-precision-impulse work-precision-force work-precision-energy step-lengths
 fi
 
 # The error is that of the files: front of a run and of the reference, by awk.
@@ -180,6 +180,26 @@ row dam leapfrog@5e-5s nan status "done"
 holds "a == 500 && b == 2000" "$(field dam cks43@2e-4s nan steps)" \
     "$(field dam leapfrog@5e-5s nan steps)"
 
+# --- each method against its own run with the least spacing ------------------------------------
+# shellcheck disable=SC2086
+{
+expect 2 $dam --methods cks43 --reference finest -o wrong
+says "--reference finest" "--sweep spacing"
+expect 2 $dam --methods cks43 --reference finest --sweep spacing=0.02,0.01 --growth -o wrong
+says --growth
+expect 2 $dam --methods cks43 --reference finest --sweep spacing=0.02,0.01 fluid.dey=1 -o other
+says dey dye
+expect 0 $dam --methods cks43,leapfrog@0.25 --tols 1e-2 --reference finest \
+    --sweep spacing=0.05,0.025,0.0125 --sweep eos.c0=20,30 --jobs 2 -o space
+}
+says "eos.c0=30" "CPU time; error at most | front | impulse | force |" "0.025 m" \
+    "Each run stands against that of its method with the least spacing."
+[ "$(wc -l <space/compare.csv)" = 14 ] || complain "not a row for each run of each spacing"
+row space leapfrog@0.25 nan reference leapfrog@0.25-spacing=0.0125_eos.c0=30 ",0.05,30,"
+grep -q '"reference_method": "finest"' space/compare.json || complain "compare.json has another reference"
+drawn space work-precision work-precision-front work-precision-impulse work-precision-force \
+    work-precision-energy step-lengths cost-against-spacing cost-against-eos.c0
+
 # --- a budget, and a row for what it stops --------------------------------------------------------
 expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001,cks43 \
     --tols 1e-1 --budget 2 -q -o budget
@@ -196,7 +216,7 @@ row budget leapfrog@0.000001 nan status stopped
 expect 0 "$scenes/beam-alone.scene" --until 5e-3 output.interval=5e-4 --methods imex3 \
     --tols 1e-2,1e-5 --sweep beam.E=5e8,1e9 --sweep beam.elements=10,12 --jobs 2 -o beam
 [ "$(wc -l <beam/compare.csv)" = 10 ] || complain "two swept keys: not 2 x 4 rows"
-sed -n 2p beam/compare.csv | grep -q ',beam.E,beam.elements,t_end,run,message$' || complain "no swept columns"
+sed -n 2p beam/compare.csv | grep -q ',beam.E,beam.elements,t_end,run,reference,message$' || complain "no swept columns"
 row beam imex3 1e-5 status "done" ,1e9,12,
 row beam imex3 1e-5 error_position nan ,1e9,12,
 holds "a > 0 && a < 1 && b < a / 10" "$(field beam imex3 1e-2 error_tip ,5e8,10,)" \

@@ -28,7 +28,8 @@ static const struct argp_option compare_options[] = {
     { "threads", 'n', "N", 0, "OpenMP threads of each run (default: 1)", 0 },
     { "reference", 'R', "METHOD:TOL", 0,
       "The run that errors are taken against (default: bs54, with a beam imex4, at 1e-6 or a "
-      "hundredth of the smallest of --tols)", 0 },
+      "hundredth of the smallest of --tols); finest: for each the run with its method and the "
+      "least value of --sweep spacing=...", 0 },
     { "early", 'e', "T", 0,
       "Time at which positions are compared [s] (default: free fall by ten spacings)", 0 },
     { "growth", 'g', NULL, 0,

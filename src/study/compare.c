@@ -35,9 +35,11 @@ static int choose_reference(struct study *s)
     double least;
 
     TRY(check_tols(s, &least));
+    if (s->finest)
+        return STATUS_DONE;
     if (asked && (!colon || (size_t)(colon - asked) >= INSIDE_WORD || strlen(colon) >= INSIDE_WORD))
         return status_fail(STATUS_BAD_SCENE, "--reference %.60s: METHOD:TOL is expected, like "
-                           "bs54:1e-6", asked);
+                           "bs54:1e-6, or finest", asked);
     if (asked) {
         snprintf(s->reference_method, INSIDE_WORD, "%.*s", (int)(colon - asked), asked);
         snprintf(s->reference_tol, INSIDE_WORD, "%s", colon + 1);
@@ -56,8 +58,11 @@ static int prepare(struct study *s)
     };
     TRY(words_split(&s->methods, s->order->methods, "--methods"));
     TRY(words_split(&s->tols, s->order->tols, "--tols"));
+    s->finest = s->order->reference && strcmp(s->order->reference, "finest") == 0;
     TRY(point_sweeps(s));
     TRY(point_all(s));
+    if (s->finest)
+        TRY(point_finest(s));
     TRY(member_home_make(&s->home, s->order->directory, "-compare"));
     TRY(choose_reference(s));
     return trials_make(s);
@@ -136,8 +141,31 @@ static int check_references(struct study *s)
     return STATUS_DONE;
 }
 
+/* What refuses all refuses the comparison. */
+static int check_runs(const struct study *s)
+{
+    for (int i = 0; i < s->trials; i++)
+        if (s->trial[i].run.ended && s->trial[i].run.code != STATUS_BAD_SCENE)
+            return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s", s->trial[0].run.message);
+}
+
+/* Runs with the least spacing may come last. */
+static int all_and_finest(struct study *s)
+{
+    TRY(carry_out(s, "runs", s->trial, s->trials, s->order->budget));
+    TRY(check_runs(s));
+    TRY(tabulate_json(s));
+    for (int i = 0; i < s->trials; i++)
+        if (s->trial[i].run.ended)
+            trial_read(s, &s->trial[i]);
+    return tabulate_csv(s);
+}
+
 static int all_runs(struct study *s)
 {
+    if (s->finest)
+        return all_and_finest(s);
     TRY(carry_out(s, "references", s->reference, 2 * s->points, 0));
     TRY(check_references(s));
     TRY(tabulate_json(s));
@@ -150,7 +178,8 @@ static int conclude(struct study *s, int status)
     if (status != STATUS_DONE && status != STATUS_STOPPED)
         return status;
     TRY(tabulate_best(s));
-    TRY(picture_draw(&s->home, &s->point[0].facts, &s->reference[0].run, s->order->scripts));
+    TRY(picture_draw(&s->home, &s->point[0].facts, &s->trial[0].reference->run,
+                     s->order->scripts));
     return status;
 }
 

@@ -34,32 +34,45 @@ double error_positions(const struct table *run, const struct table *reference)
     return n > 0 ? sqrt(sum / n) : NAN;
 }
 
-/* Sum over the columns with one of these endings (NULL-ended) of the squared difference
- * between a row of a and one of b; a number that is none counts as no difference. */
-static double distance2(const struct table *a, int i, const struct table *b, int j,
-                        const char *const *ends)
+/* Which columns of a table count, by the ends of their names (NULL-ended), and whether as they
+ * are or as what they have changed since the first row: where particles begin depends on their
+ * spacing. */
+struct what {
+    const char *const *ends;
+    bool change;
+};
+
+static double seen(const struct table *t, int row, int column, const struct what *what)
+{
+    return table_at(t, row, column) - (what->change ? table_at(t, 0, column) : 0);
+}
+
+/* Squares of row i, or of its difference to that of `from', summed over columns; a number
+ * that is none counts as 0. */
+static double square(const struct table *t, int i, const struct table *from,
+                     const struct what *what)
 {
     double sum = 0;
 
-    for (int c = 1; c < a->columns; c++)
-        for (const char *const *end = ends; *end; end++) {
-            const double far = table_at(a, i, c) - table_at(b, j, c);
-            if (ends_in(a->name[c], *end) && isfinite(far))
+    for (int c = 1; c < t->columns; c++)
+        for (const char *const *end = what->ends; *end; end++) {
+            const double far = seen(t, i, c, what) - (from ? seen(from, i, c, what) : 0);
+            if (ends_in(t->name[c], *end) && isfinite(far))
                 sum += far * far;
         }
     return sum;
 }
 
 static double error_of(const struct table *run, const struct table *reference,
-                       const char *const *ends)
+                       const struct what *what)
 {
     double sum = 0, most = 0;
 
     if (!table_alike(run, reference) || !table_same_times(run, reference))
         return NAN;
     for (int i = 0; i < run->rows; i++) {
-        sum += distance2(run, i, reference, i, ends);
-        most = fmax(most, distance2(reference, i, reference, 0, ends));
+        sum += square(run, i, reference, what);
+        most = fmax(most, square(reference, i, NULL, what));
     }
     return most > 0 ? sqrt(sum / run->rows / most) : NAN;
 }
@@ -68,19 +81,67 @@ double error_front(const struct table *run, const struct table *reference)
 {
     static const char *const ends[] = { "x", NULL };
 
-    return error_of(run, reference, ends);
+    return error_of(run, reference, &(struct what){ ends, true });
 }
 
 double error_tip(const struct table *run, const struct table *reference)
 {
     static const char *const ends[] = { ".tip_x", ".tip_y", NULL };
 
-    return error_of(run, reference, ends);
+    return error_of(run, reference, &(struct what){ ends, true });
 }
+
+static const char *const impulses[] = { ".ix", ".iy", ".iz", NULL };
 
 double error_impulse(const struct table *run, const struct table *reference)
 {
-    static const char *const ends[] = { ".ix", ".iy", ".iz", NULL };
+    return error_of(run, reference, &(struct what){ impulses, true });
+}
 
-    return error_of(run, reference, ends);
+double error_probe(const struct table *run, const struct table *reference)
+{
+    static const char *const means[] = { ".mean", NULL }, *const all[] = { "", NULL };
+    bool windows = false;
+
+    for (int c = 1; c < run->columns; c++)
+        windows = windows || ends_in(run->name[c], means[0]);
+    return error_of(run, reference, &(struct what){ windows ? means : all, false });
+}
+
+/* Force in row `row' on the object whose first impulse is in this column, as the mean since
+ * row `from'. */
+static double mean_force(const struct table *t, int from, int row, int column)
+{
+    const double time = table_at(t, row, 0) - table_at(t, from, 0);
+    double sum = 0;
+
+    for (int c = column; c < t->columns && c < column + 3; c++)
+        for (const char *const *end = impulses; *end; end++)
+            if (ends_in(t->name[c], *end))
+                sum += pow((table_at(t, row, c) - table_at(t, from, c)) / time, 2);
+    return sqrt(sum);
+}
+
+/* The largest on any object of the means over a fiftieth of the time. */
+static double peak(const struct table *t)
+{
+    const double window = (table_at(t, t->rows - 1, 0) - table_at(t, 0, 0)) / 50;
+    double most = 0;
+
+    for (int i = 1, from = 0; i < t->rows; i++) {
+        while (from + 1 < i && table_at(t, i, 0) - table_at(t, from + 1, 0) >= window * (1 - 1e-9))
+            from++;
+        for (int c = 1; c < t->columns; c++)
+            if (ends_in(t->name[c], ".ix"))
+                most = fmax(most, mean_force(t, from, i, c));
+    }
+    return most;
+}
+
+double error_force(const struct table *run, const struct table *reference)
+{
+    if (!table_alike(run, reference) || !table_same_times(run, reference))
+        return NAN;
+    const double should = peak(reference);
+    return should > 0 ? fabs(peak(run) - should) / should : NAN;
 }

@@ -8,5 +8,7 @@ double error_positions(const struct table *run, const struct table *reference); 
 double error_front(const struct table *run, const struct table *reference);
 double error_tip(const struct table *run, const struct table *reference);
 double error_impulse(const struct table *run, const struct table *reference);
+double error_force(const struct table *run, const struct table *reference);
+double error_probe(const struct table *run, const struct table *reference);
 
 #endif

@@ -17,7 +17,9 @@ struct point {
     struct facts facts;
     int pieces;           /* positions are compared at until / pieces                */
     int fine;             /* pictures of the reference until then                    */
-    struct trial *reference, *disturbed; /* disturbed: NULL when growth is not asked */
+    struct trial *reference, *disturbed; /* NULL: the finest is; growth is not asked */
+    struct point *finest; /* with the least spacing, all else as here                */
+    char place[256];      /* label without the spacing                               */
 };
 
 /* One run. */
@@ -26,6 +28,7 @@ struct trial {
     char method[INSIDE_WORD], tol[INSIDE_WORD]; /* tol "": a method without              */
     int repeat;                                 /* 0, 1, ...                              */
     bool disturbed;                             /* gravity tilted by TRIAL_DISTURBANCE    */
+    struct trial *reference;                    /* what its errors are taken against      */
     struct member run;
     struct result result;
 };
@@ -41,7 +44,8 @@ struct study {
     struct trial *reference; /* [points] and, with growth, [points] more              */
     struct trial *trial; /* [repeat][points][cases]                                   */
     int trials;
-    char reference_method[INSIDE_WORD], reference_tol[INSIDE_WORD];
+    bool finest;         /* each run's reference is that with the least spacing       */
+    char reference_method[INSIDE_WORD], reference_tol[INSIDE_WORD]; /* unless so      */
 };
 
 #endif

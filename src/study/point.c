@@ -59,6 +59,54 @@ static int set_all(const struct study *s, struct scene *scene, struct point *p)
     return STATUS_DONE;
 }
 
+static bool is_spacing(const struct study *s, int k)
+{
+    return strcmp(s->key[k], "spacing") == 0;
+}
+
+/* Same values of all swept keys but the spacing? */
+static bool alike(const struct study *s, const struct point *a, const struct point *b)
+{
+    for (int k = 0; k < s->sweeps; k++)
+        if (!is_spacing(s, k) && strcmp(a->value[k], b->value[k]) != 0)
+            return false;
+    return true;
+}
+
+static void say_place(const struct study *s, struct point *p)
+{
+    for (int k = 0; k < s->sweeps; k++) {
+        const size_t n = strlen(p->place);
+        if (!is_spacing(s, k))
+            snprintf(p->place + n, sizeof p->place - n, "%s%s=%s", n ? " " : "", s->key[k],
+                     p->value[k]);
+    }
+}
+
+int point_finest(struct study *s)
+{
+    bool differ = false;
+
+    for (int i = 0; i < s->points; i++) {
+        struct point *p = &s->point[i];
+        p->finest = p;
+        for (int k = 0; k < s->points; k++)
+            if (alike(s, p, &s->point[k]) && s->point[k].facts.dx < p->finest->facts.dx)
+                p->finest = &s->point[k];
+        differ = differ || p->finest != p;
+        say_place(s, p);
+    }
+    if (!differ)
+        return status_fail(STATUS_BAD_SCENE, "--reference finest: errors are taken against the "
+                           "run with the least spacing: give two spacings or more, like --sweep "
+                           "spacing=0.01,0.005");
+    if (s->order->growth)
+        return status_fail(STATUS_BAD_SCENE, "--growth follows a disturbance of the reference, and "
+                           "with --reference finest each run has one of its own; leave one of "
+                           "them out");
+    return STATUS_DONE;
+}
+
 int point_all(struct study *s)
 {
     s->point = status_alloc(s->points, sizeof *s->point);

@@ -10,6 +10,9 @@ int point_sweeps(struct study *s);
 /* Makes s->point: reads the scene at each combination. */
 int point_all(struct study *s);
 
+/* Sets finest and place of all points; refuses where no spacing is swept. */
+int point_finest(struct study *s);
+
 /* When positions are compared: `early' [s] as asked for, 0: after free fall by ten spacings,
  * sqrt(20 dx / g) -- early enough for particles to be told apart by their errors rather than
  * by chance.  Returns until / that, rounded up to a whole number from 1 to 999 (chosen: 50). */

@@ -9,7 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const result_errors[RESULT_ERRORS] = { "position", "front", "tip", "impulse" };
+const char *const result_errors[RESULT_ERRORS] = {
+    "position", "front", "tip", "impulse", "force", "probe"
+};
 
 /* Our own writer puts every key on a line of its own. */
 double result_number(const char *path, const char *key)
@@ -103,4 +105,6 @@ void result_compare(struct result *r, const char *dir, int i, const char *refere
     r->error[RESULT_FRONT] = both_named(dir, reference, "front.csv", error_front);
     r->error[RESULT_TIP] = both_named(dir, reference, "beam.csv", error_tip);
     r->error[RESULT_IMPULSE] = both_named(dir, reference, "forces.csv", error_impulse);
+    r->error[RESULT_FORCE] = both_named(dir, reference, "forces.csv", error_force);
+    r->error[RESULT_PROBE] = both_named(dir, reference, "probes.csv", error_probe);
 }

@@ -21,6 +21,12 @@ static double error(const struct trial *t, int column)
     return column == ENERGY ? fabs(t->result.energy_defect) : t->result.error[column];
 }
 
+/* Is a run told of with those at p?  Errors against the finest are of space, too. */
+static bool is_at(const struct study *s, const struct trial *t, const struct point *p)
+{
+    return s->finest ? t->point->finest == p : t->point == p;
+}
+
 /* The done case at this point with the least price among those with error <= most; -1:
  * there is none. */
 static int cheapest(const struct study *s, const struct point *p, int column, double most,
@@ -30,7 +36,7 @@ static int cheapest(const struct study *s, const struct point *p, int column, do
 
     for (int i = 0; i < s->points * s->cases; i++) {
         const struct trial *t = &s->trial[i];
-        if (t->run.ended && t->point == p && t->run.code == STATUS_DONE && error(t, column) <= most
+        if (t->run.ended && is_at(s, t, p) && t->run.code == STATUS_DONE && error(t, column) <= most
             && (best < 0 || price(s, i, what) < price(s, best, what)))
             best = i;
     }
@@ -57,12 +63,14 @@ static void cell(FILE *to, const struct study *s, int c, enum price what)
 {
     const struct trial *t = &s->trial[c];
 
-    if (c < 0)
+    if (c < 0) {
         fputs(" - |", to);
-    else if (what == CPU)
-        fprintf(to, " %s%s%s, %.3g s |", t->method, *t->tol ? " " : "", t->tol, price(s, c, CPU));
-    else
-        fprintf(to, " %s%s%s, %.0f |", t->method, *t->tol ? " " : "", t->tol, price(s, c, PASSES));
+        return;
+    }
+    fprintf(to, " %s%s%s,", t->method, *t->tol ? " " : "", t->tol);
+    if (s->finest)
+        fprintf(to, " %g m,", t->point->facts.dx);
+    fprintf(to, what == CPU ? " %.3g s |" : " %.0f |", price(s, c, what));
 }
 
 static void head(FILE *to, const struct study *s, const struct point *p, enum price what)
@@ -126,17 +134,23 @@ static void count(FILE *to, const struct study *s)
         done += s->trial[i].run.ended && s->trial[i].run.code == STATUS_DONE;
     }
     fprintf(to, "\n%d of %d runs came to their end; positions in spacings, energy at the end, the "
-            "others in parts of the largest change.\n", done, n);
+            "others in parts of the largest change, probe and force of the largest value.%s\n", done,
+            n, s->finest ? "  Each run stands against that of its method with the least spacing."
+                         : "");
 }
 
 static void best(FILE *to, const struct study *s)
 {
     fprintf(to, "# %s: the cheapest run for each accuracy\n", s->point[0].facts.title);
     for (int i = 0; i < s->points; i++) {
-        if (*s->point[i].label)
-            fprintf(to, "\n%s\n", s->point[i].label);
+        const struct point *p = &s->point[i];
+        const char *place = s->finest ? p->place : p->label;
+        if (s->finest && p->finest != p)
+            continue;
+        if (*place)
+            fprintf(to, "\n%s\n", place);
         for (enum price what = CPU; what < PRICES; what++)
-            point_best(to, s, &s->point[i], what);
+            point_best(to, s, p, what);
     }
     count(to, s);
     missed(to, s);

@@ -47,20 +47,26 @@ static void write_growth(struct json *j, const struct study *s, const struct poi
     json_number(j, "positions_until", growth.until);
 }
 
-static void write_point(struct json *j, const struct study *s, const struct point *p)
+static void write_reference(struct json *j, const struct study *s, const struct point *p)
 {
     const struct trial *t = p->reference;
 
-    json_object(j, *p->label ? p->label : "scene");
-    json_number(j, "until", p->facts.until);
-    json_number(j, "early", p->facts.until / p->pieces);
-    json_number(j, "spacing", p->facts.dx);
     json_text(j, "reference_status", t->run.ended ? member_status(&t->run) : "missing");
     json_text(j, "reference_message", t->run.message);
     json_number(j, "reference_cpu_s", t->run.ended ? t->result.cpu : NAN);
     json_number(j, "reference_steps", t->run.ended ? t->result.steps : NAN);
     if (p->disturbed && p->disturbed->run.ended)
         write_growth(j, s, p);
+}
+
+static void write_point(struct json *j, const struct study *s, const struct point *p)
+{
+    json_object(j, *p->label ? p->label : "scene");
+    json_number(j, "until", p->facts.until);
+    json_number(j, "early", p->facts.until / p->pieces);
+    json_number(j, "spacing", p->facts.dx);
+    if (p->reference)
+        write_reference(j, s, p);
     json_end(j);
 }
 
@@ -73,8 +79,9 @@ int tabulate_json(const struct study *s)
     TRY(json_open(&j, path));
     json_text(j, "scene", s->order->scene);
     json_text(j, "version", PACKAGE_VERSION);
-    json_text(j, "reference_method", s->reference_method);
-    json_text(j, "reference_tol", s->reference[0].tol);
+    json_text(j, "reference_method", s->finest ? "finest" : s->reference_method);
+    if (!s->finest)
+        json_text(j, "reference_tol", s->reference[0].tol);
     json_integer(j, "repeat", s->order->repeat > 1 ? s->order->repeat : 1);
     json_number(j, "budget_s", s->order->budget > 0 ? s->order->budget : NAN);
     json_object(j, "points");

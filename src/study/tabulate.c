@@ -87,6 +87,7 @@ static void row(FILE *to, const struct study *s, int c)
         table_put_word(to, t->point->value[k]);
     table_put(to, t->result.t_end);
     table_put_word(to, t->run.name);
+    table_put_word(to, t->reference->run.name);
     table_put_text(to, t->run.message);
     fputc('\n', to);
 }
@@ -95,15 +96,16 @@ static void head(FILE *to, const struct study *s)
 {
     const char *energy = s->point[0].facts.dimension == 2 ? "J/m" : "J";
 
-    fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,%s", energy);
+    fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,,,%s", energy);
     for (int k = 0; k <= s->sweeps; k++)
         fputc(',', to);
-    fputs("s,,\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
-          "pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,energy_defect",
+    fputs("s,,,\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
+          "pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,error_force,"
+          "error_probe,energy_defect",
           to);
     for (int k = 0; k < s->sweeps; k++)
         fprintf(to, ",%s", s->key[k]);
-    fputs(",t_end,run,message\n", to);
+    fputs(",t_end,run,reference,message\n", to);
 }
 
 int tabulate_csv(const struct study *s)

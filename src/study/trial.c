@@ -65,13 +65,14 @@ char *trial_settings(const struct study *s, const struct trial *t)
 
 void trial_read(const struct study *s, struct trial *t)
 {
-    const struct trial *reference = t->point->reference;
+    const struct trial *reference = t->reference;
     char dir[MEMBER_PATH], there[MEMBER_PATH];
 
     trial_path(s, t, "", dir);
     result_read(&t->result, dir);
-    if (!reference->run.ended || reference->run.code != STATUS_DONE)
+    if (!reference || reference == t || !reference->run.ended
+        || reference->run.code != STATUS_DONE)
         return;
     trial_path(s, reference, "", there);
-    result_compare(&t->result, dir, pictures(t), there, t->point->fine, t->point->facts.dx);
+    result_compare(&t->result, dir, pictures(t), there, pictures(reference), t->point->facts.dx);
 }

@@ -72,6 +72,22 @@ static void add_cases(struct study *s, struct point *p, int repeat)
     }
 }
 
+/* The first of its repeats. */
+static struct trial *in_the_finest(const struct study *s, const struct trial *t)
+{
+    const long at = t->point->finest - s->point, i = t - s->trial;
+
+    return &s->trial[at * s->cases + i % s->cases];
+}
+
+static void set_references(struct study *s)
+{
+    for (int i = 0; i < s->trials; i++) {
+        struct trial *t = &s->trial[i];
+        t->reference = s->finest ? in_the_finest(s, t) : t->point->reference;
+    }
+}
+
 static int add_references(struct study *s)
 {
     bool adaptive;
@@ -103,5 +119,8 @@ int trials_make(struct study *s)
     for (int r = 0; r < repeat; r++)
         for (int i = 0; i < s->points; i++)
             add_cases(s, &s->point[i], r);
-    return add_references(s);
+    if (!s->finest)
+        TRY(add_references(s));
+    set_references(s);
+    return STATUS_DONE;
 }

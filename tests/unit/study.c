@@ -162,6 +162,49 @@ static void test_impulse_and_tip(void **state)
     assert_true(isnan(apart(error_impulse, "t,a.ix\n0,0\n1,1\n", "t,b.ix\n0,0\n1,2\n")));
 }
 
+/* With another spacing the same front begins half a spacing further back. */
+static void test_change(void **state)
+{
+    (void)state;
+    near(apart(error_front, "t,x\n0,0.5,\n1,2.5\n", "t,x\n0,1\n1,3\n"), 0, 1e-14);
+    near(apart(error_probe, "t,p\n0,1\n1,4\n", "t,p\n0,2\n1,5\n"), sqrt(2 / 2.) / 5, 1e-14);
+}
+
+/* Means count where there are some. */
+static void test_probe(void **state)
+{
+    (void)state;
+    near(apart(error_probe, "t,p,p.mean\n0,9,0\n1,9,1\n", "t,p,p.mean\n0,0,0\n1,0,4\n"),
+         sqrt(9 / 2.) / 4, 1e-14);
+    assert_true(isnan(apart(error_probe, "t,p\n0,1\n", "t,p\n0,0\n")));
+}
+
+/* An object's impulse for 100 rows of 0.01: a force of 3 with a blow of `blow' through a row and
+ * a half, of which a mean over 0.02 has less, and one of 4 on another object. */
+static void write_impulses(char *to, double blow, double other)
+{
+    double ix = 0;
+
+    to += sprintf(to, "t,a.fx,a.ix,a.iy,b.ix,b.iy\n");
+    for (int i = 0; i <= 100; i++) {
+        to += sprintf(to, "%g,99,%.17g,0,0,%.17g\n", 0.01 * i, ix, -0.01 * i * other);
+        ix += 0.01 * 3 + (i == 40 ? 0.01 * blow : i == 41 ? 0.005 * blow : 0);
+    }
+}
+
+static void test_force(void **state)
+{
+    static char run[8192], reference[8192];
+
+    (void)state;
+    write_impulses(run, 12, 4);      /* 3 + 0.75 * 12 = 12 */
+    write_impulses(reference, 7, 4); /* 8.25 */
+    near(apart(error_force, run, reference), 12 / 8.25 - 1, 1e-12);
+    write_impulses(run, 0, 4);
+    near(apart(error_force, run, reference), 1 - 4 / 8.25, 1e-12);
+    assert_true(isnan(apart(error_force, run, "t,a.fx,a.ix,a.iy,b.ix,b.iy\n0,0,0,0,0,0\n")));
+}
+
 static void test_growth(void **state)
 {
     double t[100], d[100];
@@ -405,6 +448,9 @@ int main(void)
         cmocka_unit_test(test_positions),
         cmocka_unit_test(test_front),
         cmocka_unit_test(test_impulse_and_tip),
+        cmocka_unit_test(test_change),
+        cmocka_unit_test(test_probe),
+        cmocka_unit_test(test_force),
         cmocka_unit_test(test_growth),
         cmocka_unit_test(test_median),
         cmocka_unit_test(test_cheapest),
