@@ -8,7 +8,6 @@ sweeps = column_of('t_end') - first_swept
 c_end = column_of('t_end')
 c_run = column_of('run')
 c_true = column_of('reference')
-c_why = column_of('message')
 
 # Without particles there are no pairs: right-hand sides of both sides stand for them.
 passes(i) = dx > 0 ? column(11) : column(9) + column(10)
@@ -65,7 +64,17 @@ member(i) = word(members, i) + 0
 look(i) = family_colour[family(word(lines, i))]
 mine(i, p) = line_of(case(0)) eq word(lines, i) && (p eq '' || place(0) eq p)
 
-# Why runs did not come to their end, a line of text each reason.
+# Why runs did not come to their end, a line of text each reason.  A text ends at its first comma
+# unless quotes separate columns; no other column has any.
+stats table using 0 skip 2 nooutput name 'row'
+array message[row_records > 0 ? row_records : 1]
+set datafile separator '"'
+set datafile missing
+rows_read = 0
+stats table using (rows_read = rows_read + 1, message[rows_read] = strcol(2), 0) \
+    skip 2 nooutput
+set datafile separator ','
+set datafile missing NaN
 most_reasons = 6
 array method[most_reasons]
 array why[most_reasons]
@@ -79,8 +88,8 @@ first(w) = n_reasons < most_reasons ? (n_reasons = n_reasons + 1, why[n_reasons]
     method[n_reasons] = asked(0), 0) : (others = others + 1, 0)
 again(k) = (method[k] = method[k].', '.asked(0), 0)
 reason(w) = known(w) ? again(known(w)) : first(w)
-stats table using (strcol(3) ne 'done' ? reason(strcol(3).': '.cut(strcol(c_why))) : 0) skip 2 \
-    nooutput
+stats table using (strcol(3) ne 'done' ? reason(strcol(3).': '.cut(message[int($0) + 1])) : 0) \
+    skip 2 nooutput
 reasons = ''
 do for [k = 1:n_reasons] {
     reasons = reasons.one_line(one_line(method[k], 60).' '.why[k], 160)."\n"

@@ -61,6 +61,14 @@ expect 2 $dam --methods cks43 --reference bs54 -o wrong
 says METHOD:TOL
 expect 2 $dam --methods cks43 --repeat 0 -o wrong
 expect 2 $dam --methods cks43 --budget none -o wrong
+expect 2 $dam --methods cks43 --sweep tol=1,2 -o wrong
+says tol=1,2 --tols
+expect 2 $dam --methods cks43 method=dv -o wrong
+says method=dv --methods
+expect 2 $dam --methods cks43 output.fields=0.1 -o wrong
+says output.fields
+expect 2 $dam --methods cks43 --early 100 -o wrong
+says "--early 100" "end at 0.1 s"
 expect 2 no-such.scene --methods cks43 -o wrong
 says no-such.scene
 [ ! -e wrong ] || complain "a mistake leaves a directory"
@@ -68,6 +76,7 @@ expect 2 $dam --methods cks43 --tols 1e-2 fluid.dey=1 -o refused
 says dey dye
 expect 2 $dam --methods cks43 --tols 1e-2 --sweep spacing=0.0125,0.024 -o refused
 says spacing=0.024
+[ -z "$(find refused -name run.json)" ] || complain "a scene is run before all are checked"
 
 # --- a dam break ------------------------------------------------------------------------------
 expect 0 $dam --methods cks43,leapfrog@0.25,leapfrog@0.025,leapfrog@4 --tols 1e-1,1e-5,20 --jobs 2 \
@@ -250,5 +259,44 @@ for signal in INT TERM; do
         complain "SIG$signal: the run was not stopped in order"
 done
 grep -q "3 of them\|1 of them" said || complain "what was done is done again"
+
+# --- accidents ------------------------------------------------------------------------------------
+# begin DIR: a comparison of a run that takes for ever, in the background, when it is at it
+begin()
+{
+    tried=$((tried + 1))
+    "$STIFFWATER" compare "$scenes/dam-break.scene" spacing=0.025 --until 0.02 \
+        --methods leapfrog@0.000001 -q -o "$1" >said 2>&1 &
+    pid=$!
+    waited=0
+    until [ -s "$1/runs/leapfrog@0.000001/steps.csv" ] || [ $waited = 200 ]; do
+        sleep 0.1
+        waited=$((waited + 1))
+    done
+    child=$(cat /proc/$pid/task/$pid/children)
+    child=${child% }
+}
+
+begin killed
+kill -KILL "$child"
+wait $pid
+row killed leapfrog@0.000001 nan status failed
+grep -q 'ended by signal 9' killed/compare.csv || complain "no word of the signal"
+expect 0 "$scenes/dam-break.scene" spacing=0.025 --until 0.02 --methods leapfrog@0.000001 -q \
+    --budget 1 -o killed
+row killed leapfrog@0.000001 nan status stopped
+
+# A comparison that is killed leaves no run behind.
+begin orphan
+kill -KILL $pid
+wait $pid 2>/dev/null
+waited=0
+while [ -e "/proc/$child" ] && [ $waited -lt 100 ]; do
+    sleep 0.1
+    waited=$((waited + 1))
+done
+[ ! -e "/proc/$child" ] || complain "a run goes on without its comparison"
+kill -KILL "$child" 2>/dev/null
+grep -q '"status": "stopped"' orphan/runs/leapfrog@0.000001/run.json || complain "it did not end in order"
 
 finish

@@ -6,13 +6,11 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-extern char **environ;
 
 static const double patience = 20;  /* [s] between SIGTERM and SIGKILL */
 static const double nap = 0.01;     /* [s] between two looks           */
@@ -25,22 +23,56 @@ static double clock_now(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* In the child: becomes the program, or tells through the pipe why not.  If its parent dies,
+ * the program is asked to end in order. */
+static _Noreturn void become(const struct child *c, pid_t parent, int tell)
+{
+    const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const int out = open(c->said, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    int error;
+
+    if (in >= 0 && out >= 0 && dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0
+        && dup2(out, STDERR_FILENO) >= 0 && prctl(PR_SET_PDEATHSIG, SIGTERM) == 0
+        && getppid() == parent)
+        execv(c->words[0], c->words);
+    error = errno;
+    while (write(tell, &error, sizeof error) < 0 && errno == EINTR) {
+    }
+    _exit(127);
+}
+
+/* 0, or what errno was in the child. */
+static int hear(int from)
+{
+    int error = 0;
+    ssize_t n;
+
+    do
+        n = read(from, &error, sizeof error);
+    while (n < 0 && errno == EINTR);
+    return n == sizeof error ? error : 0;
+}
+
 static int spawn(struct child *c)
 {
-    posix_spawn_file_actions_t actions;
-    int error = posix_spawn_file_actions_init(&actions);
+    const pid_t parent = getpid();
+    int pipe_of[2], error;
 
-    if (error != 0)
-        return error;
-    error = posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (pipe(pipe_of) != 0)
+        return errno;
+    fcntl(pipe_of[1], F_SETFD, FD_CLOEXEC); /* closed when the program begins */
+    c->pid = fork();
+    if (c->pid == 0) {
+        close(pipe_of[0]);
+        become(c, parent, pipe_of[1]);
+    }
+    error = c->pid < 0 ? errno : 0;
+    close(pipe_of[1]);
     if (error == 0)
-        error = posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, c->said,
-                                                 O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (error == 0)
-        error = posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    if (error == 0)
-        error = posix_spawnp(&c->pid, c->words[0], &actions, NULL, c->words, environ);
-    posix_spawn_file_actions_destroy(&actions);
+        error = hear(pipe_of[0]);
+    close(pipe_of[0]);
+    if (error != 0 && c->pid > 0)
+        waitpid(c->pid, NULL, 0);
     return error;
 }
 

@@ -98,7 +98,7 @@ char **member_words(const struct member_home *h, const struct member *m, const c
     if (!to)
         return NULL;
     member_path(h, m, "", directory);
-    fprintf(to, "%s\nrun\n%s\n", h->program, h->scene);
+    fprintf(to, "%s\n%s\n%s\n", h->program, h->command ? h->command : "run", h->scene);
     write_settings(to, h, settings);
     fprintf(to, "-q\n-n\n%d\n-o\n%s\n", threads(h), directory);
     fclose(to);
@@ -132,7 +132,7 @@ static bool same_end(const struct member_home *h, const char *end, struct member
     if (sscanf(end, "ended %d %d %lf", &m->code, &late, &budget) != 3)
         return false;
     m->late = late != 0;
-    return !m->late || budget == h->budget;
+    return m->late ? budget == h->budget : m->code >= 0;
 }
 
 /* The last thing that the program said, without its name. */

@@ -14,6 +14,7 @@ struct member_home {
     int overrides;
     const char *const *override; /* [overrides] "KEY=VALUE"                           */
     int threads;                 /* 0: 1                                              */
+    const char *command;         /* of the program; NULL: run                         */
     double budget;               /* [s] of the clock for a run; 0: any                */
     char directory[MEMBER_PATH / 2], program[MEMBER_PATH];
     char identity[512];          /* of program and scene files                        */
@@ -36,7 +37,8 @@ int member_home_make(struct member_home *h, const char *asked, const char *suffi
  * it.  NULL: no memory. */
 char **member_words(const struct member_home *h, const struct member *m, const char *settings);
 
-/* Takes over the run if DIR/runs/NAME holds one that ended with the same order. */
+/* Takes over the run if DIR/runs/NAME holds one that ended with the same order, and not by a
+ * signal, which says nothing of the run. */
 bool member_reuse(const struct member_home *h, struct member *m, const char *settings);
 
 /* Writes down how it ended, for member_reuse(), and reads what it said. */

@@ -53,10 +53,28 @@ static int set_all(const struct study *s, struct scene *scene, struct point *p)
                  k ? " " : "", text);
     }
     TRY(facts_read(scene, &p->facts));
+    if (s->order->early > p->facts.until * (1 + 1e-9))
+        return status_fail(STATUS_BAD_SCENE, "--early %g: positions are compared at that time, and "
+                           "runs end at %g s%s%s", s->order->early, p->facts.until,
+                           *p->label ? ", with " : "", p->label);
     p->pieces = point_pieces(p->facts.until, p->facts.dx, facts_gravity(&p->facts),
                              s->order->early);
     p->fine = (LEAST_PICTURES + p->pieces - 1) / p->pieces;
     return STATUS_DONE;
+}
+
+char *point_settings(const struct study *s, const struct point *p)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+
+    if (!to)
+        return NULL;
+    for (int k = 0; k < s->sweeps; k++)
+        fprintf(to, "%s=%s\n", s->key[k], p->value[k]);
+    fclose(to);
+    return text;
 }
 
 static bool is_spacing(const struct study *s, int k)

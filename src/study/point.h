@@ -10,6 +10,9 @@ int point_sweeps(struct study *s);
 /* Makes s->point: reads the scene at each combination. */
 int point_all(struct study *s);
 
+/* What the point sets, a line "KEY=VALUE\n" each: free() it.  NULL: no memory. */
+char *point_settings(const struct study *s, const struct point *p);
+
 /* Sets finest and place of all points; refuses where no spacing is swept. */
 int point_finest(struct study *s);
 

@@ -152,8 +152,8 @@ void table_put_text(FILE *to, const char *what)
 
 void table_put_word(FILE *to, const char *what)
 {
-    if (strpbrk(what, ",\""))
-        table_put_text(to, what);
-    else
-        fprintf(to, ",%s", what);
+    fputc(',', to);
+    for (; *what; what++)
+        if (*what != '"')
+            fputc(*what == ',' ? ';' : *what, to);
 }

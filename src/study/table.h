@@ -30,7 +30,9 @@ bool table_alike(const struct table *a, const struct table *b);
 bool table_same_times(const struct table *a, const struct table *b); /* of such two */
 
 /* Cells behind the first of a row: a number, NAN as "nan"; a text in quotes, where commas may
- * stand but quotes and line ends may not; a word, in quotes where it needs them. */
+ * stand but quotes and line ends may not; a word without its quotes and with ; for commas.  So no
+ * cell but a text has quotes: gnuplot, which ends quoted cells at their first comma, can tell
+ * texts by them. */
 void table_put(FILE *to, double value);
 void table_put_text(FILE *to, const char *what);
 void table_put_word(FILE *to, const char *what);

@@ -2,9 +2,11 @@
 #include "study/trial.h"
 
 #include "base/status.h"
+#include "study/point.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 void trial_path(const struct study *s, const struct trial *t, const char *file, char *to)
 {
@@ -39,8 +41,10 @@ static void write_settings(FILE *to, const struct study *s, const struct trial *
 {
     const struct point *p = t->point;
 
-    for (int k = 0; k < s->sweeps; k++)
-        fprintf(to, "%s=%s\n", s->key[k], p->value[k]);
+    char *swept = point_settings(s, p);
+
+    fputs(swept ? swept : "", to);
+    free(swept);
     fprintf(to, "method=%s\n", t->method);
     if (*t->tol)
         fprintf(to, "tol=%s\n", t->tol);

@@ -13,7 +13,7 @@ static void add_safe(char *to, size_t room, const char *text)
     size_t n = strlen(to);
 
     for (; *text && n + 1 < room; text++)
-        to[n++] = strchr("/ \"'\\*?<>|&;()[]{}", *text) ? '_' : *text;
+        to[n++] = strchr(",/ \"'\\*?<>|&;()[]{}", *text) ? '_' : *text;
     to[n] = '\0';
 }
 
