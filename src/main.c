@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     setenv("OMP_WAIT_POLICY", "passive", 0); /* read when the next program loads */
     cli_parse(argc, argv, &c);
     if (c.command == CLI_RUN || c.command == CLI_CHECK || c.command == CLI_COMPARE
-        || c.command == CLI_SPREAD) {
+        || c.command == CLI_SPREAD || c.command == CLI_SWEEP) {
         status = cli_keep_pipe(c.subject);
         if (status == STATUS_DONE)
             status = cli_dimension(&c, &dimension);

@@ -6,6 +6,7 @@
 #include "run/run.h"
 #include "study/compare.h"
 #include "study/spread.h"
+#include "study/sweep.h"
 #include "time/method.h"
 
 #include <errno.h>
@@ -53,7 +54,7 @@ static int explain(const char *name)
 /* What a directory has that can be drawn. */
 static bool has_results(const char *directory)
 {
-    static const char *const files[] = { "run.json", "compare.csv", "spread.csv" };
+    static const char *const files[] = { "run.json", "compare.csv", "sweep.csv", "spread.csv" };
     char path[4200];
 
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
@@ -107,6 +108,19 @@ static int spread(const struct cli *c)
     return spread_scene(&order);
 }
 
+static int sweep(const struct cli *c)
+{
+    char scripts[4200];
+    const struct sweep_order order = {
+        .scene = c->subject, .words = c->overrides, .word = c->override,
+        .directory = c->directory, .jobs = c->jobs, .threads = c->threads, .budget = c->budget,
+        .quiet = c->quiet, .scripts = scripts,
+    };
+
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    return sweep_scene(&order);
+}
+
 static int carry_out(const struct cli *c)
 {
     const struct run_order order = {
@@ -121,6 +135,7 @@ static int carry_out(const struct cli *c)
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
     case CLI_COMPARE: return compare(c);
+    case CLI_SWEEP: return sweep(c);
     case CLI_SPREAD: break;
     }
     return spread(c);

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-enum cli_command { CLI_RUN, CLI_CHECK, CLI_COMPARE, CLI_SPREAD, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
+enum cli_command { CLI_RUN, CLI_CHECK, CLI_COMPARE, CLI_SWEEP, CLI_SPREAD, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
 
 enum { CLI_OVERRIDES = 128 };
 

@@ -40,6 +40,19 @@ static const struct argp_option compare_options[] = {
     { 0 },
 };
 
+static const struct argp_option sweep_options[] = {
+    { "until", 'u', "T", 0, "Time at which each run ends [s]", 0 },
+    { "method", 'm', "NAME", 0, "Time integration, see `stiffwater list methods`", 0 },
+    { "tol", 't', "X", 0, "Error allowed in a step", 0 },
+    { "budget", 'b', "SECONDS", 0, "A run that takes longer (by the clock) is stopped", 0 },
+    { "jobs", 'j', "N", 0, "Runs at a time (default: 1)", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads of each run (default: 1)", 0 },
+    { "output", 'o', "DIR", 0,
+      "Directory for the results (default: the scene's name and -sweep)", 0 },
+    { "quiet", 'q', NULL, 0, "No progress line, no table on the screen", 0 },
+    { 0 },
+};
+
 static const struct argp_option spread_options[] = {
     { "runs", 'N', "N", 0, "Runs, 2 to 999 (default: 8)", 0 },
     { "size", 'd', "X", 0,
@@ -91,6 +104,14 @@ const struct commands_row commands_table[] = {
       "reference; compare.md, the cheapest run for each accuracy; figures/work-precision.png; the "
       "runs themselves in runs/.  The same command again goes on where it was interrupted and "
       "runs only what is not there yet.", compare_options, true },
+    { "sweep", CLI_SWEEP, "SCENE KEY=V1,V2,... [KEY=VALUE ...]",
+      "Runs a scene with each value of a key, or each combination of several keys: what comes out "
+      "against what was put in.\v"
+      "A key with one value is set in all runs.  effects.NAME=on,off and wall.NAME=on,off show what "
+      "an effect or an object changes and costs.  Leaves sweep.csv, a row for each run with its cost, "
+      "the front at the end, peak forces and deflections, means of probes and more; sweep.md, "
+      "which is printed too; figures/sweep-KEY.png; the runs themselves in runs/.  The same command "
+      "again runs only what is not there yet.", sweep_options, true },
     { "spread", CLI_SPREAD, "SCENE [KEY=VALUE ...]",
       "Runs a scene many times from starts that differ by next to nothing: mean and band of "
       "front, forces, impulses, tips, probes.\v"

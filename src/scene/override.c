@@ -113,12 +113,50 @@ static struct scene_node *make_group(struct override *o, struct scene_node *pare
     return group;
 }
 
+/* "off" and "on" take a group away and put it back: effects and objects have no values of their
+ * own that they could be. */
+static bool is_switch(const struct override *o, const struct scene_node *group,
+                      const struct scene_node *child)
+{
+    const char *text = o->value->kind == SCENE_TEXT ? o->value->text : "";
+
+    return (strcmp(text, "off") == 0 || strcmp(text, "on") == 0)
+           && (child ? child->kind == SCENE_GROUP : strcmp(group->name, "effects") == 0);
+}
+
+static void take_away(struct scene_node *group, const struct scene_node *child)
+{
+    int n = 0;
+
+    for (int i = 0; i < group->n; i++)
+        if (group->child[i] != child)
+            group->child[n++] = group->child[i];
+    group->n = n;
+}
+
+/* What was off already stays, marked, so that its name is checked like any other's. */
+static int turn(struct override *o, struct scene_node *group, struct scene_node *child)
+{
+    const bool off = strcmp(o->value->text, "off") == 0, was = child && !child->off;
+
+    if (was && off)
+        take_away(group, child);
+    else if (!child)
+        child = make_group(o, group, o->part[o->n - 1]);
+    if (!child)
+        return STATUS_FAILED;
+    child->off = off;
+    return STATUS_DONE;
+}
+
 /* Sets the value at part[i], part[i+1] ... below group. */
 static int set(struct override *o, struct scene_node *group, int i)
 {
     const bool last = i == o->n - 1;
     struct scene_node *child = scene_node_find(group, o->part[i]);
 
+    if (last && is_switch(o, group, child))
+        return turn(o, group, child);
     if (!child && means_all(o, group, o->part[i], last)) {
         for (int k = 0; k < group->n; k++)
             TRY(set(o, group->child[k], i));

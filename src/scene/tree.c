@@ -71,7 +71,9 @@ const struct scene_node *scene_root(const struct scene *scene)
 
 const struct scene_node *scene_child(const struct scene_node *group, const char *name)
 {
-    return scene_node_find(group, name);
+    const struct scene_node *child = scene_node_find(group, name);
+
+    return child && !child->off ? child : NULL;
 }
 
 int scene_count(const struct scene_node *group)

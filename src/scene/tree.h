@@ -39,6 +39,7 @@ struct scene_node {
     struct scene_place at;
     double number;
     bool flag;
+    bool off;                  /* a group that the command line has taken away       */
     const char *text;          /* of a text; of any override: as it was typed        */
     struct scene_node **child; /* [n] of a group or list                             */
     int n, room;

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "run/stop.h"
+#include "study/checks.h"
 #include "study/crew.h"
 #include "study/keys.h"
 #include "study/picture.h"
@@ -124,58 +125,6 @@ static int changed(void *self)
     return tabulate_csv(l->study);
 }
 
-/* --- the scene as such, whatever the method ---------------------------------------- */
-
-struct checks {
-    struct study *study;
-    struct member *member; /* [points] */
-};
-
-static struct member *check_member(void *self, int i)
-{
-    struct checks *c = self;
-
-    return &c->member[i];
-}
-
-static char *check_settings(void *self, int i)
-{
-    const struct checks *c = self;
-
-    return point_settings(c->study, &c->study->point[i]);
-}
-
-static int refuse_checked(const struct study *s, const struct member *m)
-{
-    for (int i = 0; i < s->points; i++)
-        if (m[i].code == STATUS_BAD_SCENE || m[i].code == STATUS_IO)
-            return status_fail(m[i].code, "%s%s%s", s->point[i].label,
-                               *s->point[i].label ? ": " : "", m[i].message);
-    return STATUS_DONE;
-}
-
-/* Before anything runs, so that a mistake is not found behind an hour of references. */
-static int check_scenes(struct study *s)
-{
-    struct member_home home = s->home;
-    struct checks c = { s, status_alloc(s->points, sizeof *c.member) };
-    const struct crew crew = {
-        .home = &home, .what = "scenes checked", .n = s->points, .jobs = s->order->jobs,
-        .quiet = s->order->quiet, .member = check_member, .settings = check_settings, .self = &c,
-    };
-    int status = c.member ? STATUS_DONE : STATUS_FAILED;
-
-    home.command = "check";
-    for (int i = 0; i < s->points && c.member; i++)
-        snprintf(c.member[i].name, sizeof c.member[i].name, "check-%d", i + 1);
-    if (status == STATUS_DONE)
-        status = crew_run(&crew);
-    if (status == STATUS_DONE)
-        status = refuse_checked(s, c.member);
-    free(c.member);
-    return status;
-}
-
 static int carry_out(struct study *s, const char *what, struct trial *trial, int n, double budget)
 {
     struct list list = { s, trial };
@@ -217,7 +166,7 @@ static int all_and_finest(struct study *s)
 
 static int all_runs(struct study *s)
 {
-    TRY(check_scenes(s));
+    TRY(checks_run(s));
     if (s->finest)
         return all_and_finest(s);
     TRY(carry_out(s, "references", s->reference, 2 * s->points, 0));

@@ -1,6 +1,8 @@
 /* error.c -- distances between tables of two runs. */
 #include "study/error.h"
 
+#include "study/force.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -108,33 +110,14 @@ double error_probe(const struct table *run, const struct table *reference)
     return error_of(run, reference, &(struct what){ windows ? means : all, false });
 }
 
-/* Force in row `row' on the object whose first impulse is in this column, as the mean since
- * row `from'. */
-static double mean_force(const struct table *t, int from, int row, int column)
+/* On any object. */
+static double largest_force(const struct table *t)
 {
-    const double time = table_at(t, row, 0) - table_at(t, from, 0);
-    double sum = 0;
-
-    for (int c = column; c < t->columns && c < column + 3; c++)
-        for (const char *const *end = impulses; *end; end++)
-            if (ends_in(t->name[c], *end))
-                sum += pow((table_at(t, row, c) - table_at(t, from, c)) / time, 2);
-    return sqrt(sum);
-}
-
-/* The largest on any object of the means over a fiftieth of the time. */
-static double peak(const struct table *t)
-{
-    const double window = (table_at(t, t->rows - 1, 0) - table_at(t, 0, 0)) / 50;
     double most = 0;
 
-    for (int i = 1, from = 0; i < t->rows; i++) {
-        while (from + 1 < i && table_at(t, i, 0) - table_at(t, from + 1, 0) >= window * (1 - 1e-9))
-            from++;
-        for (int c = 1; c < t->columns; c++)
-            if (ends_in(t->name[c], ".ix"))
-                most = fmax(most, mean_force(t, from, i, c));
-    }
+    for (int c = 1; c < t->columns; c++)
+        if (ends_in(t->name[c], ".ix"))
+            most = fmax(most, force_peak(t, c, force_window(t)));
     return most;
 }
 
@@ -142,6 +125,6 @@ double error_force(const struct table *run, const struct table *reference)
 {
     if (!table_alike(run, reference) || !table_same_times(run, reference))
         return NAN;
-    const double should = peak(reference);
-    return should > 0 ? fabs(peak(run) - should) / should : NAN;
+    const double should = largest_force(reference);
+    return should > 0 ? fabs(largest_force(run) - should) / should : NAN;
 }

@@ -54,6 +54,15 @@ int member_home_make(struct member_home *h, const char *asked, const char *suffi
     return find_program(h);
 }
 
+void member_name_add(struct member *m, const char *text)
+{
+    size_t n = strlen(m->name);
+
+    for (; *text && n + 40 < sizeof m->name; text++) /* room for the number of a repeat */
+        m->name[n++] = strchr(",/ \"'\\*?<>|&;()[]{}", *text) ? '_' : *text;
+    m->name[n] = '\0';
+}
+
 void member_path(const struct member_home *h, const struct member *m, const char *file, char *to)
 {
     snprintf(to, MEMBER_PATH, "%s/runs/%s%s%s", h->directory, m->name, *file ? "/" : "", file);

@@ -32,6 +32,9 @@ struct member {
  * program and identity of a home whose other members are set. */
 int member_home_make(struct member_home *h, const char *asked, const char *suffix);
 
+/* Adds text to the name; what a directory's name had better not hold becomes "_". */
+void member_name_add(struct member *m, const char *text);
+
 /* What the run's child is called with, NULL-ended: the home's settings, then `settings', a
  * line "KEY=VALUE\n" each.  The texts live in one piece of memory behind the array: free()
  * it.  NULL: no memory. */

@@ -153,6 +153,11 @@ void table_put_text(FILE *to, const char *what)
 void table_put_word(FILE *to, const char *what)
 {
     fputc(',', to);
+    table_put_first(to, what);
+}
+
+void table_put_first(FILE *to, const char *what)
+{
     for (; *what; what++)
         if (*what != '"')
             fputc(*what == ',' ? ';' : *what, to);

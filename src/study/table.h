@@ -36,5 +36,6 @@ bool table_same_times(const struct table *a, const struct table *b); /* of such 
 void table_put(FILE *to, double value);
 void table_put_text(FILE *to, const char *what);
 void table_put_word(FILE *to, const char *what);
+void table_put_first(FILE *to, const char *what); /* a word that begins a row */
 
 #endif

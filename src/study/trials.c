@@ -7,16 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a name of a directory had better not hold becomes "_". */
-static void add_safe(char *to, size_t room, const char *text)
-{
-    size_t n = strlen(to);
-
-    for (; *text && n + 1 < room; text++)
-        to[n++] = strchr(",/ \"'\\*?<>|&;()[]{}", *text) ? '_' : *text;
-    to[n] = '\0';
-}
-
 static void set(struct trial *t, struct point *p, const char *method, const char *tol, int repeat,
                 const char *before)
 {
@@ -25,14 +15,14 @@ static void set(struct trial *t, struct point *p, const char *method, const char
     t->run.until = p->facts.until;
     snprintf(t->method, sizeof t->method, "%s", method);
     snprintf(t->tol, sizeof t->tol, "%s", tol);
-    add_safe(t->run.name, 200, before);
-    add_safe(t->run.name, 200, method);
+    member_name_add(&t->run, before);
+    member_name_add(&t->run, method);
     if (*tol)
-        add_safe(t->run.name, 200, "-");
-    add_safe(t->run.name, 200, tol);
+        member_name_add(&t->run, "-");
+    member_name_add(&t->run, tol);
     if (*p->label)
-        add_safe(t->run.name, 200, "-");
-    add_safe(t->run.name, 200, p->label);
+        member_name_add(&t->run, "-");
+    member_name_add(&t->run, p->label);
     if (repeat > 0)
         snprintf(t->run.name + strlen(t->run.name), 16, "-%d", repeat + 1);
 }

@@ -451,6 +451,35 @@ static void long_lists_are_kept_whole(void **state)
     scene_free(&scene);
 }
 
+/* A group that is off is not there; of effects even the name of one that never was is checked. */
+static void groups_are_switched(void **state)
+{
+    const struct scene_node *effects, *root;
+    struct scene *scene;
+
+    (void)state;
+    write_file("t.scene", "effects = { a = { x = 1; }; b = { }; };\nwall = { w = { }; v = { }; };");
+    assert_int_equal(scene_read(in_directory("t.scene"), &scene), STATUS_DONE);
+    root = scene_root(scene);
+    effects = scene_child(root, "effects");
+    assert_int_equal(scene_override(scene, "effects.a=off"), STATUS_DONE);
+    assert_null(scene_child(effects, "a"));
+    assert_non_null(scene_child(effects, "b"));
+    assert_int_equal(scene_override(scene, "effects.b=on"), STATUS_DONE);
+    assert_non_null(scene_child(effects, "b"));
+    assert_int_equal(scene_override(scene, "effects.c=on"), STATUS_DONE);
+    assert_non_null(scene_child(effects, "c"));
+    assert_int_equal(scene_override(scene, "effects.d=off"), STATUS_DONE);
+    assert_null(scene_child(effects, "d"));
+    assert_int_equal(scene_count(effects), 3);
+    assert_int_equal(scene_override(scene, "effects.d=on"), STATUS_DONE);
+    assert_non_null(scene_child(effects, "d"));
+    assert_int_equal(scene_override(scene, "wall.w=off"), STATUS_DONE);
+    assert_int_equal(scene_count(scene_child(root, "wall")), 1);
+    assert_null(scene_child(scene_child(root, "wall"), "w"));
+    scene_free(&scene);
+}
+
 /* --- includes ------------------------------------------------------------------------- */
 
 static void includes_are_looked_for_beside_the_file_that_asks(void **state)
@@ -817,6 +846,7 @@ int main(void)
         cmocka_unit_test(files_that_are_no_scenes_are_refused),
         cmocka_unit_test(huge_and_deep_scenes_do_not_crash),
         cmocka_unit_test(long_lists_are_kept_whole),
+        cmocka_unit_test(groups_are_switched),
         cmocka_unit_test(includes_are_looked_for_beside_the_file_that_asks),
         cmocka_unit_test(includes_that_cannot_be_are_refused),
         cmocka_unit_test(overrides_set_values_of_every_kind),
