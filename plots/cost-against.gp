@@ -86,7 +86,7 @@ do for [k = 1:sweeps] {
     others_at = ''
     stats table using (spots = add(spots, strcol(c)), others_at = add(others_at, elsewhere(k)), \
         numbers = numbers + (column(c) == column(c)), 0) skip 2 nooutput name 'all'
-    if (words(spots) > 1 && numbers == all_records) {
+    if (words(spots) > 1 && numbers == all_records && strstrt(word(names, c), '/') == 0) {
         set xrange [*:*]    # stats leaves out what the last legend did
         set yrange [*:*]
         stats table using (column(c)) skip 2 nooutput name 'x'

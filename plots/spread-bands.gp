@@ -9,8 +9,10 @@ few = sprintf('%d runs, %g spacings apart at the start', runs, size)
 legend = sprintf('line: mean, band: least to largest, dashed: the band is wider than %g %% of the largest mean', \
     100 * share)
 is_number(text) = strlen(text) > 0 && text ne 'nan'
-# When the band of a column is lost: as spread.csv has it.
-lost_of(name) = system("awk -F, -v name='".name."' '$2 == name { print $NF; exit }' ../spread.csv")
+# `eval read_told`: when the band of the column `what' is lost, and its unit, as spread.csv has it.
+read_told = "when = ''; unit = ''; set datafile missing; \
+    stats '../spread.csv' using (strcol(2) eq what ? (when = strcol(11), unit = strcol(4), 0) : 0) \
+        skip 2 nooutput; set datafile missing 'nan'"
 # `eval names_of_means` leaves in `means` the columns that have bands, without ".mean".
 names_of_means = "means = ''; do for [i = 2:words(names)] { if (ends_in(word(names, i), '.mean')) { \
     means = means.' '.word(names, i)[1:strlen(word(names, i)) - 5] } }"
@@ -18,7 +20,7 @@ size_of = "stats table using (abs(column(column_of(what.'.mean')))) skip 2 noout
     largest = own_max"
 # Least to largest as a band, the mean as a line, and a dashed line where one run means no more.
 draw_band = "at = column_of(what.'.mean'); \
-    when = lost_of(what); \
+    eval read_told; \
     unset arrow 9; \
     if (is_number(when)) { \
         set arrow 9 from first real(when), graph 0 to first real(when), graph 1 nohead dt '-' lw 1.5 \

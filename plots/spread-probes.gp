@@ -5,7 +5,6 @@ load 'spread-bands.gp'
 table = '../spread-probes.csv'
 eval read_names
 eval names_of_means
-unit_of(name) = system("awk -F, -v name='".name."' '$2 == name { print $4; exit }' ../spread.csv")
 panels = words(means) < 12 ? words(means) : 12
 
 set terminal pngcairo size 1200, 300 * panels + 120 font 'Sans,18'
@@ -17,7 +16,7 @@ set xrange [0:until]
 do for [k = 1:panels] {
     what = word(means, k)
     tone = pick(k)
-    unit = unit_of(what)
+    eval read_told
     scale = unit eq 'Pa' ? 1e-3 : 1
     set xlabel k == panels ? 'time [s]' : ''
     set ylabel what.(unit eq 'Pa' ? ' [kPa]' : ' ['.unit.']') noenhanced

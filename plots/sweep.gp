@@ -48,7 +48,7 @@ do for [k = 1:sweeps] {
     numbers = 0
     stats table using (spots = add(spots, strcol(k)), others = add(others, elsewhere(k)), \
         numbers = numbers + is_number(strcol(k)), 0) skip 2 nooutput name 'all'
-    if (words(spots) > 1) {
+    if (words(spots) > 1 && strstrt(word(names, k), '/') == 0) {
         by_words = numbers < all_records
         place(w) = sum [i = 1:words(spots)] (word(spots, i) eq w ? i : 0)
         x(i) = by_words ? place(strcol(k)) : column(k)

@@ -7,7 +7,7 @@ ask=
 asking
 
 # --- help and versions --------------------------------------------------------------------
-commands='run check plot list explain compare spread'
+commands='run check plot list explain compare sweep spread'
 for word in --help -h help; do
     expect 0 $word
     # shellcheck disable=SC2086 # one pattern a command
@@ -211,6 +211,32 @@ if [ "$(id -u)" != 0 ]; then
     mkdir locked && chmod a-w locked
     expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o locked/results
     says locked
+fi
+
+# --- figures of a directory that a stranger has had in hand -------------------------------------
+if command -v gnuplot >/dev/null; then
+    "$STIFFWATER" run "${top_srcdir:-.}/tests/scenes/small-2d.scene" -q until=0.002 \
+        "title=\"'quoted' tank \\\"\`touch told\`@x\\\"\"" -o strange >said 2>&1 ||
+        complain "a title in quotes: $(cat said)"
+    expect 0 plot strange
+    says strange/figures/energies.png
+    mkdir -p "strange/figures"
+    printf '#!/bin/sh\ntouch "%s/gnuplot-told"\n' "$PWD" >gnuplot
+    chmod +x gnuplot
+    cp gnuplot strange/figures/gnuplot
+    for one in strange/figures/*.gp; do
+        case $one in */constants.gp) ;; *) echo "system('touch $PWD/told')" >>"$one" ;; esac
+    done
+    path=$PATH
+    PATH=.::$PATH
+    expect 0 plot strange
+    PATH=$path
+    [ -s strange/figures/style.gp.mine ] || complain "a changed script is not kept"
+    echo "system('touch $PWD/told')" >>strange/figures/constants.gp
+    expect 4 plot strange
+    says "constants.gp:" "no constant"
+    [ ! -e told ] && [ ! -e gnuplot-told ] || complain "plot carries out what it finds in a directory"
+    [ -z "$(find strange -name '.figures-*')" ] || complain "plot leaves a directory behind"
 fi
 
 finish

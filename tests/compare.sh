@@ -128,8 +128,12 @@ if command -v gnuplot >/dev/null; then
         work-precision-impulse work-precision-force work-precision-energy step-lengths
     rm -f dam/figures/*.png
     echo old >dam/figures/work-precision-tip.png
+    figure=dam/figures/work-precision-position.png
     "$STIFFWATER" plot dam >said 2>&1 || complain "the figures cannot be drawn again"
     says dam/figures/work-precision-energy.png
+    [ -s $figure ] || complain "a figure is not drawn again"
+    [ -s dam/figures/work-precision-tip.png ] || complain "plot takes away what it did not draw"
+    rm dam/figures/work-precision-tip.png
     drawn dam work-precision work-precision-position work-precision-front \
         work-precision-impulse work-precision-force work-precision-energy step-lengths
 fi

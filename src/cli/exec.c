@@ -15,7 +15,8 @@
 #define STIFFWATER_LIBEXECDIR "/usr/local/libexec/stiffwater"
 #endif
 
-/* Directory of the running program, "." when it cannot be told. */
+/* Directory of the running program; when it cannot be told one that is not there, rather than
+ * the one we are in, which may be anybody's. */
 static void own_directory(char *to, size_t size)
 {
     const ssize_t n = readlink("/proc/self/exe", to, size - 1);
@@ -26,7 +27,7 @@ static void own_directory(char *to, size_t size)
     if (slash)
         *slash = '\0';
     else
-        snprintf(to, size, ".");
+        snprintf(to, size, "/proc/self/exe");
 }
 
 #ifndef STIFFWATER_DATADIR

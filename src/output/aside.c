@@ -53,6 +53,12 @@ int aside_open(struct aside *a, const char *path)
     return STATUS_DONE;
 }
 
+void aside_drop(struct aside *a)
+{
+    fclose(a->to);
+    remove(a->temporary);
+}
+
 int aside_close(struct aside *a)
 {
     const int written = fflush(a->to) == 0 && !ferror(a->to);

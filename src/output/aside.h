@@ -19,6 +19,9 @@ int aside_open(struct aside *a, const char *path);
  * away instead, the old file stays, and STATUS_IO comes back. */
 int aside_close(struct aside *a);
 
+/* Takes what was written away; the old file stays. */
+void aside_drop(struct aside *a);
+
 /* "DIR/NAME" into to [ASIDE_PATH]; STATUS_IO when that is too long. */
 int aside_join(char *to, const char *dir, const char *name);
 

@@ -1,36 +1,16 @@
-/* figures.c -- finds the scripts that apply, brings them to the run, lets gnuplot draw. */
+/* figures.c -- finds the scripts that apply, brings them to a room, lets gnuplot draw. */
 #include "output/figures.h"
 
 #include "base/status.h"
-#include "output/aside.h"
+#include "output/figures-room.h"
 #include "output/gnuplot.h"
 #include <dirent.h>
 #include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { LINE = 4096, WORDS = 16 };
-
-static int copy(const char *from, const char *path)
-{
-    FILE *in = fopen(from, "r");
-    struct aside a;
-    char bytes[LINE];
-    size_t n;
-
-    if (!in)
-        return status_fail(STATUS_IO, "%s: cannot be read: %s", from, strerror(errno));
-    if (aside_open(&a, path) != STATUS_DONE) {
-        fclose(in);
-        return STATUS_IO;
-    }
-    while ((n = fread(bytes, 1, sizeof bytes, in)) > 0)
-        fwrite(bytes, 1, n, a.to);
-    fclose(in);
-    return aside_close(&a);
-}
 
 /* Is there such a file, and, for a .csv, a row below its names? */
 static bool has_data(const char *run, const char *name)
@@ -79,7 +59,7 @@ static void read_wish(const char *script, const char *key, struct wish *w)
 
 struct places {
     const char *run, *scripts, *reference;
-    char figures[ASIDE_PATH];
+    struct figures_room room;
 };
 
 static bool has_needs(const struct places *at, const struct wish *needs)
@@ -90,69 +70,34 @@ static bool has_needs(const struct places *at, const struct wish *needs)
     return true;
 }
 
-static int bring(const struct places *at, const char *dir, const char *name)
-{
-    char from[ASIDE_PATH], to[ASIDE_PATH];
-
-    TRY(aside_join(from, dir, name));
-    TRY(aside_join(to, at->figures, name));
-    return copy(from, to);
-}
-
 static int bring_references(const struct places *at, const char *script)
 {
     struct wish reference;
 
     read_wish(script, "reference", &reference);
     for (int i = 0; i < reference.words; i++)
-        TRY(bring(at, at->reference, reference.word[i]));
+        TRY(figures_room_bring(&at->room, at->reference, reference.word[i]));
     return STATUS_DONE;
 }
 
-/* NAME.gp draws NAME.png, NAME-*.png or, when there is nothing to show, none. */
-static bool is_drawn_by(const char *png, const char *script)
+/* Needs in figures/ are data for scripts to load. */
+static int bring_data(const struct places *at, const struct wish *needs)
 {
-    const size_t n = strlen(script) - strlen(".gp");
-    const char *end = strrchr(png, '.');
+    static const char figures[] = "figures/";
 
-    return end && !strncmp(png, script, n) && (png[n] == '-' || png[n] == '.')
-           && !strcmp(end, ".png");
+    for (int i = 0; i < needs->words; i++)
+        if (strncmp(needs->word[i], figures, strlen(figures)) == 0)
+            TRY(figures_room_bring_data(&at->room, needs->word[i] + strlen(figures)));
+    return STATUS_DONE;
 }
 
-static void each_png(const struct places *at, const char *script, void (*what)(const char *path))
-{
-    struct dirent **entry;
-    const int n = scandir(at->figures, &entry, NULL, alphasort);
-    char path[ASIDE_PATH];
-
-    for (int i = 0; i < n; i++) {
-        if (is_drawn_by(entry[i]->d_name, script)
-            && aside_join(path, at->figures, entry[i]->d_name) == STATUS_DONE)
-            what(path);
-        free(entry[i]);
-    }
-    if (n >= 0)
-        free(entry);
-}
-
-static void take_away(const char *path)
-{
-    remove(path);
-}
-
-static void say(const char *path)
-{
-    printf("%s\n", path);
-}
-
-static int draw(const struct places *at, const char *script, const char *name)
+static int draw(const struct places *at, const char *script, const char *name,
+                const struct wish *needs)
 {
     TRY(bring_references(at, script));
-    TRY(bring(at, at->scripts, name));
-    each_png(at, name, take_away);
-    TRY(gnuplot_run(at->figures, name));
-    each_png(at, name, say);
-    return STATUS_DONE;
+    TRY(bring_data(at, needs));
+    TRY(figures_room_bring(&at->room, at->scripts, name));
+    return gnuplot_run(at->room.at, name, at->room.figures);
 }
 
 /* Scripts without needs are for others to load: they are brought, not drawn. */
@@ -164,8 +109,9 @@ static int serve(const struct places *at, const char *name, bool helpers)
     TRY(aside_join(script, at->scripts, name));
     read_wish(script, "needs", &needs);
     if (helpers)
-        return needs.words == 0 ? bring(at, at->scripts, name) : STATUS_DONE;
-    return needs.words > 0 && has_needs(at, &needs) ? draw(at, script, name) : STATUS_DONE;
+        return needs.words == 0 ? figures_room_bring(&at->room, at->scripts, name) : STATUS_DONE;
+    return needs.words > 0 && has_needs(at, &needs) ? draw(at, script, name, &needs)
+                                                    : STATUS_DONE;
 }
 
 static int is_script(const struct dirent *entry)
@@ -188,19 +134,27 @@ static int serve_all(const struct places *at, struct dirent **entry, int n)
     return code;
 }
 
+/* What was drawn is kept also when something could not be. */
+static int serve_and_hang(const struct places *at, struct dirent **entry, int n)
+{
+    const int served = serve_all(at, entry, n), hung = figures_room_hang(&at->room);
+
+    return served != STATUS_DONE ? served : hung;
+}
+
 int figures_draw(const char *run, const char *scripts, const char *reference)
 {
     struct places at = { .run = run, .scripts = scripts, .reference = reference };
     struct dirent **entry;
     int n, code;
 
-    TRY(aside_join(at.figures, run, "figures"));
-    TRY(aside_directory(at.figures));
     n = scandir(scripts, &entry, is_script, alphasort);
     if (n < 0)
         return status_fail(STATUS_IO, "%s: the scripts for gnuplot cannot be read: %s", scripts,
                            strerror(errno));
-    code = serve_all(&at, entry, n);
+    code = figures_room_make(&at.room, run);
+    if (code == STATUS_DONE)
+        code = serve_and_hang(&at, entry, n);
     while (n > 0)
         free(entry[--n]);
     free(entry);

@@ -5,11 +5,12 @@
  *     # needs: front.csv figures/constants.gp      (in the run's directory)
  *     # reference: B01a_martin_moyce_1952_front_n2_2.csv
  *
- * A script whose needs are there (a .csv: with at least one row) is copied to
- * RUN/figures/ together with its reference data and drawn there, NAME.gp making
- * NAME.png, NAME-*.png or, when it finds nothing to show, none; scripts without `needs`
- * (style.gp) are for others to load.  So each figure can be changed and redrawn by hand:
- * cd RUN/figures && gnuplot front.gp */
+ * A script whose needs are there (a .csv: with at least one row) is drawn in a room of its own,
+ * output/figures-room.h, together with its reference data, NAME.gp making NAME.png, NAME-*.png or,
+ * when it finds nothing to show, none; scripts without `needs` (style.gp) are for others to load;
+ * needs in figures/ are read as data.  All of it is then put into RUN/figures, so that each figure
+ * can be changed and redrawn by hand: cd RUN/figures && gnuplot front.gp.  What is in RUN/figures
+ * is not carried out. */
 #ifndef OUTPUT_FIGURES_H
 #define OUTPUT_FIGURES_H
 

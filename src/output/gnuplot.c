@@ -9,18 +9,37 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 extern char **environ;
 
+/* The first gnuplot in PATH [ASIDE_PATH].  Places that depend on where we are do not count: what
+ * is called so in a run's directory need not be gnuplot. */
+static bool find_gnuplot(char *to)
+{
+    const char *path = getenv("PATH");
+
+    for (const char *at = path; at; at = strchr(at, ':')) {
+        at += *at == ':';
+        const int n = (int)strcspn(at, ":");
+        snprintf(to, ASIDE_PATH, "%.*s/gnuplot", n, at);
+        if (*at == '/' && n < ASIDE_PATH - 16 && access(to, X_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
 /* -d: the user's ~/.gnuplot does not change our figures */
 static int spawn(const char *directory, const char *script, const char *log, pid_t *child)
 {
+    char program[ASIDE_PATH];
     char *const words[] = { "gnuplot", "-d", (char *)script, NULL };
     posix_spawn_file_actions_t actions;
-    int error = posix_spawn_file_actions_init(&actions);
+    int error = find_gnuplot(program) ? posix_spawn_file_actions_init(&actions) : ENOENT;
 
     if (error != 0)
         return error;
@@ -33,7 +52,7 @@ static int spawn(const char *directory, const char *script, const char *log, pid
     if (error == 0)
         error = posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
     if (error == 0)
-        error = posix_spawnp(child, "gnuplot", &actions, NULL, words, environ);
+        error = posix_spawn(child, program, &actions, NULL, words, environ);
     posix_spawn_file_actions_destroy(&actions);
     return error;
 }
@@ -48,7 +67,7 @@ static int refused(int error)
     return status_fail(STATUS_IO, "gnuplot cannot be started: %s", strerror(error));
 }
 
-int gnuplot_run(const char *directory, const char *script)
+int gnuplot_run(const char *directory, const char *script, const char *shown)
 {
     char name[ASIDE_PATH], log[ASIDE_PATH];
     int error, ended = 0;
@@ -64,8 +83,8 @@ int gnuplot_run(const char *directory, const char *script)
         if (errno != EINTR)
             return status_fail(STATUS_IO, "gnuplot was lost: %s", strerror(errno));
     if (!WIFEXITED(ended) || WEXITSTATUS(ended) != 0)
-        return status_fail(STATUS_IO, "gnuplot could not draw %s/%s; what it said is in %s",
-                           directory, script, log);
+        return status_fail(STATUS_IO, "gnuplot could not draw %s/%s; what it said is in %s/%s",
+                           shown, script, shown, name);
     remove(log);
     return STATUS_DONE;
 }

@@ -320,6 +320,8 @@ int main(int words, char **word)
         OUTPUT_TEST(test_fields_tell_of_a_full_disk),
         OUTPUT_TEST(test_snapshots),
         OUTPUT_TEST(test_figures),
+        OUTPUT_TEST(test_figures_of_users),
+        OUTPUT_TEST(test_constants_of_strangers),
         OUTPUT_TEST(test_constants),
     };
 

@@ -36,6 +36,8 @@ void test_index_is_consistent(void **state);
 void test_fields_tell_of_a_full_disk(void **state);
 void test_snapshots(void **state);
 void test_figures(void **state);
+void test_figures_of_users(void **state);
+void test_constants_of_strangers(void **state);
 void test_constants(void **state);
 
 #endif

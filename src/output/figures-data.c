@@ -1,0 +1,118 @@
+/* figures-data.c -- constants of figures as data. */
+#include "output/figures-data.h"
+
+#include "base/status.h"
+#include "output/aside.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void figures_data_number(FILE *to, const char *name, double value)
+{
+    if (isfinite(value))
+        fprintf(to, "%s = %.17g\n", name, value + 0.0);
+    else
+        fprintf(to, "%s = NaN\n", name);
+}
+
+/* Bytes of UTF-8 are above 0x7f. */
+static bool is_plain(unsigned char c)
+{
+    return c >= 0x80 || isalnum(c) || (c && strchr(" .,:;()[]+-*/=_", c));
+}
+
+void figures_data_text(FILE *to, const char *name, const char *text)
+{
+    fprintf(to, "%s = \"", name);
+    for (; text && *text; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (is_plain(c))
+            fputc(c, to);
+        else
+            fprintf(to, "\\%03o", c < 0x20 ? ' ' : c);
+    }
+    fputs("\"\n", to);
+}
+
+static bool is_number(const char *text)
+{
+    char *end;
+
+    if (strcmp(text, "NaN") == 0)
+        return true;
+    if (!*text || strspn(text, "0123456789+-.e") != strlen(text))
+        return false;
+    strtod(text, &end);
+    return !*end;
+}
+
+/* Signs as figures_data_text() writes them, between quotes. */
+static bool is_text(const char *text)
+{
+    if (*text++ != '"')
+        return false;
+    for (; *text && *text != '"'; text++)
+        if (*text == '\\') {
+            if (strspn(text + 1, "01234567") < 3)
+                return false;
+            text += 3;
+        } else if (!is_plain((unsigned char)*text)) {
+            return false;
+        }
+    return text[0] == '"' && !text[1];
+}
+
+static bool is_assignment(const char *line)
+{
+    const char *at = line;
+
+    if (!isalpha((unsigned char)*at))
+        return false;
+    while (isalnum((unsigned char)*at) || *at == '_')
+        at++;
+    return strncmp(at, " = ", 3) == 0 && (is_number(at + 3) || is_text(at + 3));
+}
+
+static int copy_lines(FILE *in, const char *from, FILE *to)
+{
+    char *line = NULL;
+    size_t room = 0;
+    int status = STATUS_DONE;
+
+    for (int n = 1; status == STATUS_DONE && getline(&line, &room, in) >= 0; n++) {
+        line[strcspn(line, "\n")] = '\0';
+        if (*line == '#' || !*line)
+            continue;
+        if (is_assignment(line))
+            fprintf(to, "%s\n", line);
+        else
+            status = status_fail(STATUS_IO, "%s:%d: this line is no constant, NAME = NUMBER or "
+                                 "NAME = \"TEXT\", and is not carried out; take it away, or run "
+                                 "the scene again", from, n);
+    }
+    free(line);
+    return status;
+}
+
+int figures_data_copy(const char *from, const char *to)
+{
+    FILE *in = fopen(from, "r");
+    struct aside a;
+    int status;
+
+    if (!in)
+        return status_fail(STATUS_IO, "%s: cannot be read: %s", from, strerror(errno));
+    status = aside_open(&a, to);
+    if (status == STATUS_DONE) {
+        status = copy_lines(in, from, a.to);
+        if (status == STATUS_DONE)
+            status = aside_close(&a);
+        else
+            aside_drop(&a);
+    }
+    fclose(in);
+    return status;
+}
