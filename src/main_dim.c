@@ -2,6 +2,7 @@
 #include "base/status.h"
 #include "cli/cli.h"
 #include "output/figures.h"
+#include "plan/catalogue-keys.h"
 #include "plan/catalogue.h"
 #include "run/run.h"
 #include "study/compare.h"
@@ -38,6 +39,16 @@ static void explain_method(const struct method *m)
            m->varies ? "" : "@1e-4s");
 }
 
+static int explain_thing(const char *name)
+{
+    const int status = catalogue_explain(name, stdout);
+
+    if (status != STATUS_BAD_SCENE || !catalogue_explain_key(name, stdout))
+        return status;
+    status_clear();
+    return STATUS_DONE;
+}
+
 /* Methods first: the catalogue knows what a scene is made of, not how it is run, but a
  * method may have a group of keys that bears its name. */
 static int explain(const char *name)
@@ -48,7 +59,7 @@ static int explain(const char *name)
             catalogue_explain_group(name, stdout);
             return STATUS_DONE;
         }
-    return catalogue_explain(name, stdout);
+    return explain_thing(name);
 }
 
 /* What a directory has that can be drawn. */

@@ -86,6 +86,17 @@ expect 2 resume small-2d
 says resume "no such command"
 expect 2 list efects
 says efects effects
+for key in tol eos.gamma beam.plate.E effects.artificial-viscosity.alpha fluid.water.dye kernel.support; do
+    expect 0 explain $key
+    says "  ${key##*.} " "      "
+done
+expect 0 explain gamma
+says "eos, tait" "mps"
+expect 0 explain effects.density-diffusion.delta
+[ "$(wc -l <said)" = 3 ] || complain "one key is more than one row: $(cat said)"
+expect 2 explain eos.gammma
+expect 2 explain effects.pressure.gamma
+expect 2 explain .
 expect 2 explain continuty
 says continuty continuity
 expect 2 run

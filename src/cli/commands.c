@@ -95,7 +95,8 @@ const struct commands_row commands_table[] = {
       "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
       no_options, false },
     { "explain", CLI_EXPLAIN, "NAME",
-      "Explains an effect, kernel, equation of state, wall model, body or group of keys: "
+      "Explains an effect, kernel, equation of state, wall model, body, group of keys, or a single key "
+      "(tol, eos.gamma, beam.plate.E): "
       "equation, source, parameters with units and defaults.", no_options, false },
     { "compare", CLI_COMPARE, "SCENE [KEY=VALUE ...]",
       "Runs a scene with many methods and tolerances: one table and figures of what accuracy "

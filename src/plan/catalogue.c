@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "bodies/bodies.h"
+#include "plan/kernels.h"
 #include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
@@ -13,9 +14,6 @@
 #include <math.h>
 #include <string.h>
 
-/* What `explain` and `list` need of a kernel; the full struct is lanes wide. */
-#include "plan/kernels.h"
-
 const char *const catalogue_groups[] = {
     "kernel", "domain", "reference", "disturbance", "pcisph", "mps", "eos", "effects", "fluid",
     "wall", "beam", "probe", "panel", "output", NULL
@@ -24,7 +22,7 @@ const char *const catalogue_groups[] = {
 /* Keys of a scene by group; rows that several sets share stand one after another. */
 static const struct group {
     const char *name, *about;
-    const struct param *rows[3];
+    const struct param *rows[CATALOGUE_ROWS];
 } groups[] = {
     { "scene", "keys at the top level", { settings_params } },
     { "kernel", "smoothing kernel and pair list", { settings_kernel_params } },
@@ -49,6 +47,14 @@ static const struct group {
 };
 
 enum { NAMES = 128, GROUPS = sizeof groups / sizeof groups[0] };
+
+const char *catalogue_group(int i, const struct param *const **rows)
+{
+    if (i >= GROUPS)
+        return NULL;
+    *rows = groups[i].rows;
+    return groups[i].name;
+}
 
 const struct part *catalogue_part(const struct part *const *table, const char *name)
 {
@@ -132,10 +138,7 @@ int catalogue_list(const char *what, FILE *to)
 
 static void print_default(const struct param *r, FILE *to)
 {
-    if (r->required)
-        fputs("required", to);
-    else
-        fputs("default ", to);
+    fputs(r->required ? "required" : "default ", to);
     if (r->required)
         return;
     if (r->type == PARAM_WORD)
@@ -152,21 +155,25 @@ static void print_default(const struct param *r, FILE *to)
         fprintf(to, "%g", r->fallback);
 }
 
+void catalogue_row(const struct param *r, FILE *to)
+{
+    fprintf(to, "  %-18s %-10s ", r->key, r->unit);
+    print_default(r, to);
+    if ((r->type == PARAM_NUMBER || r->type == PARAM_INTEGER) && r->max > r->min)
+        fprintf(to, ", %g to %g", r->min, r->max);
+    fprintf(to, "\n      %s\n", r->about);
+    if (r->type != PARAM_WORD && r->type != PARAM_WORDS)
+        return;
+    fputs("      one of:", to);
+    for (int i = 0; r->words[i]; i++)
+        fprintf(to, " %s", r->words[i]);
+    fputc('\n', to);
+}
+
 static void explain_rows(const struct param *rows, FILE *to)
 {
-    for (const struct param *r = rows; r && r->key; r++) {
-        fprintf(to, "  %-18s %-10s ", r->key, r->unit);
-        print_default(r, to);
-        if ((r->type == PARAM_NUMBER || r->type == PARAM_INTEGER) && r->max > r->min)
-            fprintf(to, ", %g to %g", r->min, r->max);
-        fprintf(to, "\n      %s\n", r->about);
-        if (r->type == PARAM_WORD || r->type == PARAM_WORDS) {
-            fputs("      one of:", to);
-            for (int i = 0; r->words[i]; i++)
-                fprintf(to, " %s", r->words[i]);
-            fputc('\n', to);
-        }
-    }
+    for (const struct param *r = rows; r && r->key; r++)
+        catalogue_row(r, to);
 }
 
 static void explain_thing(const char *name, const char *about, const char *equation,
@@ -188,7 +195,7 @@ bool catalogue_explain_group(const char *name, FILE *to)
     for (int i = 0; i < GROUPS; i++)
         if (strcmp(groups[i].name, name) == 0) {
             fprintf(to, "%s -- %s\n", name, groups[i].about);
-            for (int k = 0; k < 3 && groups[i].rows[k]; k++)
+            for (int k = 0; k < CATALOGUE_ROWS && groups[i].rows[k]; k++)
                 explain_rows(groups[i].rows[k], to);
             return true;
         }
@@ -275,7 +282,7 @@ int catalogue_explain(const char *name, FILE *to)
     const char *near;
 
     catalogue_prepare(engine_pick());
-    if (strncmp(name, "effects.", 8) == 0)
+    if (strncmp(name, "effects.", 8) == 0 && !strchr(name + 8, '.'))
         name += 8;
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
         || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)

@@ -1,0 +1,95 @@
+/* catalogue-keys.c -- `explain` of a single key. */
+#include "plan/catalogue-keys.h"
+
+#include "bodies/bodies.h"
+#include "plan/catalogue.h"
+#include "pressure/pressure.h"
+
+#include <string.h>
+
+/* What was asked for, taken apart at its dots. */
+struct asked {
+    char group[64], member[64]; /* "" where it is not said */
+    const char *key;
+    FILE *to;
+    int found;
+};
+
+static bool take_apart(struct asked *a, const char *name)
+{
+    const char *first = strchr(name, '.'), *last = strrchr(name, '.');
+
+    a->key = last ? last + 1 : name;
+    if (!first)
+        return *name;
+    if ((size_t)(first - name) >= sizeof a->group || (size_t)(last - first) >= sizeof a->member)
+        return false;
+    memcpy(a->group, name, (size_t)(first - name));
+    if (last > first)
+        memcpy(a->member, first + 1, (size_t)(last - first - 1));
+    return *a->key;
+}
+
+static bool means(const char *asked, const char *group)
+{
+    return !*asked || strcmp(asked, group) == 0;
+}
+
+/* The row of the key among those of "GROUP" or "GROUP ...". */
+static void look(struct asked *a, const char *group, const char *whose, const struct param *rows)
+{
+    if (!means(a->group, group))
+        return;
+    for (const struct param *r = rows; r && r->key; r++)
+        if (strcmp(r->key, a->key) == 0) {
+            fprintf(a->to, "%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
+                    *whose ? ", " : "", whose);
+            catalogue_row(r, a->to);
+            a->found++;
+        }
+}
+
+static void look_in_parts(struct asked *a, const char *group, const struct part *const *table)
+{
+    for (int i = 0; table[i]; i++)
+        look(a, group, table[i]->name, table[i]->params);
+}
+
+static void look_in_effects(struct asked *a)
+{
+    const struct part *const *table = engine_pick()->effects;
+
+    for (int i = 0; table[i]; i++)
+        if (means(a->member, table[i]->name))
+            look(a, "effects", table[i]->name, table[i]->params);
+}
+
+static void look_in_bodies(struct asked *a)
+{
+    for (int i = 0; bodies_table[i]; i++)
+        look(a, "beam", bodies_table[i]->identity.name, bodies_table[i]->identity.params);
+}
+
+static void look_in_groups(struct asked *a)
+{
+    const struct param *const *rows;
+    const char *name;
+
+    for (int i = 0; (name = catalogue_group(i, &rows)); i++)
+        for (int k = 0; k < CATALOGUE_ROWS && rows[k]; k++)
+            look(a, name, "", rows[k]);
+}
+
+bool catalogue_explain_key(const char *name, FILE *to)
+{
+    struct asked a = { .to = to };
+
+    if (!take_apart(&a, name))
+        return false;
+    look_in_groups(&a);
+    look_in_parts(&a, "eos", pressure_table);
+    look_in_parts(&a, "walls", engine_pick()->walls);
+    look_in_effects(&a);
+    look_in_bodies(&a);
+    return a.found > 0;
+}
