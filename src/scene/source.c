@@ -26,10 +26,12 @@ static int unreadable(const struct source *source, const char *why)
                        scene_place_text(source->asked), source->path, why);
 }
 
-static int check_regular(const struct source *source)
+static int check_kind(const struct source *source)
 {
     if (S_ISDIR(source->id.st_mode))
         return unreadable(source, "it is a directory, not a file");
+    if (source->outer && !S_ISREG(source->id.st_mode))
+        return unreadable(source, "it is no plain file, but a pipe or a device");
     if (source->depth > SCENE_INCLUDES_MAX)
         return unreadable(source, "too many files include each other");
     for (const struct source *s = source->outer; s; s = s->outer)
@@ -66,15 +68,17 @@ static int slurp(struct scene_parse *parse, const struct source *source, FILE *f
 
 static int load(struct scene_parse *parse, struct source *source, char **bytes)
 {
-    FILE *file = fopen(source->path, "r");
+    FILE *file;
     int status;
 
+    if (stat(source->path, &source->id) != 0) /* before it is opened, which may wait for ever */
+        return unreadable(source, strerror(errno));
+    TRY(check_kind(source));
+    file = fopen(source->path, "r");
     if (!file)
         return unreadable(source, strerror(errno));
-    if (fstat(fileno(file), &source->id) != 0)
-        status = unreadable(source, strerror(errno));
-    else
-        status = check_regular(source);
+    status = fstat(fileno(file), &source->id) == 0 ? check_kind(source)
+                                                   : unreadable(source, strerror(errno));
     if (status == STATUS_DONE)
         status = slurp(parse, source, file, bytes);
     fclose(file);

@@ -227,6 +227,22 @@ static int lex_word(struct scene_lex *l, int n, const char *next)
                        where, all, l->s, all, l->s);
 }
 
+/* What stands behind numbers on paper, up to a power or a bar. */
+static bool is_unit(const char *s)
+{
+    static const char *const units[] = { "m", "mm", "cm", "dm", "km", "um", "s", "ms", "us", "min",
+                                         "h", "Pa", "kPa", "MPa", "GPa", "bar", "N", "kN", "kg", "g",
+                                         "t", "Hz", "kHz", "rad", "deg", "J", "W" };
+    int n = 0;
+
+    while (isalpha((unsigned char)s[n]))
+        n++;
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+        if (is_word(s, n, units[i]))
+            return true;
+    return false;
+}
+
 int scene_token_name(struct scene_lex *l)
 {
     const int n = name_length(l->s);
@@ -244,6 +260,11 @@ int scene_token_name(struct scene_lex *l)
         return status_fail(STATUS_BAD_SCENE, "%s: %.*s: dots are for the command line; in a file "
                            "groups stand inside each other, as %.*s = { ... }",
                            scene_place_text(l->at), scene_parse_quotable(l->s), l->s, n, l->s);
+    if (l->parse->last == 'v' && is_unit(l->s))
+        return status_fail(STATUS_BAD_SCENE, "%s: %.*s: units are not written; %s is a number in "
+                           "the SI unit that `stiffwater explain %s` tells",
+                           scene_place_text(l->at), scene_parse_quotable(l->s), l->s,
+                           l->parse->key, l->parse->key);
     return status_fail(STATUS_BAD_SCENE, "%s: %.*s has no = after it; settings are written "
                        "NAME = VALUE;", scene_place_text(l->at), scene_parse_quotable(l->s), l->s);
 }

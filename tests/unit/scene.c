@@ -363,6 +363,11 @@ static void broken_syntax_is_explained(void **state)
     refused("eos = { c0 = }", NULL, "c0 has no value");
     refused("a = 1; until =", NULL, "until has no value");
     refused("until 3", NULL, "until has no = after it");
+    refused("until = 3 ms;", NULL, "ms: units are not written|explain until");
+    refused("until = 3 m/s; ", NULL, "m/s: units are not written");
+    refused("until = 3 furlongs;", NULL, "furlongs has no = after it");
+    refused("title = \"a\\x1b[31m\";", NULL, "control character 0x1b");
+    refused("title = a\033[31m;", NULL, "a?[31m has no quotes");
     refused("eos.c0 = 3", NULL, "eos.c0: dots are for the command line|eos = { ... }");
     refused("x = (1, 2", NULL, "t.scene:1: the ( that stands here after x is never closed");
     refused("eos = {\n  x = [1, 2\n};", NULL, "t.scene:3: this } does not close the [ of|:2");
@@ -520,6 +525,9 @@ static void includes_that_cannot_be_are_refused(void **state)
         snprintf(text, sizeof text, "@include \"chain%d\"", i + 1);
         write_file(name, i < 17 ? text : "until = 1");
     }
+    mkfifo(in_directory("fifo"), 0600);
+    refused("@include \"fifo\"", NULL, "fifo|no plain file");
+    refused("@include \"/dev/zero\"", NULL, "/dev/zero|no plain file");
     refused("@include \"chain0\"", NULL, "chain15:1: cannot include|too many files");
     for (int i = 0; i <= 17; i++) {
         char name[20];
