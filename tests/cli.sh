@@ -224,6 +224,10 @@ if [ "$(id -u)" != 0 ]; then
     says locked
 fi
 
+# --- a title that would command the terminal ----------------------------------------------------
+expect 0 check "${top_srcdir:-.}/tests/scenes/small-2d.scene" 'title="a\x1b[31mred"'
+says 'a?[31mred'
+
 # --- figures of a directory that a stranger has had in hand -------------------------------------
 if command -v gnuplot >/dev/null; then
     "$STIFFWATER" run "${top_srcdir:-.}/tests/scenes/small-2d.scene" -q until=0.002 \

@@ -24,13 +24,18 @@ static void mark_cut(char *to, size_t room, int n)
         memcpy(to + room - 4, "...", 4);
 }
 
-/* What a message quotes must not command the terminal. */
+const char *status_plain(char *text)
+{
+    for (char *at = text; *at; at++)
+        if (iscntrl((unsigned char)*at) && *at != '\n')
+            *at = *at == '\t' ? ' ' : '?';
+    return text;
+}
+
 static void print_cut(char *to, size_t room, const char *format, va_list arguments)
 {
     mark_cut(to, room, vsnprintf(to, room, format, arguments));
-    for (; *to; to++)
-        if (iscntrl((unsigned char)*to) && *to != '\n')
-            *to = *to == '\t' ? ' ' : '?';
+    status_plain(to);
 }
 
 /* Puts a text behind another one, which may be empty. */

@@ -58,6 +58,10 @@ const char *status_message(void);
 /* Forgets the last failure: for callers that handled it. */
 void status_clear(void);
 
+/* Control characters of text become "?", so that what is quoted does not command the terminal;
+ * messages are such.  Returns text. */
+const char *status_plain(char *text);
+
 /* A line on standard error that starts with "stiffwater: warning:". */
 void status_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

@@ -159,6 +159,14 @@ static void print_memory(const struct run *r, double program)
     print_bytes("outputs", m.outputs);
 }
 
+static void say_title(const char *title)
+{
+    char plain[400];
+
+    snprintf(plain, sizeof plain, "%s", title);
+    printf("%s\n", status_plain(plain));
+}
+
 int run_check(const struct run_order *order)
 {
     struct run r;
@@ -174,7 +182,7 @@ int run_check(const struct run_order *order)
             status = time_rhs(&r, &seconds);
     }
     if (status == STATUS_DONE) {
-        printf("%s\n", plan_settings(r.plan)->title);
+        say_title(plan_settings(r.plan)->title);
         print_particles(&r);
         print_parts(&r);
         print_passes(&r);

@@ -3,7 +3,6 @@
 #include "scene/tree.h"
 
 #include <assert.h>
-#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -130,11 +129,6 @@ static int read_text(const struct scene_wish *w)
 {
     if (!w->node->text)
         return refuse_kind(w, w->node);
-    for (const char *s = w->node->text; *s; s++)
-        if (iscntrl((unsigned char)*s) && !isspace((unsigned char)*s))
-            return status_fail(STATUS_BAD_SCENE, "%s: %s holds the control character 0x%02x, which "
-                               "would command the terminal of whoever reads it; take it out",
-                               scene_where(w->node), w->name, *s);
     *(const char **)w->to = w->node->text;
     return STATUS_DONE;
 }

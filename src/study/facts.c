@@ -85,6 +85,7 @@ int facts_read(struct scene *scene, struct facts *f)
         TRY(fill(scene, root, "", rows + 4, 2, &t));
     TRY(fill(scene, root, "", rows, t.dimension, &t));
     snprintf(f->title, sizeof f->title, "%s", t.title);
+    status_plain(f->title);
     f->until = t.until;
     f->dx = t.spacing;
     f->dimension = t.dimension;

@@ -366,7 +366,6 @@ static void broken_syntax_is_explained(void **state)
     refused("until = 3 ms;", NULL, "ms: units are not written|explain until");
     refused("until = 3 m/s; ", NULL, "m/s: units are not written");
     refused("until = 3 furlongs;", NULL, "furlongs has no = after it");
-    refused("title = \"a\\x1b[31m\";", NULL, "control character 0x1b");
     refused("title = a\033[31m;", NULL, "a?[31m has no quotes");
     refused("eos.c0 = 3", NULL, "eos.c0: dots are for the command line|eos = { ... }");
     refused("x = (1, 2", NULL, "t.scene:1: the ( that stands here after x is never closed");
@@ -527,6 +526,7 @@ static void includes_that_cannot_be_are_refused(void **state)
     }
     mkfifo(in_directory("fifo"), 0600);
     refused("@include \"fifo\"", NULL, "fifo|no plain file");
+    unlink(in_directory("fifo"));
     refused("@include \"/dev/zero\"", NULL, "/dev/zero|no plain file");
     refused("@include \"chain0\"", NULL, "chain15:1: cannot include|too many files");
     for (int i = 0; i <= 17; i++) {
