@@ -8,6 +8,7 @@
 
 #include "base/status.h"
 #include "matter/eos.h"
+#include "plan/solver.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -206,3 +207,41 @@ int mps_step(struct mps *s, double t, double h, const double *y, const double *f
     mps_write(s, t, y, to);
     return STATUS_DONE;
 }
+
+/* --- the contract ------------------------------------------------------------------- */
+
+static int create(struct moment *moment, void **out)
+{
+    struct mps *s;
+    const int status = mps_create(moment, &s);
+
+    *out = s;
+    return status;
+}
+
+static void leave(void **self)
+{
+    struct mps *s = *self;
+
+    mps_free(&s);
+    *self = NULL;
+}
+
+static double length(void *self, double number, double t, const double *y, const double *f,
+                     struct limit *limit)
+{
+    (void)f;
+    return mps_length(self, number, t, y, limit);
+}
+
+static int step(void *self, double t, double h, const double *y, const double *f, double *to,
+                double *rates)
+{
+    (void)rates;
+    return mps_step(self, t, h, y, f, to);
+}
+
+const struct plan_solved solved_mps = {
+    .name = "mps", .serves = mps_serves, .create = create, .free = leave,
+    .length = length, .step = step,
+};

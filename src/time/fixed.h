@@ -101,6 +101,13 @@ double fixed_shorter(struct fixed *x, double h, double other, int where, const c
 int fixed_bend(struct fixed *x, double h, const double *f);
 int fixed_euler_advance(struct fixed *x, double h);
 
+/* fixed-solved.c: members of kinds whose pressure is solved for once a step. */
+const char *fixed_solved_serves(const char *method, const struct plan *plan);
+int fixed_solved_take(struct fixed *x);
+void fixed_solved_leave(struct fixed *x);
+double fixed_solved_length(struct fixed *x);
+int fixed_solved_advance(struct fixed *x, double h);
+
 #define FIXED_METHOD(NAME, ORDER, ABOUT, SOURCE)                                         \
     FIXED_METHOD_SERVING(fixed_serves, NAME, ORDER, ABOUT, SOURCE)
 
