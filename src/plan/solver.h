@@ -47,8 +47,13 @@ struct plan_ahead_solver {
 };
 
 /* A pressure that is solved for once a step, by the method of that name. */
+enum { PLAN_SOLVED_WORKS = 4 };
 struct plan_solved {
     const char *name;
+
+    /* Columns of the book for energy that its corrections gave, NULL-ended; they are there where
+     * the scene names the method: plan_book.solved. */
+    const char *work[PLAN_SOLVED_WORKS + 1];
 
     /* NULL, or why there is no such pressure in this plan. */
     const char *(*serves)(const struct plan *plan);

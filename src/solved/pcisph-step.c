@@ -8,6 +8,7 @@
  * No sound goes into the step.  U is the reference speed: without it the first steps, from
  * rest, would be too long.  Its rates are those of the whole step, but for positions.
  * Solenthaler, Pajarola 2009; Toth 2012, sections 3.4.3, 3.6. */
+#include "eval/given.h"
 #include "solved/largest.h"
 #include "solved/pcisph-inside.h"
 
@@ -78,6 +79,7 @@ static int step(void *self, double t, double h, const double *y, const double *f
     vector_copy(size, y, to);
     TRY(pcisph_solve(p, t, h, rates, to));
     TRY(moment_eval(p->m, (struct ask){ .sides = ASK_EXPLICIT, .ahead = h / 2 }, t, to, rates));
+    given_start(p->m);
     pcisph_settle(p, h, y, to, rates);
     vector_combine(2, c, (const double *[]){ y + u, rates + u }, rest - u, to + u);
     vector_combine(2, c, (const double *[]){ y, to + u }, u, to);

@@ -19,11 +19,25 @@ static void keep(struct fixed *x)
     x->has_f = true;
 }
 
+/* Backward Euler has M (v_new - v)/h = F - K q_new - D v_new: what supports give and damping takes
+ * is that of the end of a step. */
+static void book(struct fixed *x, double t, double h)
+{
+    moment_body_book(x->moment, t, x->y, h, x->y);
+}
+
+/* The step has booked what bodies get where it starts. */
+static int bend(struct fixed *x, double h)
+{
+    moment_body_book(x->moment, x->t_old, x->y_old, -h, x->y);
+    return fixed_bend(x, h, x->rates, book);
+}
+
 static int advance(struct fixed *x, double h)
 {
     TRY(fixed_solved_advance(x, h));
     if (x->ranges > 0)
-        TRY(fixed_bend(x, h, x->rates));
+        TRY(bend(x, h));
     keep(x);
     return STATUS_DONE;
 }
