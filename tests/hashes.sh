@@ -67,6 +67,7 @@ shipped_rows() {
     ship all soft-gate until=0.15
     ship all toth-dam-break spacing=5e-3 tol=1e-3 until=0.05
     ship few toth-pcisph spacing=5e-3 until=0.1
+    ship few toth-fsi spacing=5e-3 until=0.16
     ship few toth-standard-sph spacing=5e-3 tol=1e-3 until=0.005
     ship all tank-sizes until=0.02
     ship few gate spacing=0.01 until=0.07

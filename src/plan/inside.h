@@ -63,6 +63,9 @@ struct plan_book {
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
+    int solved;   /* [solved_works] energy that corrections of the method gave,
+                     plan/solver.h                                            */
+    int solved_works;
     int n;
     int panels;
     struct plan_panel *panel; /* [panels]                                     */

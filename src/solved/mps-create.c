@@ -1,4 +1,6 @@
 /* mps-create.c -- which plans MPS serves, and its memory. */
+#include "eval/given.h"
+#include "plan/solver.h"
 #include "solved/mps-inside.h"
 
 #include "base/status.h"
@@ -83,11 +85,25 @@ static int take_memory(struct mps *s)
     s->role = status_alloc(n, sizeof *s->role);
     s->du = status_alloc(n, sizeof *s->du);
     s->was = status_alloc(n, sizeof *s->was);
-    s->push = status_alloc((size_t)all->objects + 1, sizeof *s->push);
-    if (!s->face || !s->role || !s->du || !s->was || !s->push)
+    s->gave.push = status_alloc(n, sizeof *s->gave.push);
+    for (int k = 0; k < MPS_WORKS; k++)
+        if (!(s->gave.kick[k] = status_alloc(n, sizeof *s->gave.kick[k])))
+            return STATUS_FAILED;
+    if (!s->face || !s->role || !s->du || !s->was || !s->gave.push)
         return STATUS_FAILED;
+    TRY(given_make(s->moment));
     TRY(poisson_create(all->n, s->key->iterations, &s->poisson));
     return make_list(s);
+}
+
+/* A plan that was made for another method has no columns of this one's. */
+static void find_columns(struct mps *s)
+{
+    const struct plan *p = s->moment->plan;
+    const bool own = plan_solved(p->in.set.method) == &solved_mps;
+
+    for (int k = 0; k < MPS_WORKS; k++)
+        s->gave.column[k] = own ? p->book.solved + k : mps_conserved(p);
 }
 
 int mps_create(struct moment *moment, struct mps **out)
@@ -107,6 +123,7 @@ int mps_create(struct moment *moment, struct mps **out)
         return STATUS_FAILED;
     }
     find_faces(s);
+    find_columns(s);
     return STATUS_DONE;
 }
 
@@ -121,7 +138,9 @@ void mps_free(struct mps **mps)
     poisson_free(&s->poisson);
     free(s->number), free(s->rate), free(s->before), free(s->rate_before), free(s->source);
     free(s->p), free(s->lowest), free(s->face), free(s->role), free(s->du), free(s->was);
-    free(s->push);
+    for (int k = 0; k < MPS_WORKS; k++)
+        free(s->gave.kick[k]);
+    free(s->gave.push);
     free(s);
     *mps = NULL;
 }

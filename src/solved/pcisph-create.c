@@ -1,4 +1,5 @@
 /* pcisph-create.c -- memory of prediction and correction. */
+#include "eval/given.h"
 #include "solved/pcisph-inside.h"
 
 #include "base/status.h"
@@ -29,6 +30,7 @@ static int take_memory(struct pcisph *p)
 
     p->sum = workspace_lines(n);
     p->push = workspace_lines(n * DIM);
+    TRY(given_make(p->m));
     return p->sum && p->push ? make_list(p) : STATUS_FAILED;
 }
 
