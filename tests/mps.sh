@@ -25,6 +25,17 @@ bed=$(column still/probes bed | awk '$1 > 0.2 { s += $2; n++ } END { print s / n
 claim 'the bed carries the water within 10 %' "$bed > 0.9 && $bed < 1.1"
 claim 'the water stands' "$(last still book kinetic) < 1e-3 * 40 * 9.81 * 0.2"
 
+# (M18): noise where gamma kappa is above 4/3, quiet below, by gamma and by re. Measured: 0.84, 0.07; 0.69, 0.04.
+noise() {
+    well "$1" "$still" method=mps walls=own-density until=0.3 output.interval=0.001 "$2" "$3"
+    column "$1/probes" bed | awk '$1 > 0.1 { n++; s += $2; q += $2 * $2 }
+        END { print sqrt(q / n - s * s / n / n) / (9810 * 0.185) }'
+}
+claim 'gamma = 1, re = 2.4: noise' "$(noise loud mps.gamma=1 mps.re=2.4) > 0.3"
+claim 'gamma = 0.85, re = 2.4: quiet' "$(noise quiet mps.gamma=0.85 mps.re=2.4) < 0.15"
+claim 'gamma = 1, re = 2.1: noise' "$(noise near mps.gamma=1 mps.re=2.1) > 0.3"
+claim 'gamma = 1, re = 2.8: quiet' "$(noise far mps.gamma=1 mps.re=2.8) < 0.15"
+
 # cmps keeps momentum to rounding, minimum does not.
 well kept "$still" method=mps walls=own-density until=0.05 spacing=1e-2 mps.gradient=cmps mps.gamma=0.2
 well lost "$still" method=mps walls=own-density until=0.05 spacing=1e-2 mps.gamma=0.2

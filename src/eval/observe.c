@@ -88,8 +88,10 @@ void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {
     const struct moment_body *b = &run->observer->body[body];
+    const double (*force)[DIM] = (const double (*)[DIM])(is_given(run) ? run->body[body].force
+                                                                       : b->force);
 
-    b->kind->show(b->body, b->work, &run->layout, t, y, (const double (*)[DIM])b->force, out);
+    b->kind->show(b->body, b->work, &run->layout, t, y, force, out);
 }
 
 int observe_escaped(struct moment *run, double t, const double *y)

@@ -93,6 +93,14 @@ static double pressed(const struct plan *p)
                 : 0;
 }
 
+/* What a pressure that is solved for once a step works in. */
+static double solved(const struct plan *p)
+{
+    const struct plan_solved *by = plan_solved(p->in.set.method);
+
+    return by ? by->memory(p) : 0;
+}
+
 static void estimate(const struct plan *p, const struct count *c, struct plan_memory *m)
 {
     const double n = c->fluid + c->solid;
@@ -120,7 +128,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
     };
 
     estimate(p, &c, out);
-    out->sums += pressed(p);
+    out->sums += pressed(p) + solved(p);
 }
 
 double plan_memory_sum(const struct plan_memory *m)

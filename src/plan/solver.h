@@ -61,6 +61,7 @@ struct plan_solved {
     /* What it works in, for a run's moment; free() takes NULL. */
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
+    double (*memory)(const struct plan *plan); /* of that, about, on a full lattice [bytes] */
 
     /* Longest step from (t, y), where rates are f, with this CFL number [s]; sets limit. */
     double (*length)(void *self, double number, double t, const double *y, const double *f,

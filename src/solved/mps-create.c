@@ -1,6 +1,7 @@
 /* mps-create.c -- which plans MPS serves, and its memory. */
 #include "eval/given.h"
 #include "plan/solver.h"
+#include "solved/memory.h"
 #include "solved/mps-inside.h"
 
 #include "base/status.h"
@@ -54,6 +55,23 @@ static void find_faces(struct mps *s)
     }
 }
 
+static const double more = 0.1, margin = 0.4; /* of the list, beyond radii and beside that [spacings] */
+
+/* The list; of near.h what is there for pairs, of poisson.h the same for those of fluid, and of
+ * lower halves the half that is written; of both, what is there for particles; the arrays of
+ * struct mps. */
+double mps_memory(const struct plan *p)
+{
+    const struct settings_mps *key = &p->in.mps;
+    const double reach = fmax(key->re, fmax(key->re_gradient, key->re_laplacian)) + more;
+    const double n = p->particles->n;
+    const double near = 4 + 16 * DIM + 8, poisson = 13 * 8 + 5,
+                 arrays = 7 * 8 + 2 + 8 * DIM * (3 + MPS_WORKS);
+
+    return memory_list(p, reach + margin) + 4 * memory_pairs(p, reach, true)
+         + 1.5 * (4 + 8) * memory_pairs(p, reach, false) + (near + poisson + arrays) * n;
+}
+
 /* All kinds that there are own their pairs with all others. */
 static int make_list(struct mps *s)
 {
@@ -65,9 +83,9 @@ static int make_list(struct mps *s)
         all |= particles_count(p->particles, (enum kind)k) > 0 ? KIND_BIT(k) : 0;
     for (int k = 0; k < KINDS; k++)
         def.acts[k] = all & KIND_BIT(k) ? all : 0;
-    s->reach = fmax(s->density.re, fmax(s->gradient.re, s->laplacian.re)) + 0.1 * p->scales.dx;
+    s->reach = fmax(s->density.re, fmax(s->gradient.re, s->laplacian.re)) + more * p->scales.dx;
     def.support = s->reach;
-    def.skin = 0.4 * p->scales.dx;
+    def.skin = margin * p->scales.dx;
     return p->engine->sum->list->create(&s->list, &def);
 }
 

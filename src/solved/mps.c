@@ -247,6 +247,6 @@ static int step(void *self, double t, double h, const double *y, const double *f
 const struct plan_solved solved_mps = {
     .name = "mps",
     .work = { "mps.pressure", "mps.collisions", "mps.stabilisation", "mps.viscosity" },
-    .serves = mps_serves, .create = create, .free = leave,
+    .serves = mps_serves, .create = create, .free = leave, .memory = mps_memory,
     .length = length, .step = step,
 };

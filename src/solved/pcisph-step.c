@@ -89,5 +89,6 @@ static int step(void *self, double t, double h, const double *y, const double *f
 
 const struct plan_solved solved_pcisph = {
     .name = "pcisph", .serves = pcisph_serves, .create = create, .free = leave,
+    .memory = pcisph_memory,
     .length = length, .step = step,
 };
