@@ -36,11 +36,12 @@ static void apply(void *self, const double *x, double *to)
 
     memcpy(a->scalar, x, (size_t)a->listed * sizeof *x);
     complete(a, 1, a->scalar);
-    nabla->gradient(&a->kept, KIND_BIT(KIND_FLUID), a->scalar, a->m->work->f);
+    nabla->gradient(&a->kept, a->moving, a->scalar, a->m->work->f);
     memset(a->vector, 0, (size_t)a->listed * NABLA_STRIDE * sizeof *a->vector);
     for (int s = 0; s < fluid; s++)
         for (int d = 0; d < DIM; d++)
             a->vector[s * NABLA_STRIDE + d] = f[s * DIM + d] / mass(a, s);
+    ahead_bodies_yield(a);
     complete(a, NABLA_STRIDE, a->vector);
     nabla->divergence(&a->kept, a->kinds, a->vector, to);
     for (int s = 0; s < a->listed; s++)
@@ -77,6 +78,7 @@ static void read_accelerations(struct ahead *a, const double *udot)
         else
             object_acceleration(&all->object[all->object_of[c]], all->x[c], to);
     }
+    ahead_bodies_drive(a);
     complete(a, NABLA_STRIDE, a->vector);
 }
 

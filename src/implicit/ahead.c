@@ -26,6 +26,7 @@ static void ahead_free(void **self)
         free(memory[i]);
     free(a->kept.rows);
     free(a->kept.j);
+    free(a->push);
     operator_solver_free(&a->solver);
     free(a);
     *self = NULL;
@@ -36,10 +37,21 @@ static void set_kinds(struct ahead *a, const struct plan *p)
     for (int k = 0; k < KINDS; k++)
         if (particles_count(p->particles, k) > 0 && p->row.density[k] >= 0) {
             a->kinds |= KIND_BIT(k);
+            a->moving |= KIND_BIT(k) & ~(KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP));
             a->meets[k] |= KIND_BIT(KIND_FLUID);
             a->meets[KIND_FLUID] |= KIND_BIT(k);
         }
     a->job = (struct nabla_job){ .meets = a->meets, .kernel = p->kernel[PART_PRESSURE] };
+}
+
+/* Points of all skins. */
+static int skins(const struct ahead *a)
+{
+    int n = 0;
+
+    for (int i = 0; i < a->m->plan->bodies; i++)
+        n += a->m->plan->body[i].skin;
+    return n;
 }
 
 static int take(struct ahead *a)
@@ -49,7 +61,8 @@ static int take(struct ahead *a)
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
             return STATUS_FAILED;
-    return operator_solver_create(a->n, PRODUCTS, &a->solver);
+    a->push = status_alloc((size_t)skins(a) + 1, sizeof *a->push);
+    return a->push ? operator_solver_create(a->n, PRODUCTS, &a->solver) : STATUS_FAILED;
 }
 
 static int ahead_create(struct moment *m, void **out)
@@ -59,6 +72,7 @@ static int ahead_create(struct moment *m, void **out)
 
     if (!a)
         return STATUS_FAILED;
+    a->m = m;
     a->n = p->particles->n;
     a->tau = p->pressure->part->as.pressure->ahead(p->pressure->self, &a->residual_share);
     a->residual_share = fmin(a->residual_share, p->in.set.tol);
@@ -153,7 +167,7 @@ static double begin(struct ahead *a)
     return sqrt(square);
 }
 
-static int find(void *self, struct moment *m, double t, const double *udot)
+static int find(void *self, struct moment *m, double t, const double *y, const double *udot)
 {
     struct ahead *a = self;
     const struct list *l = m->list;
@@ -166,6 +180,7 @@ static int find(void *self, struct moment *m, double t, const double *udot)
                  t);
         return STATUS_FAILED;
     }
+    TRY(ahead_bodies_set(a, t, y));
     ahead_assemble(a, udot);
     a->operator.near = a->residual_share * begin(a);
     if (a->operator.near > 0)

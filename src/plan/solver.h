@@ -43,8 +43,8 @@ struct plan_ahead_solver {
     void (*free)(void **self);
 
     /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
-     * [dimension].  STATUS_FAILED: a refusal. */
-    int (*find)(void *self, struct moment *m, double t, const double *udot);
+     * [dimension], and such forces on skins in m->work->f.  STATUS_FAILED: a refusal. */
+    int (*find)(void *self, struct moment *m, double t, const double *y, const double *udot);
 };
 
 extern const struct plan_ahead_solver implicit_ahead; /* implicit/ahead.c */
