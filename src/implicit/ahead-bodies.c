@@ -7,6 +7,16 @@
 #include <stdio.h>
 #include <string.h>
 
+int ahead_bodies_create(const struct plan *p, double (**push)[DIM])
+{
+    int points = 0;
+
+    for (int i = 0; i < p->bodies; i++)
+        points += p->body[i].skin;
+    *push = status_alloc((size_t)points + 1, sizeof **push);
+    return *push ? STATUS_DONE : STATUS_FAILED;
+}
+
 static int place(const struct moment *m, const struct moment_body *b, int j)
 {
     return m->list->slot[particles_row_of(m->particles, m->particles->object[b->object].from + j)];

@@ -44,16 +44,6 @@ static void set_kinds(struct ahead *a, const struct plan *p)
     a->job = (struct nabla_job){ .meets = a->meets, .kernel = p->kernel[PART_PRESSURE] };
 }
 
-/* Points of all skins. */
-static int skins(const struct ahead *a)
-{
-    int n = 0;
-
-    for (int i = 0; i < a->m->plan->bodies; i++)
-        n += a->m->plan->body[i].skin;
-    return n;
-}
-
 static int take(struct ahead *a)
 {
     double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal };
@@ -61,8 +51,8 @@ static int take(struct ahead *a)
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
             return STATUS_FAILED;
-    a->push = status_alloc((size_t)skins(a) + 1, sizeof *a->push);
-    return a->push ? operator_solver_create(a->n, PRODUCTS, &a->solver) : STATUS_FAILED;
+    TRY(ahead_bodies_create(a->m->plan, &a->push));
+    return operator_solver_create(a->n, PRODUCTS, &a->solver);
 }
 
 static int ahead_create(struct moment *m, void **out)

@@ -4,9 +4,9 @@
  *   (E + tau^2 D M^-1 G) P = m (rho - rho0) + tau D v + tau^2 (D a + C v),  E = m rho^2/c0^2
  *
  * D, G, C of space/nabla.h; a: accelerations by all but the pressure, of walls those of their
- * motion; M^-1 is 0 for walls, and for skins S (M + tau D + tau^2 K)^-1 S^T of their bodies (E4).  By (D1) m rho' = D v, and the force is -G P with G the
- * transpose of D, so the system is symmetric and positive definite, at free surfaces and in
- * closed tanks alike. */
+ * motion; M^-1 is 0 for walls, and for skins S (M + tau D + tau^2 K)^-1 S^T of their bodies
+ * (E4).  By (D1) m rho' = D v, and the force is -G P with G the transpose of D, so the system
+ * is symmetric and positive definite, at free surfaces and in closed tanks alike. */
 #ifndef IMPLICIT_AHEAD_H
 #define IMPLICIT_AHEAD_H
 
@@ -36,7 +36,10 @@ struct ahead {
  * [DIM]. */
 void ahead_assemble(struct ahead *a, const double *udot);
 
-/* ahead-bodies.c: bodies ready at (t, y), with the forces on their skins by all but the pressure
+/* ahead-bodies.c: memory for forces on all skins. */
+int ahead_bodies_create(const struct plan *p, double (**push)[DIM]);
+
+/* Bodies ready at (t, y), with the forces on their skins by all but the pressure
  * in m->work->f, from which later passes over pairs may take it.  STATUS_FAILED: one is not. */
 int ahead_bodies_set(struct ahead *a, double t, const double *y);
 
