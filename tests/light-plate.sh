@@ -32,6 +32,11 @@ claim 'and 1.5 times the products at most of one with ten thousand times the mas
 well steel "$scene" until=0.15 beam.plate.E=210e9 beam.plate.elements=40
 claim 'nor does a stiff plate bound the steps' "$(number steel rhs_explicit) < 1.2 * $rhs"
 
+well alone "$scene" until=0.002 beam.plate.response=own
+prints alone 'weighs 0.11 kg/m and its skin displaces 3.3 kg/m of water' 'set its response = "predicted"'
+well heavy_alone "$scene" until=0.002 beam.plate.response=own beam.plate.density=2000
+quiet heavy_alone
+
 # --- what others make of it --------------------------------------------------------------------
 sed 's/^eos.*/eos = { type = "linear"; c0 = 59.4; };/; /response/d' "$scene" >"$out/linear.scene"
 well short "$scene" until=0.02

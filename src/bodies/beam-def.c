@@ -71,9 +71,9 @@ const struct param beam_def_params[] = {
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
       .about = "true: viscosity does not act on the skin" },
     { .key = "response", .unit = "", AT(response), .type = PARAM_WORD, .words = responses,
-      .about = "own: by its mass alone; predicted, with eos.type = \"look-ahead\" and linear theory "
-               "only: as the pressure takes it to yield within tau, (E4), which the lightest beam in "
-               "water stands, and which damps a vibration omega by the ratio omega tau/2" },
+      .about = "own: by its mass alone; predicted, with eos.type = \"look-ahead\" only: as the pressure "
+               "takes it to yield within tau, (E4), which the lightest beam in water stands, and which "
+               "damps a vibration omega by the ratio omega tau/2" },
     { .key = "tip_force", .unit = "N/m", AT(tip_force), .min = -1e12, .max = 1e12,
       .about = "force across the tip from t = 0; positive to the left, looking from root to tip" },
     { .key = "load", .unit = "N/m^2", AT(load), .min = -1e12, .max = 1e12,
@@ -158,9 +158,6 @@ static int check_linear(const struct beam_def *d, const char *path)
 
 static int check_elastica(const struct beam_def *d, const char *path)
 {
-    if (beam_def_predicted(d))
-        return status_fail(STATUS_BAD_SCENE, "%s: response = \"predicted\" is for small deflections: "
-                           "leave theory = \"elastica\" out, or set response = \"own\"", path);
     if ((d->bent != 0 || d->bent_rate != 0) && end_of(d->tip) != BENDING_FREE)
         return status_fail(STATUS_BAD_SCENE, "%s: bent and bent_rate make a bow, whose tip is "
                            "not where a tip that is %s stays; set tip = \"free\"", path, d->tip);

@@ -226,7 +226,7 @@ static void beam_show_predicted(const struct body *b, struct body_work *w, const
 static const struct body_kind *beam_choose(const void *params)
 {
     if (beam_def_predicted(params))
-        return &bodies_beam_predicted;
+        return beam_def_far(params) ? &bodies_elastica_predicted : &bodies_beam_predicted;
     return beam_def_far(params) ? &bodies_elastica : &bodies_beam;
 }
 

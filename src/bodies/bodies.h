@@ -23,7 +23,8 @@ struct body;      /* one body of a kind                                        *
 struct body_work; /* what members of that kind work in: scratch and caches     */
 
 struct body_load { /* what load() reports, all [N, 2D: N/m], [N m] */
-    double damping;      /* power taken by damping [W], never positive         */
+    double damping;      /* power taken by damping [W], never positive; of what moves by (E4)
+                            all that it takes from the body's own energy      */
     double driven;       /* power put in by prescribed loads [W]               */
     double support[DIM]; /* force of the supports on the body [N]              */
     double applied[DIM]; /* force of prescribed loads [N]                      */
@@ -187,5 +188,6 @@ extern const struct body_kind *const bodies_table[]; /* NULL-ended */
 extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2 only */
 extern const struct body_kind bodies_beam_predicted; /* the same, chosen by response  */
 extern const struct body_kind bodies_elastica;       /* elastica-body.c, chosen by theory */
+extern const struct body_kind bodies_elastica_predicted; /* by theory and response       */
 
 #endif

@@ -84,26 +84,11 @@ static void balance(const struct body *b, struct body_work *w, const struct layo
     band_multiply(b->beam->mass, w->rate, w->inertia);
 }
 
-/* Sum over nodes of what moves all of them along and across, in the frame of the tank. */
-static void total(const struct body *b, const double *f, double *to)
-{
-    double sum[2] = { 0, 0 };
-
-    for (int i = 0; i < b->beam->dofs; i += ELASTICA_NODE)
-        for (int c = 0; c < 2; c++)
-            sum[c] += f[i + c];
-    for (int d = 0; d < DIM; d++)
-        to[d] = sum[0] * b->along[d] + sum[1] * b->normal[d];
-}
-
-/* The supports give what momentum needs beyond the loads, 1 . (M v' - F), where what alpha
- * and drag take counts as theirs (both hold on to the ground). */
 static void elastica_load(const struct body *b, struct body_work *w, const struct layout *l,
                           double t, const double *y, const double (*force)[DIM], double *ydot,
                           struct body_load *out)
 {
     const int n = b->beam->dofs;
-    double moved[DIM], loads[DIM];
 
     balance(b, w, l, t, y, force);
     for (int i = 0; i < n; i++) {
@@ -111,12 +96,7 @@ static void elastica_load(const struct body *b, struct body_work *w, const struc
         ydot[elastica_state_place(b, l, i, true)] = w->load[i];
     }
     out->damping = elastica_damping(b->beam, w->q, w->v);
-    out->driven = vectors_dot(n, w->given, w->v);
-    total(b, w->inertia, moved);
-    total(b, w->force, loads);
-    total(b, w->given, out->applied);
-    for (int d = 0; d < DIM; d++)
-        out->support[d] = moved[d] - loads[d];
+    elastica_state_report(b, w, out);
 }
 
 static void elastica_stiff(const struct body *b, struct body_work *w, const struct layout *l,
@@ -188,7 +168,7 @@ static void elastica_momentum(const struct body *b, struct body_work *w, const s
 
     elastica_state_read(b, w, l, y);
     band_multiply(b->beam->mass, w->v, w->inertia);
-    total(b, w->inertia, sum);
+    elastica_state_total(b, w->inertia, sum);
     for (int d = 0; d < DIM; d++)
         p[d] += sum[d];
 }
@@ -225,14 +205,11 @@ static void displace(const struct body *b, double s, const double *q, double *to
 /* What the support at the root feels: force across the straight beam (positive along n, as
  * loads are) and moment (positive counter-clockwise): a turn by theta changes the slope
  * across by |r'| theta. */
-static void elastica_show(const struct body *b, struct body_work *w, const struct layout *l,
-                          double t, const double *y, const double (*force)[DIM],
-                          struct body_view *out)
+static void show(const struct body *b, const struct body_work *w, struct body_view *out)
 {
     const struct elastica *e = b->beam;
     const double L = e->def.bending.length;
 
-    balance(b, w, l, t, y, force);
     displace(b, L, w->q, out->tip);
     displace(b, L / 2, w->q, out->mid);
     out->section = e->def.thickness;
@@ -240,6 +217,22 @@ static void elastica_show(const struct body *b, struct body_work *w, const struc
     out->root_force = elastica_held(e, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
     out->root_moment = elastica_held(e, 3)
                      ? (1 + w->q[2]) * (w->force[3] - w->inertia[3] - w->resist[3]) : 0;
+}
+
+static void elastica_show(const struct body *b, struct body_work *w, const struct layout *l,
+                          double t, const double *y, const double (*force)[DIM],
+                          struct body_view *out)
+{
+    balance(b, w, l, t, y, force);
+    show(b, w, out);
+}
+
+static void elastica_show_predicted(const struct body *b, struct body_work *w,
+                                    const struct layout *l, double t, const double *y,
+                                    const double (*force)[DIM], struct body_view *out)
+{
+    elastica_ahead_balance(b, w, l, t, y, force);
+    show(b, w, out);
 }
 
 static const struct body_implicit implicit = {
@@ -266,4 +259,24 @@ const struct body_kind bodies_elastica = {
     .move = elastica_move, .load = elastica_load, .event = elastica_event,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
     .show = elastica_show, .implicit = &implicit, .joint.ahead = &ahead,
+};
+
+static const struct body_ahead moved_ahead = {
+    .moves = true, .set = elastica_ahead_set, .drive = elastica_ahead_drive,
+    .yield = elastica_ahead_yield,
+};
+
+const struct body_kind bodies_elastica_predicted = {
+    .identity = {
+        .name = "beam", .about = "the same, moved as a pressure that looks ahead predicts it",
+        .equation = "(M + tau D + tau^2 K) q'' = F - dE/dq - (D + tau K) q'  (E4)",
+        .source = "backward Euler over tau, as the pressure of (E3)",
+        .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    },
+    .make = { .create = elastica_make, .free = elastica_make_free, .work = elastica_make_work,
+              .work_free = elastica_make_work_free },
+    .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
+    .move = elastica_move, .load = elastica_ahead_load, .event = elastica_event,
+    .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
+    .show = elastica_show_predicted, .joint.ahead = &moved_ahead,
 };

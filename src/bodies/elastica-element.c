@@ -42,7 +42,7 @@ void elastica_element_make(double EA, double EI, double l, struct elastica_eleme
     look_at(0.5 + gauss, 0.5, l, &out->bend[1]);
 }
 
-enum what { STIFFNESS, TANGENT }; /* without and with the forces that there are */
+enum what { STIFFNESS, TANGENT }; /* without and with what makes the other indefinite */
 
 /* --- stretch -------------------------------------------------------------- */
 
@@ -73,7 +73,8 @@ static void add_stretch_tangent(const struct elastica_element *e, const struct e
                                 double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
 {
     double a[2], h[2][2];
-    const double d = stretch_of(p, q, a), s = 1 + d, pull = what == TANGENT ? d / s / 2 : 0;
+    const double d = stretch_of(p, q, a), s = 1 + d;
+    const double pull = what == TANGENT || d > 0 ? d / s / 2 : 0;
 
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)

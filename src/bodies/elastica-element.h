@@ -39,8 +39,8 @@ void elastica_element_force(const struct elastica_element *e, const double *q, d
 void elastica_element_tangent(const struct elastica_element *e, const double *q,
                               double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT]);
 
-/* k [8][8] = the same where strains are as now but give no force: what is left when forces that
- * turn with the element are left out.  Positive semidefinite. */
+/* k [8][8] = the same without the forces that turn with the element, but for a tension: positive
+ * semidefinite. */
 void elastica_element_stiffness(const struct elastica_element *e, const double *q,
                                 double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT]);
 

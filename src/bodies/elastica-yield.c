@@ -2,9 +2,8 @@
  *
  *   (M + tau D + tau^2 K) a = f                                                (E4)
  *
- * K = sum over strains of (stiffness) (dstrain/dq) (dstrain/dq)^T is d2E/dq2 without the part of
- * forces that turn with the beam.  That part is not definite where the beam is pressed, and left out
- * here, where a is only predicted. */
+ * K is d2E/dq2 without the part of forces that turn with the beam, but for tensions: that of a
+ * pressed or bent beam is not definite.  A tension may be what holds a soft beam. */
 #include "bodies/elastica.h"
 
 #include "base/status.h"
@@ -26,7 +25,7 @@ static void add_element(const struct elastica *e, struct elastica_work *w, int n
 }
 
 int elastica_yield_set(const struct elastica *e, struct elastica_work *w, double tau,
-                       const double *q, const double *v, double *to)
+                       const double *q)
 {
     const struct bending_def *b = &e->def.bending;
 
@@ -34,15 +33,20 @@ int elastica_yield_set(const struct elastica *e, struct elastica_work *w, double
     band_sum(w->sum, 0, e->mass, 0, e->mass);
     for (int i = 0; i < b->elements; i++)
         add_element(e, w, i, tau, q + ELASTICA_NODE * i);
-    band_multiply(w->tangent, v, w->vector);
-    for (int i = 0; i < e->dofs; i++)
-        to[i] += tau * w->vector[i];
     band_sum(w->sum, 1, w->sum, tau * tau, w->tangent);
     band_sum(w->sum, 1, w->sum, 1 + tau * b->alpha, e->mass);
     for (int i = 0; i < e->dofs; i++)
         band_add(w->sum, i, i, tau * b->drag);
     elastica_hold(e, w);
     return band_factor_set(w->factor, w->sum);
+}
+
+void elastica_yield_stretch(const struct elastica *e, struct elastica_work *w, double tau,
+                            const double *v, double *to)
+{
+    band_multiply(w->tangent, v, w->vector);
+    for (int i = 0; i < e->dofs; i++)
+        to[i] += tau * w->vector[i];
 }
 
 void elastica_yield(const struct elastica *e, const struct elastica_work *w, double *f)

@@ -43,6 +43,26 @@ static const char *reason(const struct plan *p)
     return NULL;
 }
 
+/* Measured: a plate of a thirtieth of the water that its skin displaces takes 3.6 times the
+ * right-hand sides by M alone, one of an eight-hundredth none that is short enough. */
+static void doubt_light(const struct plan *p, const struct scene *scene)
+{
+    const double light = 1.0 / 20;
+
+    for (int i = 0; i < p->bodies; i++) {
+        const struct plan_body *b = &p->body[i];
+        const double weight = b->kind->weight(b->body);
+        double displaced = 0;
+        for (int j = 0; j < b->skin; j++)
+            displaced += p->particles->m[p->particles->object[b->object].from + j];
+        if (b->kind->implicit && weight < light * displaced)
+            status_warn("%s: %s weighs %g kg/m and its skin displaces %g kg/m of water: moved by its "
+                        "mass alone it makes steps short, or finds none at last; set its response "
+                        "= \"predicted\", or a smaller eos.tau", scene_path(scene),
+                        b->path, weight, displaced);
+    }
+}
+
 /* A body that moves as this pressure predicts, under another. */
 static int refuse_moved(const struct plan *p, const struct scene *scene)
 {
@@ -61,8 +81,10 @@ int plan_ahead_agree(const struct plan *p, const struct scene *scene)
 
     if (plan_ahead(p) == 0)
         return refuse_moved(p, scene);
-    if (!why)
+    if (!why) {
+        doubt_light(p, scene);
         return STATUS_DONE;
+    }
     return status_fail(STATUS_BAD_SCENE, "%s: eos.type = \"%s\": %s", scene_path(scene),
                        p->pressure->part->name, why);
 }
