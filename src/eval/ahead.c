@@ -5,11 +5,11 @@
 #include "plan/solver.h"
 #include "space/record.h"
 
-/* Accelerations by all but the pressure are where its laws will write theirs. */
+/* Accelerations and forces by all but the pressure are where its laws will write theirs. */
 int passes_look_ahead(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
-    return implicit_ahead.find(e->m->ahead, e->m, e->t, spread_velocities(e->m, e->ydot)[0]);
+    return implicit_ahead.find(e->m->ahead, e->m, e->t, e->y, spread_velocities(e->m, e->ydot)[0]);
 }
 
 /* Of kind k: the sum of (p_E1 - p)/rho^2 m rho' [W]. */

@@ -37,13 +37,15 @@ struct plan_solver {
 
 /* A pressure that is solved for: one there is. */
 struct plan_ahead_solver {
+    int vectors; /* of all particles that it holds, for an estimate of memory */
+
     /* What it works in, for a run's moment; free() takes NULL. */
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
 
     /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
-     * [dimension].  STATUS_FAILED: a refusal. */
-    int (*find)(void *self, struct moment *m, double t, const double *udot);
+     * [dimension], and such forces on skins in m->work->f.  STATUS_FAILED: a refusal. */
+    int (*find)(void *self, struct moment *m, double t, const double *y, const double *udot);
 };
 
 /* A pressure that is solved for once a step, by the method of that name. */
