@@ -21,9 +21,11 @@ static void ahead_free(void **self)
     if (!a)
         return;
     double *const memory[] = { a->P, a->residual, a->b, a->term, a->still, a->diagonal,
-                               a->scalar, a->vector };
+                               a->scalar, a->vector, a->kept.slope };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
+    free(a->kept.rows);
+    free(a->kept.j);
     operator_solver_free(&a->solver);
     free(a);
     *self = NULL;
@@ -64,19 +66,56 @@ static int ahead_create(struct moment *m, void **out)
     return take(a);
 }
 
-/* After a rebuild there may be more images. */
+static int fit_groups(struct ahead *a, const struct list *l)
+{
+    const size_t want = (size_t)l->groups;
+
+    if (want <= a->groups)
+        return STATUS_DONE;
+    free(a->kept.rows);
+    a->groups = 0;
+    a->kept.rows = status_alloc(want + want / 8, sizeof *a->kept.rows);
+    if (!a->kept.rows)
+        return STATUS_FAILED;
+    a->groups = want + want / 8;
+    return STATUS_DONE;
+}
+
+static int fit_pairs(struct ahead *a, const struct list *l)
+{
+    const size_t want = nabla_kept_pairs(l);
+
+    if (want <= a->pairs)
+        return STATUS_DONE;
+    free(a->kept.j);
+    free(a->kept.slope);
+    a->pairs = 0;
+    a->kept.j = status_alloc(want + want / 4, sizeof *a->kept.j);
+    a->kept.slope = workspace_lines((want + want / 4) * DIM);
+    if (!a->kept.j || !a->kept.slope)
+        return STATUS_FAILED;
+    a->pairs = want + want / 4;
+    return STATUS_DONE;
+}
+
+/* After a rebuild there may be more groups, pairs and images. */
 static int fit(struct ahead *a, const struct list *l)
 {
     const size_t want = (size_t)l->listed + 1;
 
+    TRY(fit_groups(a, l));
+    TRY(fit_pairs(a, l));
     if (want <= a->places)
         return STATUS_DONE;
     free(a->scalar);
     free(a->vector);
+    a->places = 0;
+    a->scalar = workspace_lines(want + want / 8);
+    a->vector = workspace_lines((want + want / 8) * NABLA_STRIDE);
+    if (!a->scalar || !a->vector)
+        return STATUS_FAILED;
     a->places = want + want / 8;
-    a->scalar = workspace_lines(a->places);
-    a->vector = workspace_lines(a->places * NABLA_STRIDE);
-    return a->scalar && a->vector ? STATUS_DONE : STATUS_FAILED;
+    return STATUS_DONE;
 }
 
 static int refuse(struct ahead *a, const struct operator_report *report, double t)
@@ -141,5 +180,6 @@ static int find(void *self, struct moment *m, double t, const double *udot)
 }
 
 const struct plan_ahead_solver implicit_ahead = {
+    .vectors = 12, /* those of struct ahead, two of the solver, four of SUNDIALS */
     .create = ahead_create, .free = ahead_free, .find = find,
 };

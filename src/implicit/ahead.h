@@ -13,15 +13,16 @@
 #include "eval/inside.h"
 #include "implicit/operator.h"
 #include "matter/eos.h"
-#include "space/nabla.h"
+#include "space/nabla-kept.h"
 
 /* Vectors are by place of the list: [n] particles, [places] with images and the dummy. */
 struct ahead {
     struct moment *m;          /* of the last find()                          */
     struct nabla_job job;
+    struct nabla_kept kept;    /* weights of the pairs at the positions of a solve  */
     unsigned meets[KINDS], kinds;
     int n, listed;             /* all particles; those in the list, without images */
-    size_t places;
+    size_t places, pairs, groups;           /* there is room for             */
     double tau, residual_share;
     double *P, *residual, *b, *term;        /* [n]                            */
     double *still, *diagonal;               /* [n] E, that of the system      */

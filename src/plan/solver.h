@@ -36,6 +36,8 @@ struct plan_solver {
 
 /* A pressure that is solved for: one there is. */
 struct plan_ahead_solver {
+    int vectors; /* of all particles that it holds, for an estimate of memory */
+
     /* What it works in, for a run's moment; free() takes NULL. */
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
