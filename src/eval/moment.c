@@ -159,6 +159,8 @@ void moment_restart(struct moment *m)
     forget_forces(m);
     if (m->solver)
         m->plan->solver->forget(m->solver);
+    if (m->ahead && !m->beside)
+        implicit_ahead.forget(m->ahead);
     m->refusal[0] = '\0';
     memset(m->culprit, 0, sizeof m->culprit);
 }

@@ -26,6 +26,10 @@ struct ahead {
     double tau, residual_share;
     double *P, *residual, *b, *term;        /* [n]                            */
     double *still, *diagonal;               /* [n] E, that of the system      */
+    struct {                                /* of the last solves, newest first */
+        int n;
+        double t[2], *P[2];                 /* [n] by id                      */
+    } past;
     double *scalar, *vector;                /* [places], [places][NABLA_STRIDE] */
     struct operator operator;
     struct operator_solver *solver;
@@ -34,5 +38,11 @@ struct ahead {
 /* ahead-operator.c: right-hand side b and operator at a->m, for accelerations udot [fluid]
  * [DIM]. */
 void ahead_assemble(struct ahead *a, const double *udot);
+
+/* ahead-guess.c: P at t by the solves before, and what was found; forget: a member of
+ * implicit_ahead. */
+void ahead_guess(struct ahead *a, double t);
+void ahead_keep(struct ahead *a, double t);
+void ahead_forget(void *self);
 
 #endif
