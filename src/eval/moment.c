@@ -162,6 +162,8 @@ void moment_restart(struct moment *m)
         m->given->known = false;
     if (m->solver)
         m->plan->solver->forget(m->solver);
+    if (m->ahead && !m->beside)
+        implicit_ahead.forget(m->ahead);
     m->refusal[0] = '\0';
     memset(m->culprit, 0, sizeof m->culprit);
 }

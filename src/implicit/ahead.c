@@ -1,6 +1,4 @@
-/* ahead.c -- the solve for a pressure that looks ahead.
- *
- * Its guess is the pressure of the density, so that it is a function of (t, y) alone. */
+/* ahead.c -- the solve for a pressure that looks ahead. */
 #include "implicit/ahead.h"
 
 #include "base/status.h"
@@ -21,7 +19,7 @@ static void ahead_free(void **self)
     if (!a)
         return;
     double *const memory[] = { a->P, a->residual, a->b, a->term, a->still, a->diagonal,
-                               a->scalar, a->vector, a->kept.slope };
+                               a->scalar, a->vector, a->kept.slope, a->past.P[0], a->past.P[1] };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     free(a->kept.rows);
@@ -46,7 +44,8 @@ static void set_kinds(struct ahead *a, const struct plan *p)
 
 static int take(struct ahead *a)
 {
-    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal };
+    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal,
+                               &a->past.P[0], &a->past.P[1] };
 
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
@@ -146,9 +145,6 @@ static double begin(struct ahead *a)
 {
     double square = 0;
 
-    memset(a->P, 0, (size_t)a->n * sizeof *a->P);
-    for (int s = 0; s < a->listed; s++)
-        a->P[s] = a->m->work->record[(size_t)s * RECORD + RECORD_P2];
     operator_apply(&a->operator, a->P, a->residual);
     for (int s = 0; s < a->n; s++) {
         a->residual[s] = a->b[s] - a->residual[s];
@@ -172,6 +168,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     }
     TRY(ahead_bodies_set(a, t, y));
     ahead_assemble(a, udot);
+    ahead_guess(a, t);
     a->operator.near = a->residual_share * begin(a);
     if (a->operator.near > 0)
         status = operator_solve(a->solver, &a->operator, a->P, a->residual, &report);
@@ -179,12 +176,14 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
         return refuse(a, &report, t);
     if (a->operator.near > 0)
         m->counts.products += report.products;
+    ahead_keep(a, t);
     for (int s = 0; s < l->listed; s++)
         m->work->record[(size_t)s * RECORD + RECORD_P2] = a->P[l->slot[l->order[s]]];
     return STATUS_DONE;
 }
 
 const struct plan_ahead_solver implicit_ahead = {
-    .vectors = 12, /* those of struct ahead, two of the solver, four of SUNDIALS */
+    .vectors = 14, /* those of struct ahead, two of the solver, four of SUNDIALS */
     .create = ahead_create, .free = ahead_free, .find = find,
+    .forget = ahead_forget,
 };

@@ -26,6 +26,10 @@ struct ahead {
     double tau, residual_share;
     double *P, *residual, *b, *term;        /* [n]                            */
     double *still, *diagonal;               /* [n] E, that of the system      */
+    struct {                                /* of the last solves, newest first */
+        int n;
+        double t[2], *P[2];                 /* [n] by id                      */
+    } past;
     double *scalar, *vector;                /* [places], [places][NABLA_STRIDE] */
     double (*push)[DIM];                    /* [skins] forces on them by all but the pressure */
     struct operator operator;
@@ -47,5 +51,11 @@ int ahead_bodies_set(struct ahead *a, double t, const double *y);
  * in m->work->f alone. */
 void ahead_bodies_drive(struct ahead *a);
 void ahead_bodies_yield(struct ahead *a);
+
+/* ahead-guess.c: P at t by the solves before, and what was found; forget: a member of
+ * implicit_ahead. */
+void ahead_guess(struct ahead *a, double t);
+void ahead_keep(struct ahead *a, double t);
+void ahead_forget(void *self);
 
 #endif

@@ -151,6 +151,7 @@ struct moment_body {
 
 /* scales.c: p->scales from what was read; the kernels' share comes later. */
 int plan_scales_make(struct plan *p, struct scene *scene);
+void plan_scales_density(struct plan *p); /* after parts are prepared */
 
 /* objects.c: bodies; then all particles; then which objects walls and
  * skins are, and the dye of fluids. */

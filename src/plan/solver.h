@@ -43,6 +43,9 @@ struct plan_ahead_solver {
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
 
+    /* What earlier solves have left behind: the next begins as a first one. */
+    void (*forget)(void *self);
+
     /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
      * [dimension], and such forces on skins in m->work->f.  STATUS_FAILED: a refusal. */
     int (*find)(void *self, struct moment *m, double t, const double *y, const double *udot);
