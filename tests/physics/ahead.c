@@ -145,12 +145,12 @@ static void without_tension_it_complements_what_it_leads_to(void **state)
 }
 
 /* Kinetic, potential and (E1)'s energy change by what the book says, whatever the residual. */
-static void check_power(const char *eos)
+static void check_power(const char *eos, const char *effects)
 {
     struct tank t;
     double sum = 0, size = 0;
 
-    shaken(&t, tank_frame, eos, BARE);
+    shaken(&t, tank_frame, eos, effects);
     tank_rates(&t, 0, t.y, t.ydot);
     const struct plan *p = t.plan;
     const long u = tank_at(&t, "velocity of fluid", NULL);
@@ -175,8 +175,9 @@ static void check_power(const char *eos)
 static void power_is_booked(void **state)
 {
     (void)state;
-    check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; };");
-    check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; tension = false; };");
+    check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; };", BARE);
+    check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; tension = false; };",
+                BARE);
 }
 
 static void check_linear(const char *eos, const char *looking)
@@ -279,6 +280,8 @@ static void says_what_it_does_not_go_with(void **state)
     (void)state;
     refuses("eos = { type = \"look-ahead\"; }; walls = \"contact\";"
             "effects = { continuity = { }; pressure = { }; };", "own-density");
+    refuses(EXACT "0.5; tension = false; }; walls = \"own-density\"; effects = { continuity = { };"
+            "pressure = { }; density-healing = { }; };", "density-healing");
     refuses(EXACT "0.5; }; walls = \"own-density\"; effects = { continuity = { };"
             "pressure = { }; laminar-viscosity = { side = \"implicit\"; }; };", "explicit");
 }
