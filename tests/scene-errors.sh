@@ -248,5 +248,36 @@ bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' 
 
 # what a pressure that looks ahead does not go with
 ahead='s/type = "tait"/type = "look-ahead"/'
+own='s/^until/walls = "own-density"; until/'
 bad small-2d 'look-ahead with walls of contact' "$ahead" look-ahead 'walls = "own-density"'
-bad small-2d 'look-ahead with a beam' "$ahead; s/^until/walls = \"own-density\"; until/" look-ahead bodies
+bad small-2d 'look-ahead with a beam' "$ahead; $own" look-ahead bodies
+bad small-2d 'look-ahead with density healing' \
+    "$ahead; $own; /^beam/,/^};/d; s/look-ahead\"/&; tension = false/; s/^effects = {/& density-healing = { };/" \
+    look-ahead effects.density-healing
+
+# the command line
+bad_key 'override without a key' '=3' '=3'
+bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'
+bad_key 'override out of range' 'until=-1' until -1 'command line'
+bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
+bad_key 'override of an unknown body' 'body.mass=3' body 'command line'
+bad_key 'override of an object that is not there' 'fluid.middle.dye=1' fluid.middle
+
+# files
+"$STIFFWATER" run ../there-is-none.scene -o out >../said 2>&1
+status=$?
+judge 'no such file' there-is-none.scene
+"$STIFFWATER" run "$out" -o out >../said 2>&1
+status=$?
+judge 'a directory' "$out"
+printf 'until = 1.0;\nspacing = ;\n' >../bad.scene
+"$STIFFWATER" run ../bad.scene -o out >../said 2>&1
+status=$?
+judge 'syntax' bad.scene:2
+: >../bad.scene
+"$STIFFWATER" run ../bad.scene -o out >../said 2>&1
+status=$?
+judge 'empty file' bad.scene empty
+
+[ "$tried" -ge 100 ] || complain "only $tried mistakes are tried"
+finish
