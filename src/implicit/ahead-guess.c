@@ -38,6 +38,8 @@ void ahead_guess(struct ahead *a, double t)
             a->P[s] = a->m->work->record[(size_t)s * RECORD + RECORD_P2];
         else
             a->P[s] = a->past.P[0][id] + w * (a->past.P[0][id] - a->past.P[1][id]);
+        if (a->bounded)
+            a->P[s] = fmax(0, a->P[s]);
     }
 }
 

@@ -26,6 +26,7 @@ static void ahead_free(void **self)
     free(a->kept.j);
     free(a->push);
     operator_solver_free(&a->solver);
+    bounded_solver_free(&a->bounded);
     free(a);
     *self = NULL;
 }
@@ -42,7 +43,7 @@ static void set_kinds(struct ahead *a, const struct plan *p)
     a->job = (struct nabla_job){ .meets = a->meets, .kernel = p->kernel[PART_PRESSURE] };
 }
 
-static int take(struct ahead *a)
+static int take(struct ahead *a, const struct eos *eos)
 {
     double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal,
                                &a->past.P[0], &a->past.P[1] };
@@ -51,6 +52,8 @@ static int take(struct ahead *a)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
             return STATUS_FAILED;
     TRY(ahead_bodies_create(a->m->plan, &a->push));
+    if (eos->clamped)
+        return bounded_solver_create(a->n, PRODUCTS, &a->bounded);
     return operator_solver_create(a->n, PRODUCTS, &a->solver);
 }
 
@@ -66,7 +69,7 @@ static int ahead_create(struct moment *m, void **out)
     a->tau = p->pressure->part->as.pressure->ahead(p->pressure->self, &a->residual_share);
     a->residual_share = fmin(a->residual_share, p->in.set.tol);
     set_kinds(a, p);
-    return take(a);
+    return take(a, p->pressure->self);
 }
 
 static int fit_groups(struct ahead *a, const struct list *l)
@@ -153,6 +156,13 @@ static double begin(struct ahead *a)
     return sqrt(square);
 }
 
+static int solve(struct ahead *a, struct operator_report *report)
+{
+    if (a->bounded)
+        return bounded_solve(a->bounded, &a->operator, a->P, a->residual, report);
+    return operator_solve(a->solver, &a->operator, a->P, a->residual, report);
+}
+
 static int find(void *self, struct moment *m, double t, const double *y, const double *udot)
 {
     struct ahead *a = self;
@@ -171,7 +181,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     ahead_guess(a, t);
     a->operator.near = a->residual_share * begin(a);
     if (a->operator.near > 0)
-        status = operator_solve(a->solver, &a->operator, a->P, a->residual, &report);
+        status = solve(a, &report);
     if (status != STATUS_DONE)
         return refuse(a, &report, t);
     if (a->operator.near > 0)
@@ -183,7 +193,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
 }
 
 const struct plan_ahead_solver implicit_ahead = {
-    .vectors = 14, /* those of struct ahead, two of the solver, four of SUNDIALS */
+    .vectors = 15, /* those of struct ahead, seven of its solver */
     .create = ahead_create, .free = ahead_free, .find = find,
     .forget = ahead_forget,
 };

@@ -6,11 +6,15 @@
  * D, G, C of space/nabla.h; a: accelerations by all but the pressure, of walls those of their
  * motion; M^-1 is 0 for walls, and for skins S (M + tau D + tau^2 K)^-1 S^T of their bodies
  * (E4).  By (D1) m rho' = D v, and the force is -G P with G the transpose of D, so the system
- * is symmetric and positive definite, at free surfaces and in closed tanks alike. */
+ * is symmetric and positive definite, at free surfaces and in closed tanks alike.
+ *
+ * Without tension (eos.tension = false) it is a complementarity problem: P >= 0, the left side
+ * is not less than the right one, and is equal to it wherever P > 0. */
 #ifndef IMPLICIT_AHEAD_H
 #define IMPLICIT_AHEAD_H
 
 #include "eval/inside.h"
+#include "implicit/bounded.h"
 #include "implicit/operator.h"
 #include "matter/eos.h"
 #include "space/nabla-kept.h"
@@ -33,7 +37,8 @@ struct ahead {
     double *scalar, *vector;                /* [places], [places][NABLA_STRIDE] */
     double (*push)[DIM];                    /* [skins] forces on them by all but the pressure */
     struct operator operator;
-    struct operator_solver *solver;
+    struct operator_solver *solver;         /* NULL: with bounds         */
+    struct bounded_solver *bounded;         /* P >= 0; NULL: with tension */
 };
 
 /* ahead-operator.c: right-hand side b and operator at a->m, for accelerations udot [fluid]
