@@ -248,12 +248,7 @@ bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' 
 
 # what a pressure that looks ahead does not go with
 ahead='s/type = "tait"/type = "look-ahead"/'
-own='s/^until/walls = "own-density"; until/'
 bad small-2d 'look-ahead with walls of contact' "$ahead" look-ahead 'walls = "own-density"'
-bad small-2d 'look-ahead with a beam' "$ahead; $own" look-ahead bodies
-bad small-2d 'look-ahead with density healing' \
-    "$ahead; $own; /^beam/,/^};/d; s/look-ahead\"/&; tension = false/; s/^effects = {/& density-healing = { };/" \
-    look-ahead effects.density-healing
 
 # the command line
 bad_key 'override without a key' '=3' '=3'

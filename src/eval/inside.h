@@ -29,6 +29,8 @@ struct workspace {
     long met_builds;
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
+    double *sourced; /* [fluid] rates of density that no pair gives, for a pressure that
+                        looks ahead; NULL                                     */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
     double (*speeds)[DIM];    /* likewise                                     */
     double *rates;   /* [size] of an evaluation that is only looked at        */

@@ -22,14 +22,6 @@ static bool bodies_yield(const struct plan *p)
     return true;
 }
 
-static bool sources(const struct plan *p)
-{
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->as.source)
-            return true;
-    return false;
-}
-
 /* What it cannot go with, and what to do; NULL: nothing. */
 static const char *reason(const struct plan *p)
 {
@@ -44,9 +36,6 @@ static const char *reason(const struct plan *p)
                "out, or take another eos.type";
     if (p->stiff)
         return "a viscosity that is implicit is solved for apart: set its side = \"explicit\"";
-    if (sources(p))
-        return "its power is that of flow alone, and density healing has pressure before density "
-               "is back: leave out effects.density-healing";
     if (p->drifter)
         return "it does not predict what particle shifting changes: leave that effect out";
     if (p->kernel[PART_DENSITY] != p->kernel[PART_PRESSURE])

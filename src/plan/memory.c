@@ -81,7 +81,7 @@ static double ahead(const struct count *c)
 
     if (!c->ahead)
         return 0;
-    return 1.25 * c->entries * (8 * DIM + 4)
+    return 1.25 * c->entries * (8 * DIM + 4) + 8 * c->fluid
            + 8 * n * (1.125 * c->slots * (1 + NABLA_STRIDE) + implicit_ahead.vectors);
 }
 

@@ -178,6 +178,9 @@ static void power_is_booked(void **state)
     check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; };", BARE);
     check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; tension = false; };",
                 BARE);
+    check_power("eos = { type = \"look-ahead\"; c0 = 30.0; residual = 0.1; tension = false; };",
+                "walls = \"own-density\"; effects = { continuity = { }; pressure = { };"
+                "density-healing = { }; };");
 }
 
 static void check_linear(const char *eos, const char *looking)
@@ -280,8 +283,6 @@ static void says_what_it_does_not_go_with(void **state)
     (void)state;
     refuses("eos = { type = \"look-ahead\"; }; walls = \"contact\";"
             "effects = { continuity = { }; pressure = { }; };", "own-density");
-    refuses(EXACT "0.5; tension = false; }; walls = \"own-density\"; effects = { continuity = { };"
-            "pressure = { }; density-healing = { }; };", "density-healing");
     refuses(EXACT "0.5; }; walls = \"own-density\"; effects = { continuity = { };"
             "pressure = { }; laminar-viscosity = { side = \"implicit\"; }; };", "explicit");
 }
