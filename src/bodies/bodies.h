@@ -43,7 +43,7 @@ struct body_kind;
 
 struct body_identity { /* for scenes and for readers */
     const char *name, *about, *equation, *source;
-    const char *group;          /* scene group: "beam"                         */
+    const char *group;          /* scene group: "beam", "body"                 */
     size_t size;                /* of its parameter struct                     */
     const struct param *params;
 
@@ -189,5 +189,6 @@ extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2
 extern const struct body_kind bodies_beam_predicted; /* the same, chosen by response  */
 extern const struct body_kind bodies_elastica;       /* elastica-body.c, chosen by theory */
 extern const struct body_kind bodies_elastica_predicted; /* by theory and response       */
+extern const struct body_kind bodies_rigid;           /* rigid.c                      */
 
 #endif
