@@ -2,6 +2,7 @@
 #include "bodies/rigid-def.h"
 
 #include "base/status.h"
+#include "shapes/shape.h"
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -43,12 +44,34 @@ const struct param rigid_def_params[] = {
       .about = "at t = 0: 3D about its own three axes, 2D positive to the left" },
     { .key = "held", .unit = "", AT(held), .type = PARAM_WORDS, .words = directions,
       .about = "what no force changes: the velocity along x, y, z, and with turn the spin" },
+    { .key = "stops", .unit = "", AT(stops), .type = PARAM_WORDS, .words = shape_sides,
+      .about = "sides of the domain that it lies on, slides along and bounces off; it goes "
+               "through the others" },
+    { .key = "restitution", .unit = "", AT(restitution), .fallback = 0.6, .min = 0.1, .max = 1,
+      .about = "speed after a central impact on a side by that before it" },
+    { .key = "friction", .unit = "", AT(friction), .fallback = 0.35, .max = 10,
+      .about = "coefficient of friction with a side; 0 is none" },
+    { .key = "margin", .unit = "m", AT(margin), .max = 1e6,
+      .about = "radius that corners of a box are rounded by where they touch, and half the length that "
+               "softness counts in; 0: half a spacing, without fluid a twentieth of the shortest side" },
+    { .key = "softness", .unit = "", AT(softness), .max = 0.25,
+      .about = "how deep it gets into a side at the reference speed U, in two margins; 0: "
+               "2.7 U/(c0 + U), at which contacts ask for no shorter steps than sound; 0.25 at most" },
     { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
       .about = "true: viscosity does not act on the skin" },
     { 0 },
 };
+
+void rigid_def_turned(const struct rigid_def *d, double *q)
+{
+    double angle[TURNING_SPINS];
+
+    for (int i = 0; i < TURNING_SPINS; i++)
+        angle[i] = d->angle[i] * pi / 180;
+    turning_about(angle, q);
+}
 
 bool rigid_def_round(const struct rigid_def *d)
 {

@@ -17,6 +17,10 @@ struct rigid_def {
     double velocity[3];   /* of the centre at t = 0                 [m/s]     */
     double spin[3];       /* [TURNING_SPINS] about its own axes     [rad/s]   */
     unsigned held;        /* bit d: direction d keeps its velocity; bit DIM: the spin is kept */
+    unsigned stops;       /* sides of the domain, bits as shape_side()        */
+    double restitution, friction; /* there                         [1]        */
+    double margin;        /* that edges are rounded by, 0: own      [m]       */
+    double softness;      /* depth at speed U in margins, halved; 0: own      */
     int layers;           /* of the skin; 0: as many as the kernel needs      */
     bool slip;
 };
@@ -32,6 +36,9 @@ bool rigid_def_round(const struct rigid_def *d); /* a disc or sphere? */
 double rigid_def_volume(const struct rigid_def *d);
 double rigid_def_surface(const struct rigid_def *d);
 double rigid_def_mass(const struct rigid_def *d);
+
+/* q at t = 0, [TURNING_NUMBERS]. */
+void rigid_def_turned(const struct rigid_def *d, double *q);
 
 /* Half the longest way through it [m]. */
 double rigid_def_reach(const struct rigid_def *d);

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "bodies/rigid-skin.h"
+#include "bodies/rigid-stops.h"
 #include "state/scales.h"
 
 #include <math.h>
@@ -61,7 +62,7 @@ static int build(struct body *b, const struct scales *s)
     if (!b->arm)
         return STATUS_FAILED;
     rigid_skin(&b->def, s->dx, layers, b->arm);
-    return STATUS_DONE;
+    return rigid_stops_create(b, s);
 }
 
 int rigid_make(const void *params, const struct scales *s, const char *name, const char *path,

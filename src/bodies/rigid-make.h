@@ -4,6 +4,15 @@
 
 #include "bodies/bodies.h"
 #include "bodies/rigid-def.h"
+#include "bodies/touch.h"
+
+struct rigid_sides { /* of the domain that stop it                       */
+    int sides, places;                /* each corner meets each side           */
+    int axis[2 * DIM];                /* [sides]                               */
+    double sign[2 * DIM], at[2 * DIM]; /* of the normal; coordinate [m]         */
+    double ball, depth;               /* radius of a corner; d_U [m]           */
+    struct touch_law law;
+};
 
 struct body {
     struct rigid_def def;
@@ -11,10 +20,11 @@ struct body {
     double mass, inertia[TURNING_SPINS]; /* [kg, 2D: kg/m], [kg m^2, 2D: kg m]      */
     double g[DIM], low[DIM];             /* gravity [m/s^2], corner of the domain [m] */
     double length, speed;                /* that errors are measured by [m], [m/s]  */
-    double rate;                         /* (RB4), 0: no fluid [1/s]                */
+    double rate;                         /* the fastest: (RB4), touch_rate(); 0: none [1/s] */
     int points;
     double (*arm)[DIM];                  /* [points], in the frame of the body [m]  */
-    int row[4];                          /* x, turn, v, spin                        */
+    int row[6];                          /* x, turn, v, spin; where it is stopped xi, work */
+    struct rigid_sides stops;
 };
 
 struct body_work {

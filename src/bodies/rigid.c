@@ -8,6 +8,7 @@
 #include "bodies/rigid-make.h"
 
 #include "base/status.h"
+#include "bodies/rigid-stops.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -25,21 +26,12 @@ static void place(const struct body *b, double (*const R)[DIM], const double *ce
         }
 }
 
-static void turned(const struct body *b, double *q)
-{
-    double angle[TURNING_SPINS];
-
-    for (int i = 0; i < TURNING_SPINS; i++)
-        angle[i] = b->def.angle[i] * degree;
-    turning_about(angle, q);
-}
-
 static int rigid_points(const struct body *b, double (*x)[DIM], enum kind *kind)
 {
     double q[TURNING_NUMBERS], R[DIM][DIM];
 
     if (x) {
-        turned(b, q);
+        rigid_def_turned(&b->def, q);
         turning_matrix(q, R);
         place(b, R, b->def.at, x);
     }
@@ -48,40 +40,42 @@ static int rigid_points(const struct body *b, double (*x)[DIM], enum kind *kind)
     return b->points;
 }
 
+static int add_row(struct body *b, struct layout *l, int which, enum layout_class what,
+                   const char *name, const char *unit, int n, int components, double scale)
+{
+    char path[80];
+
+    snprintf(path, sizeof path, "%s.%s", b->path, name);
+    b->row[which] = layout_add(l, what, path, unit, n, components, scale);
+    return b->row[which] < 0 ? STATUS_FAILED : STATUS_DONE;
+}
+
 /* A quaternion turns by half the angle. */
 static int rigid_rows(struct body *b, struct layout *l)
 {
     const double reach = rigid_def_reach(&b->def), half = DIM == 2 ? 1 : 0.5;
-    const struct {
-        const char *name, *unit;
-        enum layout_class what;
-        int components;
-        double scale;
-    } row[] = {
-        { "x", "m", LAYOUT_POSITION, DIM, b->length },
-        { "turn", DIM == 2 ? "rad" : "", LAYOUT_POSITION, TURNING_NUMBERS,
-          half * b->length / reach },
-        { "v", "m/s", LAYOUT_VELOCITY, DIM, b->speed },
-        { "spin", "rad/s", LAYOUT_VELOCITY, TURNING_SPINS, b->speed / reach },
-    };
 
-    for (int i = 0; i < 4; i++) {
-        char name[80];
-        snprintf(name, sizeof name, "%s.%s", b->path, row[i].name);
-        b->row[i] = layout_add(l, row[i].what, name, row[i].unit, 1, row[i].components,
-                               row[i].scale);
-        if (b->row[i] < 0)
-            return STATUS_FAILED;
-    }
-    return STATUS_DONE;
+    TRY(add_row(b, l, 0, LAYOUT_POSITION, "x", "m", 1, DIM, b->length));
+    TRY(add_row(b, l, 1, LAYOUT_POSITION, "turn", DIM == 2 ? "rad" : "", 1, TURNING_NUMBERS,
+                half * b->length / reach));
+    TRY(add_row(b, l, 2, LAYOUT_VELOCITY, "v", "m/s", 1, DIM, b->speed));
+    TRY(add_row(b, l, 3, LAYOUT_VELOCITY, "spin", "rad/s", 1, TURNING_SPINS, b->speed / reach));
+    if (b->stops.places == 0)
+        return STATUS_DONE;
+    TRY(add_row(b, l, 4, LAYOUT_OTHER, "slip", "m", b->stops.places, DIM, 0.4 * b->stops.depth));
+    return add_row(b, l, 5, LAYOUT_OTHER, "stopped", "J", 2, 1, 0);
 }
 
 static void rigid_start(const struct body *b, const struct layout *l, double *y)
 {
     memcpy(y + layout_at(l, b->row[0]), b->def.at, DIM * sizeof *y);
-    turned(b, y + layout_at(l, b->row[1]));
+    rigid_def_turned(&b->def, y + layout_at(l, b->row[1]));
     memcpy(y + layout_at(l, b->row[2]), b->def.velocity, DIM * sizeof *y);
     memcpy(y + layout_at(l, b->row[3]), b->def.spin, TURNING_SPINS * sizeof *y);
+    if (b->stops.places == 0)
+        return;
+    memset(y + layout_at(l, b->row[4]), 0, (size_t)b->stops.places * DIM * sizeof *y);
+    memset(y + layout_at(l, b->row[5]), 0, 2 * sizeof *y);
 }
 
 static void read_state(const struct body *b, struct body_work *w, const struct layout *l,
@@ -128,32 +122,59 @@ static void gather(const struct body *b, const struct body_work *w, const double
     }
 }
 
-/* What holds a direction gives all that would change its velocity. */
-static void rigid_load(const struct body *b, struct body_work *w, const struct layout *l, double t,
-                       const double *y, const double (*force)[DIM], double *ydot,
-                       struct body_load *out)
+/* Forces of the sides, which are supports, and the work that they give. */
+static void stop(const struct body *b, const struct body_work *w, const struct layout *l,
+                 const double *y, double *sum, double *moment, double *ydot,
+                 struct body_load *out)
 {
-    double *const v = ydot + layout_at(l, b->row[2]), *const spin = ydot + layout_at(l, b->row[3]);
-    double sum[DIM], moment[TURNING_SPINS], gyration[TURNING_SPINS];
-    const bool turns = !(b->def.held & 1u << DIM);
+    double before[DIM], *power;
 
-    (void)t;
-    read_state(b, w, l, y);
-    gather(b, w, force, sum, moment);
-    *out = (struct body_load){ 0 };
-    memcpy(ydot + layout_at(l, b->row[0]), w->v, DIM * sizeof *v);
-    turning_rate(w->turn, w->spin, ydot + layout_at(l, b->row[1]));
+    if (b->stops.places == 0)
+        return;
+    memcpy(before, sum, sizeof before);
+    power = ydot + layout_at(l, b->row[5]);
+    rigid_stops(b, w, y + layout_at(l, b->row[4]), sum, moment, ydot + layout_at(l, b->row[4]),
+                power);
+    out->driven += power[0] + power[1];
+    for (int d = 0; d < DIM; d++)
+        out->support[d] += sum[d] - before[d];
+}
+
+/* What holds a direction gives all that would change its velocity. */
+static void move_on(const struct body *b, const struct body_work *w, const double *sum,
+                    const double *moment, double *v, double *spin, struct body_load *out)
+{
+    const bool turns = !(b->def.held & 1u << DIM);
+    double gyration[TURNING_SPINS];
+
     turning_gyration(b->inertia, w->spin, gyration);
     for (int d = 0; d < DIM; d++) {
         const bool held = b->def.held & 1u << d;
-        v[d] = held ? 0 : b->g[d] + sum[d] / b->mass;
-        out->support[d] = held ? -sum[d] - b->mass * b->g[d] : 0;
-        out->driven += out->support[d] * w->v[d];
+        const double all = sum[d] + b->mass * b->g[d];
+        v[d] = held ? 0 : all / b->mass;
+        out->support[d] -= held ? all : 0;
+        out->driven -= held ? all * w->v[d] : 0;
     }
     for (int i = 0; i < TURNING_SPINS; i++) {
         spin[i] = turns ? (moment[i] + gyration[i]) / b->inertia[i] : 0;
         out->driven -= turns ? 0 : moment[i] * w->spin[i];
     }
+}
+
+static void rigid_load(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                       const double *y, const double (*force)[DIM], double *ydot,
+                       struct body_load *out)
+{
+    double sum[DIM], moment[TURNING_SPINS];
+
+    (void)t;
+    read_state(b, w, l, y);
+    gather(b, w, force, sum, moment);
+    *out = (struct body_load){ 0 };
+    memcpy(ydot + layout_at(l, b->row[0]), w->v, DIM * sizeof *ydot);
+    turning_rate(w->turn, w->spin, ydot + layout_at(l, b->row[1]));
+    stop(b, w, l, y, sum, moment, ydot, out);
+    move_on(b, w, sum, moment, ydot + layout_at(l, b->row[2]), ydot + layout_at(l, b->row[3]), out);
 }
 
 static void rigid_limit(const struct body *b, struct limit *out)
