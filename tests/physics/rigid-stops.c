@@ -5,6 +5,7 @@
 
 #include "base/status.h"
 #include "bodies/touch.h"
+#include "bodies/turning.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -89,6 +90,49 @@ static void a_ball_bounces(void **state)
         near(row(&t, "body.it.v")[UP] / v[i], 0.6, 5e-4, "restitution");
         tank_free(&t);
     }
+}
+
+/* How fast the lowest corner of the box goes up, and how far it is above the bottom. */
+static double corner_up(const struct tank *t, double *gap)
+{
+    double R[DIM][DIM], lowest = HUGE_VAL, up = 0;
+
+    turning_matrix(row(t, "body.it.turn"), R);
+    for (int i = 0; i < 1 << DIM; i++) {
+        double arm[DIM], own[DIM], height = 0, v = row(t, "body.it.v")[UP];
+        for (int d = 0; d < DIM; d++) {
+            arm[d] = i >> d & 1 ? 0.07 : -0.07;
+            height += R[UP][d] * arm[d];
+        }
+        turning_velocity(row(t, "body.it.spin"), arm, own);
+        for (int d = 0; d < DIM; d++)
+            v += R[UP][d] * own[d];
+        if (height < lowest) {
+            lowest = height;
+            up = v;
+        }
+    }
+    *gap = row(t, "body.it.x")[UP] + lowest - 0.005;
+    return up;
+}
+
+/* However far beside the centre: damping goes by the mass that the corner has there. */
+static void a_corner_bounces_as_a_ball(void **state)
+{
+    double gap, up = -1;
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, PLACE, "gravity = " VECTOR("0.0", "0.0", "0.0") ";",
+              BOX("0.13", "softness = 0.003; friction = 0.0; velocity = "
+                  VECTOR("0.0", "0.0", "-1.0") "; angle = " TURNED ";"), NULL);
+    near(corner_up(&t, &gap), -1, 1e-12, "before");
+    for (int i = 0; i < 2000 && !(gap > 0 && up > 0); i++) { /* until it has hit */
+        tank_run(&t, "cks43", 1e-5, 1e-4);
+        up = corner_up(&t, &gap);
+    }
+    near(up, 0.6, 1e-2, "restitution of a corner");
+    tank_free(&t);
 }
 
 static void a_box_comes_to_rest(void **state)
@@ -207,6 +251,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(damping_gives_the_restitution),
         cmocka_unit_test(a_ball_bounces),
+        cmocka_unit_test(a_corner_bounces_as_a_ball),
         cmocka_unit_test(a_box_comes_to_rest),
         cmocka_unit_test(friction_holds_below_its_angle),
         cmocka_unit_test(above_it_slides_as_coulomb_says),
