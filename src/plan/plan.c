@@ -103,6 +103,14 @@ const char *plan_body_name(const struct plan *p, int body)
     return p->body[body].name;
 }
 
+const char *plan_object_group(const struct plan *p, int object)
+{
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].object == object)
+            return p->body[i].kind->identity.group;
+    return p->particles->object[object].kind == KIND_FLUID ? "fluid" : "wall";
+}
+
 bool plan_body_stiff(const struct plan *p, int body)
 {
     return p->body[body].kind->implicit != NULL;

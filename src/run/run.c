@@ -238,6 +238,7 @@ int run_scene(const struct run_order *order)
         return status;
     }
     stop_listen();
+    run_carved(&r, order->quiet ? NULL : stderr);
     progress_start(&progress, stderr, 0, r.until, order->quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);
