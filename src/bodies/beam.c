@@ -13,6 +13,7 @@
  * Checked in tests/unit/beam*.c. */
 #include "base/status.h"
 #include "bodies/beam-couple.h"
+#include "bodies/beam-judge.h"
 #include "bodies/beam-state.h"
 #include "bodies/bending-rates.h"
 #include "bodies/element.h"
@@ -249,6 +250,10 @@ static const struct body_coupled coupled = {
     .fastest = beam_couple_fastest, .yield = beam_couple_yield, .settle = beam_couple_settle,
 };
 
+static const struct body_watch watch = {
+    .event = beam_event, .judge = beam_judge, .held = beam_judge_held,
+};
+
 const struct body_kind bodies_beam = {
     .identity = {
         .name = "beam",
@@ -264,6 +269,7 @@ const struct body_kind bodies_beam = {
     .make = { .create = beam_make, .free = beam_make_free, .work = beam_make_work,
               .work_free = beam_make_work_free },
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
-    .load = beam_load, .event = beam_event, .energy = beam_energy, .momentum = beam_momentum,
+    .load = beam_load, .energy = beam_energy, .momentum = beam_momentum,
     .weight = beam_weight, .show = beam_show, .implicit = &implicit, .coupled = &coupled,
+    .watch = &watch,
 };

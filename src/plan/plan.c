@@ -86,8 +86,8 @@ double plan_event(const struct plan *p, double t)
     double next = HUGE_VAL;
 
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].kind->event)
-            next = fmin(next, p->body[i].kind->event(p->body[i].body, t));
+        if (p->body[i].kind->watch && p->body[i].kind->watch->event)
+            next = fmin(next, p->body[i].kind->watch->event(p->body[i].body, t));
     for (int i = 0; i < p->walls; i++)
         next = fmin(next, walls_motion_event(&p->wall[i].motion, t));
     return next;
