@@ -81,7 +81,7 @@ void observe_panel(const struct moment *run, int panel, struct observe_panel *ou
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {
-    const struct moment_body *b = &run->observer->body[body];
+    const struct moment_body *b = &(run->observer ? run->observer : run)->body[body];
 
     b->kind->show(b->body, b->work, &run->layout, t, y, (const double (*)[DIM])b->force, out);
 }

@@ -26,6 +26,7 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
 void observe_fluid(struct moment *run, double t, const double *y, struct view *v);
 
 /* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it.
+ * (before any look observe_body() knows the body's place and shape, not the forces on it).
  * STATUS_FAILED when the right-hand side cannot answer. */
 int observe_forces(struct moment *run, double t, const double *y);
 const double *observe_force(const struct moment *run, int object); /* [DIM] [N] */
