@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 /* A run to go on with has its scene in its directory. */
 static int dimension_of_run(const struct cli *c, int *dimension)
@@ -15,6 +16,9 @@ static int dimension_of_run(const struct cli *c, int *dimension)
     if (snprintf(scene, sizeof scene, "%s/scene.used", c->subject) >= (int)sizeof scene)
         return status_fail(STATUS_BAD_SCENE, "%.200s...: no run in there, this path is too long",
                            c->subject);
+    if (access(scene, R_OK) != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s cannot be read)", c->subject,
+                           scene);
     return cli_dimension(&of, dimension);
 }
 

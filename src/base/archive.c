@@ -7,7 +7,7 @@
 #include <string.h>
 
 struct archive {
-    bool fills;
+    bool fills, tries;
     int n, room;
     struct archive_entry *entry; /* [room] */
 };
@@ -39,6 +39,16 @@ void archive_turn(struct archive *a)
 bool archive_fills(const struct archive *a)
 {
     return a->fills;
+}
+
+void archive_try(struct archive *a, bool tries)
+{
+    a->tries = tries;
+}
+
+bool archive_tries(const struct archive *a)
+{
+    return a->tries;
 }
 
 int archive_entries(const struct archive *a)

@@ -38,6 +38,11 @@ void archive_free(struct archive **archive); /* NULL is welcome */
 void archive_turn(struct archive *a);
 bool archive_fills(const struct archive *a);
 
+/* Between archive_try(a, true) and archive_try(a, false) it fills to see whether all of it can
+ * be had: whoever would change a file by it leaves that for the second time. */
+void archive_try(struct archive *a, bool tries);
+bool archive_tries(const struct archive *a);
+
 int archive_numbers(struct archive *a, const char *name, double *value, long n);
 int archive_integers(struct archive *a, const char *name, long *value, long n);
 int archive_integer(struct archive *a, const char *name, int *value);

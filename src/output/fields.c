@@ -134,7 +134,9 @@ int fields_keep(struct fields *f, struct archive *a)
     TRY(make_room(f, f->moments));
     TRY(archive_numbers(a, "fields.t", f->t, f->moments));
     TRY(archive_integers(a, "fields.particles", f->n, f->moments));
-    return archive_fills(a) && f->moments > 0 ? write_index(f) : STATUS_DONE;
+    if (!archive_fills(a) || archive_tries(a) || f->moments == 0)
+        return STATUS_DONE;
+    return write_index(f);
 }
 
 int fields_write(struct fields *f, const struct cloud_frame *frame)

@@ -193,7 +193,7 @@ static int save(struct series *s)
     return STATUS_DONE;
 }
 
-static int cut(struct series *s)
+static int cut(struct series *s, bool tries)
 {
     const off_t there = lseek(s->file, 0, SEEK_END);
 
@@ -201,7 +201,7 @@ static int cut(struct series *s)
         return status_fail(STATUS_IO, "%s: has %lld bytes, but had %lld at the checkpoint; it was "
                            "changed since: put it back as it was, or run the scene anew", s->path,
                            (long long)there, (long long)s->whole);
-    return ftruncate(s->file, s->whole) == 0 ? STATUS_DONE : trouble(s);
+    return tries || ftruncate(s->file, s->whole) == 0 ? STATUS_DONE : trouble(s);
 }
 
 int series_keep(struct series *s, struct archive *a, const char *name)
@@ -215,7 +215,7 @@ int series_keep(struct series *s, struct archive *a, const char *name)
     whole = (long)s->whole;
     TRY(archive_integers(a, name, &whole, 1));
     s->whole = (off_t)whole;
-    return archive_fills(a) ? cut(s) : STATUS_DONE;
+    return archive_fills(a) ? cut(s, archive_tries(a)) : STATUS_DONE;
 }
 
 int series_close(struct series **series)

@@ -213,8 +213,11 @@ int checkpoint_load_state(struct run *r, struct archive *a)
 
 int checkpoint_load_past(struct run *r, struct archive *a)
 {
+    archive_try(a, true);
     TRY(keep_past(r, a));
     TRY(archive_spent(a));
+    archive_try(a, false);
+    TRY(keep_past(r, a));
     r->rejected = r->past.tally.rejected;
     r->clock_start -= r->past.spent[1];
     r->cpu_start -= r->past.spent[0];

@@ -65,9 +65,10 @@ static int open_all(struct outputs *o, const struct plan *plan, const char *dir,
                     struct running **means, bool again)
 {
     TRY(lock_directory(o, dir));
-    if (!again)
+    if (!again) {
         TRY(saved_refuse(dir));
-    TRY(columns_none(dir, "run.json")); /* it is to say how this run goes */
+        TRY(columns_none(dir, "run.json")); /* it is to say how this run goes */
+    }
     TRY(tables_open(&o->tables, plan, dir, means, again));
     return open_particles(o, plan, dir, again);
 }

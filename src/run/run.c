@@ -127,13 +127,13 @@ static int keep_when_due(struct run *r)
     return checkpoint_due(r) ? checkpoint_write(r) : STATUS_DONE;
 }
 
-/* What a run that goes on already did. */
+/* A run that goes on stands at a checkpoint. */
 static int begin(struct run *r)
 {
     TRY(write_due(r, r->past.tally.t));
     TRY(run_constants(r));
     TRY(run_report(r, RUN_GOES, "", r->method->state(r->self)));
-    return keep_when_due(r);
+    return r->past.checkpoints.written == 0 ? keep_when_due(r) : STATUS_DONE;
 }
 
 static int go(struct run *r, struct progress *progress)
