@@ -58,6 +58,8 @@ ship elastica 0.1
 ship soft-gate 0.03
 ship toth-dam-break 0.01 spacing=5e-3
 ship toth-pcisph 0.02 spacing=5e-3
+ship toth-fsi 0.16 spacing=5e-3
+ship light-plate 0.02
 ship toth-standard-sph 0.003 spacing=5e-3
 ship tank-sizes 0.01
 ship gate 0.02 spacing=0.01
@@ -99,7 +101,11 @@ again 'implicit viscosity in 3D' "$deep" 0.01 effects.laminar-viscosity.mu=5 \
 again 'an elastica in water' "$flat" 0.02 beam.plate.theory=elastica beam.plate.E=1e6
 again 'running means' "$flat" 0.02 probe.bed.window=6e-3 'probe.bed.to=[0.05,0.05]' \
     probe.bed.profile=true
-again 'a pressure that looks ahead' "$deep" 0.02 eos.type=look-ahead walls=own-density
+again 'pressure ahead in 3D' "$deep" 0.02 eos.type=look-ahead walls=own-density
+again 'pressure ahead with a beam' "$flat" 0.02 eos.type=look-ahead walls=own-density
+again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tension=false \
+    walls=own-density
+again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------
 # A run to 0.03 s in three parts: of which the second is killed late, the third goes further.

@@ -1,6 +1,6 @@
 /* moment.c -- a plan at one (t, y): its memory, and what is asked of it. */
 #include "eval/face.h"
-#include "eval/inside.h"
+#include "eval/given.h"
 #include "plan/solver.h"
 #include "space/list.h"
 
@@ -112,6 +112,7 @@ void moment_free(struct moment **moment)
     if (!m)
         return;
     moment_free(&m->observer);
+    given_free(&m->given);
     if (!m->beside) {
         if (m->solver)
             m->plan->solver->free(&m->solver);
@@ -157,8 +158,12 @@ void moment_restart(struct moment *m)
         list_forget(m->own);
     m->list = m->own;
     forget_forces(m);
+    if (m->given)
+        m->given->known = false;
     if (m->solver)
         m->plan->solver->forget(m->solver);
+    if (m->ahead && !m->beside)
+        implicit_ahead.forget(m->ahead);
     m->refusal[0] = '\0';
     memset(m->culprit, 0, sizeof m->culprit);
 }
