@@ -87,7 +87,7 @@ void observe_panel(const struct moment *run, int panel, struct observe_panel *ou
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {
-    const struct moment_body *b = &run->observer->body[body];
+    const struct moment_body *b = &(run->observer ? run->observer : run)->body[body];
     const double (*force)[DIM] = (const double (*)[DIM])(is_given(run) ? run->body[body].force
                                                                        : b->force);
 
