@@ -6,8 +6,8 @@
 #
 #     top_srcdir=PATH sh .../figures-mps.sh DIR [SPACINGS...]
 #
-# SPACINGS: how many in L, default 20 40 80 160.  Runs stay in DIR/mps/, and one that is done is
-# not done again.  Two CPU minutes.
+# SPACINGS: how many in L, default 20 40 80 160 224.  Runs stay in DIR/mps/, and one that is done is
+# not done again.  Seven CPU minutes.
 #
 # A table has a row a run: particles of the fluid, products a step, CPU s.
 set -e
@@ -26,7 +26,7 @@ number()
     sed -n "s/^ *\"$2\": \(.*[0-9]\),*\$/\1/p" "$1/run.json"
 }
 
-[ $# -gt 0 ] || set -- 20 40 80 160
+[ $# -gt 0 ] || set -- 20 40 80 160 224
 : > iterations.csv
 for n in "$@"; do
     if ! grep -q '"status": "done"' "l$n/run.json" 2> /dev/null; then

@@ -5,7 +5,7 @@ set datafile separator ' '
 set terminal pngcairo size 900, 560 font 'Sans,17'
 set output '../mps-iterations.png'
 set logscale x
-set xrange [500:100000]
+set xrange [500:200000]
 set yrange [0:100]
 set rmargin 5
 set xlabel 'particles of the fluid'

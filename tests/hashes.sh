@@ -61,12 +61,15 @@ shipped_rows() {
     ship all dam-break until=0.2
     ship all still-water until=0.3
     ship all toth-beam until=0.25
+    ship all light-plate until=0.02
+    ship all closed-tank until=0.05
     ship all dam-break-3d spacing=0.0555 until=0.1
     ship few beam-alone until=0.01
     ship all elastica until=0.6
     ship all soft-gate until=0.15
     ship all toth-dam-break spacing=5e-3 tol=1e-3 until=0.05
     ship few toth-pcisph spacing=5e-3 until=0.1
+    ship few toth-fsi spacing=5e-3 until=0.16
     ship few toth-standard-sph spacing=5e-3 tol=1e-3 until=0.005
     ship all tank-sizes until=0.02
     ship few gate spacing=0.01 until=0.07

@@ -36,8 +36,13 @@ holds 4e-4 "$scenes/toth-beam.scene" spacing=1e-3
 sed 's/continuity = { };/summation = { };/; /density-diffusion/d; /density-healing/d; s/^until/walls = "ghost"; until/' \
     "$scenes/dam-break.scene" >"$out/summed.scene"
 holds 1e-4 "$out/summed.scene" spacing=1e-3 eos.tension=false
+sed 's/^until/walls = "own-density"; until/; /density-healing/d; s/^eos.*/eos = { type = "look-ahead"; };/' \
+    "$scenes/dam-break.scene" >"$out/ahead.scene"
+holds 1e-4 "$out/ahead.scene" spacing=1e-3
 holds 4e-3 "$scenes/dam-break-3d.scene" spacing=0.037
 holds 1e-4 "$scenes/beam-alone.scene"
+holds 4e-4 "$scenes/mps-dam-break.scene" spacing=9.125e-4
+holds 1e-3 "$scenes/toth-pcisph.scene" spacing=6.25e-4
 [ -z "${STIFFWATER_LONG-}" ] || holds 4e-3 "$scenes/dam-break-3d.scene"
 [ -z "${STIFFWATER_LONG-}" ] || holds 1e-4 "$scenes/dam-break.scene" spacing=3.125e-4
 finish

@@ -39,6 +39,12 @@ claim 'kinetic energy over m g H' "${kinetic% *} / (40 * 9.81 * 0.2) < 2e-6"
 claim 'always three iterations' \
     "$(number still pressure_iterations) == 3 * $(number still steps)"
 
+# --- forces of tables -------------------------------------------------------------------------
+well fine "$scenes/toth-pcisph.scene" spacing=5e-3 until=0.03 output.interval=1e-5
+sums=$(column fine/forces tank.fy | awk '{ if (n++) s += $2 * ($1 - t); t = $1 } END { print s }')
+claim 'forces on the tank add up to its impulse' \
+    "($sums / $(last fine forces tank.iy) - 1) ^ 2 < 0.001 ^ 2"
+
 # --- refusals -------------------------------------------------------------------------------
 go diverges "$scenes/toth-pcisph.scene" pcisph.gain=1.3 pcisph.least=30 until=0.05
 [ "$code" = 1 ] && good 'a gain of 1.3 diverges' || wrong 'a gain of 1.3 diverges'

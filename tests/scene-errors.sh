@@ -246,6 +246,10 @@ bad small-2d 'empty panel' "$(panel 'of = "tank"; from = [0.01, 0.01]; to = [0.1
 bad small-2d 'key of a panel' "$(panel 'of = "tank"; form = [0.01, 0.01];')" bad.scene:30 panel.p.form from
 bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' fluid.right.flow_rate
 
+# what a pressure that looks ahead does not go with
+ahead='s/type = "tait"/type = "look-ahead"/'
+bad small-2d 'look-ahead with walls of contact' "$ahead" look-ahead 'walls = "own-density"'
+
 # the command line
 bad_key 'override without a key' '=3' '=3'
 bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'

@@ -123,12 +123,15 @@ lost=1e-9
 scene dam-break 0.03 1.7e-3
 scene still-water 0.1 3.3e-3
 scene toth-beam 0.03 7e-4
+scene light-plate 0.03 1.1e-3
+scene closed-tank 0.05 1.1e-3
 scene dam-break-3d 0.03 1.1e-3 spacing=0.0555
 scene beam-alone 0.01 3.1e-5
 scene elastica 0.3 1.7e-3
 scene soft-gate 0.03 7e-4
 scene toth-dam-break 0.03 1.7e-3 spacing=5e-3 tol=1e-3
 scene toth-pcisph 0.05 2e-3 spacing=5e-3 method=pcisph@0.1
+scene toth-fsi 0.05 2e-3 spacing=5e-3 method=pcisph@0.1
 lost=8.4 # N s/m, the weight's: forces of its gradient, by the least pressure around, are not mutual
 scene mps-dam-break 0.02 2e-3
 lost=1e-9

@@ -15,6 +15,7 @@
 #define AT(member) .offset = offsetof(struct beam_def, member)
 
 static const char *const theories[] = { "auto", "linear", "elastica", NULL };
+static const char *const responses[] = { "own", "predicted", NULL };
 static const char *const planes[] = { "none", "stress", "strain", NULL };
 static const char *const inertias[] = { "consistent", "lumped", "lumped-ends", NULL };
 static const char *const roots[] = { "clamped", "pinned", "free", NULL };
@@ -70,6 +71,10 @@ const struct param beam_def_params[] = {
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
       .about = "true: viscosity does not act on the skin" },
+    { .key = "response", .unit = "", AT(response), .type = PARAM_WORD, .words = responses,
+      .about = "own: by its mass alone; predicted, with eos.type = \"look-ahead\" only: as the pressure "
+               "takes it to yield within tau, (E4), which the lightest beam in water stands, and which "
+               "damps a vibration omega by the ratio omega tau/2" },
     { .key = "tip_force", .unit = "N/m", AT(tip_force), .min = -1e12, .max = 1e12,
       .about = "force across the tip from t = 0; positive to the left, looking from root to tip" },
     { .key = "load", .unit = "N/m^2", AT(load), .min = -1e12, .max = 1e12,
@@ -114,6 +119,16 @@ static int check_mass(const struct beam_def *d, const char *path)
     return STATUS_DONE;
 }
 
+bool beam_def_far(const struct beam_def *d)
+{
+    return strcmp(d->theory, "elastica") == 0;
+}
+
+bool beam_def_predicted(const struct beam_def *d)
+{
+    return strcmp(d->response, "predicted") == 0;
+}
+
 static int check_ends(const struct beam_def *d, const char *path)
 {
     const enum bending_end root = end_of(d->root), tip = end_of(d->tip);
@@ -148,11 +163,6 @@ static int check_elastica(const struct beam_def *d, const char *path)
         return status_fail(STATUS_BAD_SCENE, "%s: bent and bent_rate make a bow, whose tip is "
                            "not where a tip that is %s stays; set tip = \"free\"", path, d->tip);
     return STATUS_DONE;
-}
-
-bool beam_def_far(const struct beam_def *d)
-{
-    return strcmp(d->theory, "elastica") == 0;
 }
 
 int beam_def_check(const struct beam_def *d, const char *path)

@@ -23,6 +23,7 @@ struct beam_def {
     double drag;               /* of every node, (45) [N s/m and N m s, 2D: per metre of width] */
     int layers;                /* of the skin; 0: as many as the kernel needs */
     bool slip;
+    const char *response;      /* "own", "predicted"                          */
     double tip_force;          /* across [N, 2D: N/m]                         */
     double load;               /* across, per length [N/m, 2D: N/m^2]         */
     double load_until;         /* [s]; 0: for ever                            */
@@ -37,6 +38,9 @@ int beam_def_check(const struct beam_def *d, const char *path);
 
 /* Does the scene ask for theory = "elastica"? */
 bool beam_def_far(const struct beam_def *d);
+
+/* Does it ask for response = "predicted"? */
+bool beam_def_predicted(const struct beam_def *d);
 
 /* EI, mass per length, ends and damping, of a def that passed the check. */
 struct bending_def beam_def_bending(const struct beam_def *d);

@@ -36,7 +36,8 @@ int beam_make_work(const struct body *b, struct body_work **out)
 
     if (!w)
         return STATUS_FAILED;
-    double **vector[] = { &w->q, &w->v, &w->force, &w->resist, &w->given, &w->rate, &w->inertia };
+    double **vector[] = { &w->q, &w->v, &w->force, &w->resist, &w->given, &w->rate, &w->inertia,
+                          &w->predicted };
     if (bending_work_create(b->bending, &w->bending) == STATUS_DONE
         && vectors_take(vector, sizeof vector / sizeof vector[0], b->bending->dofs, &w->memory)
                == STATUS_DONE)

@@ -31,6 +31,8 @@ struct body_work {
     double *force, *resist;    /* F, K q + D v                                  */
     double *given, *rate;      /* M^-1 F, all of v'                             */
     double *inertia;           /* M v'                                          */
+    double *predicted;         /* forces that (E4) goes by, but for the water's */
+    double ahead;              /* its tau [s]                                   */
     double *memory;            /* of all of them                                */
     struct bending_work *bending;
 };

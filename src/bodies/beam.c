@@ -12,6 +12,7 @@
  * asks for (44), (45), and one monolithic ODE instead of (46), (47).
  * Checked in tests/unit/beam*.c. */
 #include "base/status.h"
+#include "bodies/beam-ahead.h"
 #include "bodies/beam-couple.h"
 #include "bodies/beam-judge.h"
 #include "bodies/beam-state.h"
@@ -73,11 +74,6 @@ static void beam_move(const struct body *b, struct body_work *w, const struct la
     beam_skin_move(b->skin, w->q, w->v, x, u);
 }
 
-static bool is_pushed(const struct body *b, double t)
-{
-    return t < b->load_until;
-}
-
 /* All vectors at (t, y).  Returns the force of the water along the axis. */
 static double balance(const struct body *b, struct body_work *w, const struct layout *l, double t,
                       const double *y, const double (*force)[DIM])
@@ -86,8 +82,7 @@ static double balance(const struct body *b, struct body_work *w, const struct la
     double axial;
 
     beam_state_read(b, w, l, y);
-    for (int i = 0; i < n; i++)
-        w->force[i] = b->weight[i] + (is_pushed(b, t) ? b->pushed[i] : 0);
+    beam_state_loads(b, t, w->force);
     axial = beam_skin_load(b->skin, force, w->force);
     memcpy(w->given, w->force, (size_t)n * sizeof *w->given);
     bending_accelerate(b->bending, w->given);
@@ -100,31 +95,19 @@ static double balance(const struct body *b, struct body_work *w, const struct la
     return axial;
 }
 
-/* The supports give what momentum needs beyond the loads: across, 1 . (M v' - F),
- * where what alpha and drag take counts as theirs (both hold on to the ground); along
- * the axis, where nothing moves, the opposite of the loads. */
 static void beam_load(const struct body *b, struct body_work *w, const struct layout *l, double t,
                       const double *y, const double (*force)[DIM], double *ydot,
                       struct body_load *out)
 {
     const int n = b->bending->dofs;
     const double axial = balance(b, w, l, t, y, force);
-    double across = 0, applied = 0;
 
     for (int i = 0; i < n; i++) {
         ydot[beam_state_place(b, l, i, false)] = 0;
         ydot[beam_state_place(b, l, i, true)] = w->given[i];
     }
-    for (int i = 0; i < n; i += 2) {
-        across += w->inertia[i] - w->force[i];
-        applied += is_pushed(b, t) ? b->pushed[i] : 0;
-    }
+    beam_state_report(b, w, t, axial, out);
     out->damping = bending_damping(b->bending, w->v);
-    out->driven = is_pushed(b, t) ? vectors_dot(n, b->pushed, w->v) : 0;
-    for (int d = 0; d < DIM; d++) {
-        out->support[d] = across * b->normal[d] - (axial + b->gravity_along) * b->along[d];
-        out->applied[d] = applied * b->normal[d];
-    }
 }
 
 static void beam_stiff(const struct body *b, struct body_work *w, const struct layout *l,
@@ -207,14 +190,12 @@ static double beam_weight(const struct body *b)
 /* What the support at the root feels: force across (positive along n, as loads are)
  * and moment (positive counter-clockwise), so that a cantilever at rest under a tip
  * force P shows P and P L. */
-static void beam_show(const struct body *b, struct body_work *w, const struct layout *l, double t,
-                      const double *y, const double (*force)[DIM], struct body_view *out)
+static void show(const struct body *b, const struct body_work *w, struct body_view *out)
 {
     const struct bending *s = b->bending;
     const int middle = (s->def.elements - 1) / 2, tip = s->dofs - 2;
     double shape[4], slope[4], across = 0;
 
-    balance(b, w, l, t, y, force);
     element_shape(0.5 * s->def.elements - middle, s->l, shape, slope);
     for (int k = 0; k < 4; k++)
         across += shape[k] * w->q[2 * middle + k];
@@ -228,8 +209,25 @@ static void beam_show(const struct body *b, struct body_work *w, const struct la
     out->root_moment = bending_held(s, 1) ? w->force[1] - w->inertia[1] - w->resist[1] : 0;
 }
 
+static void beam_show(const struct body *b, struct body_work *w, const struct layout *l, double t,
+                      const double *y, const double (*force)[DIM], struct body_view *out)
+{
+    balance(b, w, l, t, y, force);
+    show(b, w, out);
+}
+
+static void beam_show_predicted(const struct body *b, struct body_work *w, const struct layout *l,
+                                double t, const double *y, const double (*force)[DIM],
+                                struct body_view *out)
+{
+    beam_ahead_balance(b, w, l, t, y, force);
+    show(b, w, out);
+}
+
 static const struct body_kind *beam_choose(const void *params)
 {
+    if (beam_def_predicted(params))
+        return beam_def_far(params) ? &bodies_elastica_predicted : &bodies_beam_predicted;
     return beam_def_far(params) ? &bodies_elastica : &bodies_beam;
 }
 
@@ -241,6 +239,10 @@ static double beam_swing(const struct body *b)
 static const struct body_implicit implicit = {
     .stiff = beam_stiff, .solve = beam_solve, .limit = beam_limit,
     .swing = beam_swing,
+};
+
+static const struct body_ahead ahead = {
+    .set = beam_ahead_set, .drive = beam_ahead_drive, .yield = beam_ahead_yield,
 };
 
 static const struct body_coupled coupled = {
@@ -270,6 +272,26 @@ const struct body_kind bodies_beam = {
               .work_free = beam_make_work_free },
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
     .load = beam_load, .energy = beam_energy, .momentum = beam_momentum,
-    .weight = beam_weight, .show = beam_show, .implicit = &implicit, .coupled = &coupled,
-    .watch = &watch,
+    .weight = beam_weight, .show = beam_show, .implicit = &implicit,
+    .joint = { .coupled = &coupled, .ahead = &ahead }, .watch = &watch,
+};
+
+static const struct body_ahead moved_ahead = {
+    .moves = true,
+    .set = beam_ahead_set, .drive = beam_ahead_drive, .yield = beam_ahead_yield,
+};
+
+const struct body_kind bodies_beam_predicted = {
+    .identity = {
+        .name = "beam", .about = "the same beam, moved as a pressure that looks ahead predicts it",
+        .equation = "(M + tau D + tau^2 K) w'' = F - K (w + tau w') - D w'  (E4)",
+        .source = "backward Euler over tau, as the pressure of (E3)",
+        .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    },
+    .make = { .create = beam_make, .free = beam_make_free, .work = beam_make_work,
+              .work_free = beam_make_work_free },
+    .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
+    .load = beam_ahead_load, .energy = beam_energy,
+    .momentum = beam_momentum, .weight = beam_weight, .show = beam_show_predicted,
+    .joint = { .coupled = &coupled, .ahead = &moved_ahead }, .watch = &watch,
 };

@@ -125,6 +125,18 @@ int bending_solve(const struct bending *b, struct bending_work *w, double gamma,
     return STATUS_DONE;
 }
 
+int bending_yield(const struct bending *b, struct bending_work *w, double gamma, double *f)
+{
+    const struct band_factor *factor;
+
+    TRY(factor_of(b, w, gamma, &factor));
+    for (int i = 0; i < b->dofs; i++)
+        if (bending_held(b, i))
+            f[i] = 0;
+    band_factor_solve(factor, f);
+    return STATUS_DONE;
+}
+
 void bending_inertia(const struct bending *b, struct bending_work *w, double gamma,
                      const double *v, double *to)
 {

@@ -115,6 +115,10 @@ void bending_join_point(struct bending_work *w, int first, const double *shape, 
 int bending_joined(const struct bending *b, struct bending_work *w);
 void bending_join_solve(const struct bending_work *w, double *x);
 
+/* f [dofs]: forces come in, (M + gamma D + gamma^2 K)^-1 f goes out; held ones are 0.
+ * STATUS_FAILED: that matrix is not finite; never after it went well with this gamma. */
+int bending_yield(const struct bending *b, struct bending_work *w, double gamma, double *f);
+
 double bending_kinetic(const struct bending *b, const double *v); /* [J, 2D: J/m]        */
 double bending_elastic(const struct bending *b, const double *q); /* [J, 2D: J/m]        */
 double bending_damping(const struct bending *b, const double *v); /* power, <= 0 [W, ..] */

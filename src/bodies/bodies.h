@@ -7,8 +7,8 @@
  *
  * A contract in layers: every kind has the core, struct body_kind.  A kind whose rates
  * are too fast for explicit steps has an implicit side besides; one that moves with an
- * implicit viscosity in one solve has a part in that, too.  Pointers to layers that a
- * kind does not have are NULL.
+ * implicit viscosity in one solve has a part in that, too, and so has one in the solve of a
+ * pressure that looks ahead.  Pointers to layers that a kind does not have are NULL.
  *
  * A body is const as soon as its blocks are known.  What its members work in during a run
  * is a struct body_work that the caller brings: two works of one body may be in use at
@@ -23,7 +23,8 @@ struct body;      /* one body of a kind                                        *
 struct body_work; /* what members of that kind work in: scratch and caches     */
 
 struct body_load { /* what load() reports, all [N, 2D: N/m], [N m] */
-    double damping;      /* power taken by damping [W], never positive         */
+    double damping;      /* power taken by damping [W], never positive; of what moves by (E4)
+                            all that it takes from the body's own energy      */
     double driven;       /* power put in by prescribed loads [W]               */
     double support[DIM]; /* force of the supports on the body [N]              */
     double applied[DIM]; /* force of prescribed loads [N]                      */
@@ -128,6 +129,32 @@ struct body_watch {
     bool (*held)(const struct body *b, int i);
 };
 
+/* What it is to a pressure that looks ahead by tau, (E3), which predicts a body as it does
+ * the water: by one step of backward Euler,
+ *   (M + tau D + tau^2 K) a = S^T force + loads - K (q + tau v) - D v              (E4)
+ * with the matrices of q as it is now.  The other two go by the last set(). */
+struct body_ahead {
+    bool moves; /* load() has its rates by (E4), too: no other pressure goes with it */
+
+    /* Ready at (t, y).  STATUS_FAILED, without a failure kept: the matrix is not finite. */
+    int (*set)(const struct body *b, struct body_work *w, const struct layout *l, double t,
+               double tau, const double *y);
+
+    /* Accelerations of its points a [skin][DIM] [m/s^2] by force [skin][DIM] and all else,
+     * with what they have at constant v. */
+    void (*drive)(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                  double (*a)[DIM]);
+
+    /* By force alone: linear in it, symmetric, positive semidefinite. */
+    void (*yield)(const struct body *b, struct body_work *w, const double (*force)[DIM],
+                  double (*a)[DIM]);
+};
+
+struct body_joint { /* its parts in solves for fluid and bodies together */
+    const struct body_coupled *coupled; /* NULL: in none with an implicit viscosity */
+    const struct body_ahead *ahead;     /* NULL: no pressure may look ahead         */
+};
+
 struct body_kind {
     struct body_identity identity;
     struct body_making make;
@@ -166,12 +193,14 @@ struct body_kind {
                  const double *y, const double (*force)[DIM], struct body_view *out);
 
     const struct body_implicit *implicit; /* NULL: it makes no plan stiff          */
-    const struct body_coupled *coupled;   /* NULL: no part in a solve of the whole */
+    struct body_joint joint;
     const struct body_watch *watch;       /* NULL: f never jumps, all is allowed   */
 };
 
 extern const struct body_kind *const bodies_table[]; /* NULL-ended */
 extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2 only */
+extern const struct body_kind bodies_beam_predicted; /* the same, chosen by response  */
 extern const struct body_kind bodies_elastica;       /* elastica-body.c, chosen by theory */
+extern const struct body_kind bodies_elastica_predicted; /* by theory and response       */
 
 #endif

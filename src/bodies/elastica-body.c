@@ -11,7 +11,8 @@
  * Checked in tests/unit/elastica*.c. */
 #include "base/status.h"
 #include "bodies/bending-rates.h"
-#include "bodies/elastica-make.h"
+#include "bodies/elastica-ahead.h"
+#include "bodies/elastica-state.h"
 #include "bodies/vectors.h"
 
 #include <math.h>
@@ -48,29 +49,11 @@ static int elastica_rows(struct body *b, struct layout *l)
     return STATUS_DONE;
 }
 
-/* Entry of y that holds degree of freedom i of q (rate: of v). */
-static long place(const struct body *b, const struct layout *l, int i, bool rate)
-{
-    return layout_at(l, b->row[(rate ? ELASTICA_NODE : 0) + i % ELASTICA_NODE])
-         + i / ELASTICA_NODE;
-}
-
-/* y to q and v; held degrees of freedom are 0 whatever y says. */
-static void gather(const struct body *b, struct body_work *w, const struct layout *l,
-                   const double *y)
-{
-    for (int i = 0; i < b->beam->dofs; i++) {
-        const bool held = elastica_held(b->beam, i);
-        w->q[i] = held ? 0 : y[place(b, l, i, false)];
-        w->v[i] = held ? 0 : y[place(b, l, i, true)];
-    }
-}
-
 static void elastica_start(const struct body *b, const struct layout *l, double *y)
 {
     for (int i = 0; i < b->beam->dofs; i++) {
-        y[place(b, l, i, false)] = b->start[i];
-        y[place(b, l, i, true)] = b->start_rate[i];
+        y[elastica_state_place(b, l, i, false)] = b->start[i];
+        y[elastica_state_place(b, l, i, true)] = b->start_rate[i];
     }
 }
 
@@ -78,21 +61,8 @@ static void elastica_move(const struct body *b, struct body_work *w, const struc
                           double t, const double *y, double (*x)[DIM], double (*u)[DIM])
 {
     (void)t;
-    gather(b, w, l, y);
+    elastica_state_read(b, w, l, y);
     follower_skin_move(b->skin, w->q, w->v, x, u);
-}
-
-/* Prescribed loads at (t, q). */
-static void give(const struct body *b, struct body_work *w, double t)
-{
-    const size_t size = (size_t)b->beam->dofs * sizeof *w->given;
-
-    if (!(t < b->load_until)) {
-        memset(w->given, 0, size);
-        return;
-    }
-    memcpy(w->given, b->pushed, size);
-    elastica_follow(b->beam, b->turning_load, b->turning_force, w->q, w->given);
 }
 
 /* All vectors at (t, y). */
@@ -101,10 +71,8 @@ static void balance(const struct body *b, struct body_work *w, const struct layo
 {
     const int n = b->beam->dofs;
 
-    gather(b, w, l, y);
-    give(b, w, t);
-    for (int i = 0; i < n; i++)
-        w->force[i] = b->weight[i] + w->given[i];
+    elastica_state_read(b, w, l, y);
+    elastica_state_loads(b, w, t, w->force);
     follower_skin_load(b->skin, w->q, force, w->force);
     memcpy(w->load, w->force, (size_t)n * sizeof *w->load);
     elastica_accelerate(b->beam, w->load);
@@ -116,51 +84,31 @@ static void balance(const struct body *b, struct body_work *w, const struct layo
     band_multiply(b->beam->mass, w->rate, w->inertia);
 }
 
-/* Sum over nodes of what moves all of them along and across, in the frame of the tank. */
-static void total(const struct body *b, const double *f, double *to)
-{
-    double sum[2] = { 0, 0 };
-
-    for (int i = 0; i < b->beam->dofs; i += ELASTICA_NODE)
-        for (int c = 0; c < 2; c++)
-            sum[c] += f[i + c];
-    for (int d = 0; d < DIM; d++)
-        to[d] = sum[0] * b->along[d] + sum[1] * b->normal[d];
-}
-
-/* The supports give what momentum needs beyond the loads, 1 . (M v' - F), where what alpha
- * and drag take counts as theirs (both hold on to the ground). */
 static void elastica_load(const struct body *b, struct body_work *w, const struct layout *l,
                           double t, const double *y, const double (*force)[DIM], double *ydot,
                           struct body_load *out)
 {
     const int n = b->beam->dofs;
-    double moved[DIM], loads[DIM];
 
     balance(b, w, l, t, y, force);
     for (int i = 0; i < n; i++) {
-        ydot[place(b, l, i, false)] = 0;
-        ydot[place(b, l, i, true)] = w->load[i];
+        ydot[elastica_state_place(b, l, i, false)] = 0;
+        ydot[elastica_state_place(b, l, i, true)] = w->load[i];
     }
     out->damping = elastica_damping(b->beam, w->q, w->v);
-    out->driven = vectors_dot(n, w->given, w->v);
-    total(b, w->inertia, moved);
-    total(b, w->force, loads);
-    total(b, w->given, out->applied);
-    for (int d = 0; d < DIM; d++)
-        out->support[d] = moved[d] - loads[d];
+    elastica_state_report(b, w, out);
 }
 
 static void elastica_stiff(const struct body *b, struct body_work *w, const struct layout *l,
                            double t, const double *y, double *ydot)
 {
     (void)t;
-    gather(b, w, l, y);
+    elastica_state_read(b, w, l, y);
     elastica_resist(b->beam, w->beam, w->q, w->v, w->resist);
     elastica_accelerate(b->beam, w->resist);
     for (int i = 0; i < b->beam->dofs; i++) {
-        ydot[place(b, l, i, false)] += w->v[i];
-        ydot[place(b, l, i, true)] -= w->resist[i];
+        ydot[elastica_state_place(b, l, i, false)] += w->v[i];
+        ydot[elastica_state_place(b, l, i, true)] -= w->resist[i];
     }
 }
 
@@ -171,14 +119,14 @@ static int elastica_body_solve(const struct body *b, struct body_work *w, const 
 
     (void)t;
     for (int i = 0; i < n; i++) {
-        w->force[i] = r[place(b, l, i, false)];
-        w->resist[i] = r[place(b, l, i, true)];
-        w->q[i] = z[place(b, l, i, false)];
+        w->force[i] = r[elastica_state_place(b, l, i, false)];
+        w->resist[i] = r[elastica_state_place(b, l, i, true)];
+        w->q[i] = z[elastica_state_place(b, l, i, false)];
     }
     TRY(elastica_solve(b->beam, w->beam, gamma, w->force, w->resist, w->q, w->v));
     for (int i = 0; i < n; i++) {
-        z[place(b, l, i, false)] = w->q[i];
-        z[place(b, l, i, true)] = w->v[i];
+        z[elastica_state_place(b, l, i, false)] = w->q[i];
+        z[elastica_state_place(b, l, i, true)] = w->v[i];
     }
     return STATUS_DONE;
 }
@@ -201,7 +149,7 @@ static double elastica_body_swing(const struct body *b)
 static void elastica_energies(const struct body *b, struct body_work *w, const struct layout *l,
                               const double *y, struct energies *to)
 {
-    gather(b, w, l, y);
+    elastica_state_read(b, w, l, y);
     to->kinetic += elastica_kinetic(b->beam, w->v);
     to->elastic += elastica_elastic(b->beam, w->q);
     to->potential += b->rest_potential - vectors_dot(b->beam->dofs, b->weight, w->q);
@@ -213,9 +161,9 @@ static void elastica_momentum(const struct body *b, struct body_work *w, const s
 {
     double sum[DIM];
 
-    gather(b, w, l, y);
+    elastica_state_read(b, w, l, y);
     band_multiply(b->beam->mass, w->v, w->inertia);
-    total(b, w->inertia, sum);
+    elastica_state_total(b, w->inertia, sum);
     for (int d = 0; d < DIM; d++)
         p[d] += sum[d];
 }
@@ -252,14 +200,11 @@ static void displace(const struct body *b, double s, const double *q, double *to
 /* What the support at the root feels: force across the straight beam (positive along n, as
  * loads are) and moment (positive counter-clockwise): a turn by theta changes the slope
  * across by |r'| theta. */
-static void elastica_show(const struct body *b, struct body_work *w, const struct layout *l,
-                          double t, const double *y, const double (*force)[DIM],
-                          struct body_view *out)
+static void show(const struct body *b, const struct body_work *w, struct body_view *out)
 {
     const struct elastica *e = b->beam;
     const double L = e->def.bending.length;
 
-    balance(b, w, l, t, y, force);
     displace(b, L, w->q, out->tip);
     displace(b, L / 2, w->q, out->mid);
     out->section = e->def.thickness;
@@ -269,9 +214,29 @@ static void elastica_show(const struct body *b, struct body_work *w, const struc
                      ? (1 + w->q[2]) * (w->force[3] - w->inertia[3] - w->resist[3]) : 0;
 }
 
+static void elastica_show(const struct body *b, struct body_work *w, const struct layout *l,
+                          double t, const double *y, const double (*force)[DIM],
+                          struct body_view *out)
+{
+    balance(b, w, l, t, y, force);
+    show(b, w, out);
+}
+
+static void elastica_show_predicted(const struct body *b, struct body_work *w,
+                                    const struct layout *l, double t, const double *y,
+                                    const double (*force)[DIM], struct body_view *out)
+{
+    elastica_ahead_balance(b, w, l, t, y, force);
+    show(b, w, out);
+}
+
 static const struct body_implicit implicit = {
     .stiff = elastica_stiff, .solve = elastica_body_solve, .limit = elastica_limit,
     .swing = elastica_body_swing,
+};
+
+static const struct body_ahead ahead = {
+    .set = elastica_ahead_set, .drive = elastica_ahead_drive, .yield = elastica_ahead_yield,
 };
 
 const struct body_kind bodies_elastica = {
@@ -288,5 +253,27 @@ const struct body_kind bodies_elastica = {
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
     .move = elastica_move, .load = elastica_load,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
-    .show = elastica_show, .implicit = &implicit, .watch = &elastica_make_watch,
+    .show = elastica_show, .implicit = &implicit, .joint.ahead = &ahead,
+    .watch = &elastica_make_watch,
+};
+
+static const struct body_ahead moved_ahead = {
+    .moves = true, .set = elastica_ahead_set, .drive = elastica_ahead_drive,
+    .yield = elastica_ahead_yield,
+};
+
+const struct body_kind bodies_elastica_predicted = {
+    .identity = {
+        .name = "beam", .about = "the same, moved as a pressure that looks ahead predicts it",
+        .equation = "(M + tau D + tau^2 K) q'' = F - dE/dq - (D + tau K) q'  (E4)",
+        .source = "backward Euler over tau, as the pressure of (E3)",
+        .group = "beam", .size = sizeof(struct beam_def), .params = beam_def_params,
+    },
+    .make = { .create = elastica_make, .free = elastica_make_free, .work = elastica_make_work,
+              .work_free = elastica_make_work_free },
+    .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
+    .move = elastica_move, .load = elastica_ahead_load,
+    .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
+    .show = elastica_show_predicted, .joint.ahead = &moved_ahead,
+    .watch = &elastica_make_watch,
 };

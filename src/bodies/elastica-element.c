@@ -42,6 +42,8 @@ void elastica_element_make(double EA, double EI, double l, struct elastica_eleme
     look_at(0.5 + gauss, 0.5, l, &out->bend[1]);
 }
 
+enum what { STIFFNESS, TANGENT }; /* without and with what makes the other indefinite */
+
 /* --- stretch -------------------------------------------------------------- */
 
 /* r' goes to a; returns |r'|^2 - 1 without taking nearly equal numbers apart. */
@@ -67,14 +69,16 @@ static void add_stretch_force(const struct elastica_element *e, const struct ela
 }
 
 static void add_stretch_tangent(const struct elastica_element *e, const struct elastica_point *p,
-                                const double *q, double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+                                enum what what, const double *q,
+                                double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
 {
     double a[2], h[2][2];
     const double d = stretch_of(p, q, a), s = 1 + d;
+    const double pull = what == TANGENT || d > 0 ? d / s / 2 : 0;
 
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
-            h[i][j] = p->weight * e->EA * (a[i] * a[j] / (s * s) + (i == j) * d / s / 2);
+            h[i][j] = p->weight * e->EA * (a[i] * a[j] / (s * s) + (i == j) * pull);
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             for (int c = 0; c < 2; c++)
@@ -94,14 +98,16 @@ static void add_bending_force(const struct elastica_element *e, const struct ela
 }
 
 static void add_bending_tangent(const struct elastica_element *e, const struct elastica_point *p,
-                                const double *q, double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+                                enum what what, const double *q,
+                                double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
 {
     const struct elastica_turn t = elastica_turn_at(p, q);
+    const double bent = what == TANGENT ? t.kappa : 0;
     double h[4][4];
 
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            h[i][j] = p->weight * e->EI * (t.by[i] * t.by[j] + t.kappa * t.twice[i][j]);
+            h[i][j] = p->weight * e->EI * (t.by[i] * t.by[j] + bent * t.twice[i][j]);
     elastica_turn_spread_twice(p, h, k);
 }
 
@@ -128,14 +134,26 @@ void elastica_element_force(const struct elastica_element *e, const double *q, d
         add_bending_force(e, &e->bend[i], q, f);
 }
 
-void elastica_element_tangent(const struct elastica_element *e, const double *q,
-                              double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+static void add_up(const struct elastica_element *e, enum what what, const double *q,
+                   double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
 {
     memset(k, 0, ELASTICA_ELEMENT * sizeof k[0]);
     for (int i = 0; i < ELASTICA_STRETCHES; i++)
-        add_stretch_tangent(e, &e->stretch[i], q, k);
+        add_stretch_tangent(e, &e->stretch[i], what, q, k);
     for (int i = 0; i < ELASTICA_BENDS; i++)
-        add_bending_tangent(e, &e->bend[i], q, k);
+        add_bending_tangent(e, &e->bend[i], what, q, k);
+}
+
+void elastica_element_tangent(const struct elastica_element *e, const double *q,
+                              double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+{
+    add_up(e, TANGENT, q, k);
+}
+
+void elastica_element_stiffness(const struct elastica_element *e, const double *q,
+                                double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT])
+{
+    add_up(e, STIFFNESS, q, k);
 }
 
 /* Across is r' turned by +90 degrees; what is given counts per rest length. */

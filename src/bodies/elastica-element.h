@@ -39,6 +39,11 @@ void elastica_element_force(const struct elastica_element *e, const double *q, d
 void elastica_element_tangent(const struct elastica_element *e, const double *q,
                               double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT]);
 
+/* k [8][8] = the same without the forces that turn with the element, but for a tension: positive
+ * semidefinite. */
+void elastica_element_stiffness(const struct elastica_element *e, const double *q,
+                                double k[ELASTICA_ELEMENT][ELASTICA_ELEMENT]);
+
 /* f [8] += a uniform load across [N/m, 2D: N/m^2] that turns with the element. */
 void elastica_element_press(const struct elastica_element *e, double load, const double *q,
                             double *f);

@@ -36,7 +36,7 @@ int elastica_make_work(const struct body *b, struct body_work **out)
     if (!w)
         return STATUS_FAILED;
     double **vector[] = { &w->q, &w->v, &w->given, &w->force, &w->resist, &w->load, &w->rate,
-                          &w->inertia };
+                          &w->inertia, &w->predicted };
     if (elastica_work_create(b->beam, &w->beam) == STATUS_DONE
         && vectors_take(vector, sizeof vector / sizeof vector[0], b->beam->dofs, &w->memory)
                == STATUS_DONE)

@@ -67,6 +67,15 @@ void elastica_tangent(const struct elastica *e, struct elastica_work *w, const d
 /* f [dofs]: forces come in, accelerations M^-1 f go out; held ones are 0. */
 void elastica_accelerate(const struct elastica *e, double *f);
 
+/* The same by (M + tau D + tau^2 K)^-1, with D at q and K that of elastica_element_stiffness():
+ * symmetric, positive definite.  set() makes w ready for any number of calls; stretch() then adds
+ * tau K v to `to` [dofs].  STATUS_FAILED: the matrix is not finite.  elastica-yield.c. */
+int elastica_yield_set(const struct elastica *e, struct elastica_work *w, double tau,
+                       const double *q);
+void elastica_yield_stretch(const struct elastica *e, struct elastica_work *w, double tau,
+                            const double *v, double *to);
+void elastica_yield(const struct elastica *e, const struct elastica_work *w, double *f);
+
 /* Solves z - gamma f_I(z) = r with f_I = (v, -M^-1 (dE/dq + D v)) by Newton's method: a
  * guess of z_q comes in through q, z goes out; held entries get those of r.
  * STATUS_FAILED: no solution was found within ELASTICA_ITERATIONS. */

@@ -116,6 +116,45 @@ void follower_skin_move(const struct follower_skin *s, const double *q, const do
     }
 }
 
+void follower_skin_drift(const struct follower_skin *s, const double *q, const double *v,
+                         double (*u)[DIM])
+{
+    for (int i = 0; i < s->points; i++) {
+        double at[2], rate[2];
+        move_point(&s->point[i], q, v, at, rate);
+        for (int d = 0; d < DIM; d++)
+            u[i][d] = rate[0] * s->def.along[d] + rate[1] * s->def.normal[d];
+    }
+}
+
+/* With t, n, n' = -w t and t' = w n as there, w = (c x c')/|c|^2: of u = r' - eta w t the rest is
+ * -eta (w' t + w^2 n), w' = -2 w (c . c')/|c|^2, as c' is constant. */
+static void bend_point(const struct follower_skin_point *p, const double *q, const double *v,
+                       double *a)
+{
+    double c[2], back[2], front[2];
+    const double size = chord(p, q, c);
+
+    carry(&p->back, v, back);
+    carry(&p->front, v, front);
+    const double rate[2] = { front[0] - back[0], front[1] - back[1] };
+    const double turning = (c[0] * rate[1] - c[1] * rate[0]) / (size * size);
+    const double slows = -2 * turning * (c[0] * rate[0] + c[1] * rate[1]) / (size * size);
+    a[0] = -p->eta * (slows * c[0] - turning * turning * c[1]) / size;
+    a[1] = -p->eta * (slows * c[1] + turning * turning * c[0]) / size;
+}
+
+void follower_skin_bend(const struct follower_skin *s, const double *q, const double *v,
+                        double (*a)[DIM])
+{
+    for (int i = 0; i < s->points; i++) {
+        double rest[2];
+        bend_point(&s->point[i], q, v, rest);
+        for (int d = 0; d < DIM; d++)
+            a[i][d] += rest[0] * s->def.along[d] + rest[1] * s->def.normal[d];
+    }
+}
+
 void follower_skin_load(const struct follower_skin *s, const double *q,
                         const double (*force)[DIM], double *f)
 {

@@ -38,6 +38,15 @@ void follower_skin_free(struct follower_skin **s); /* NULL is welcome */
 void follower_skin_move(const struct follower_skin *s, const double *q, const double *v,
                         double (*x)[DIM], double (*u)[DIM]);
 
+/* u [points][DIM] alone. */
+void follower_skin_drift(const struct follower_skin *s, const double *q, const double *v,
+                         double (*u)[DIM]);
+
+/* Adds to a [points][DIM] the accelerations that points have while v does not change: each
+ * turns about the centre line. */
+void follower_skin_bend(const struct follower_skin *s, const double *q, const double *v,
+                        double (*a)[DIM]);
+
 /* Adds (dx/dq)^T force to f; force [points][DIM]. */
 void follower_skin_load(const struct follower_skin *s, const double *q,
                         const double (*force)[DIM], double *f);

@@ -9,7 +9,8 @@
 
 #include "plan/inside.h"
 
-enum { BOOK_WORKS = 72, BOOK_NAME = 80, /* works: of parts, walls, and two of each body, contacts */
+enum { BOOK_WORKS = 76, BOOK_NAME = 80, /* works: of parts, walls, two of each body, contacts,
+                                            and corrections of a method */
        BOOK_COLUMNS = BOOK_WORKS + 10 + DIM };
 
 /* --- rates of the quadratures ------------------------------------------------------ */

@@ -1,5 +1,6 @@
 /* columns.c -- the columns of book.csv: name, unit and place in a sheet in one row. */
 #include "book/book.h"
+#include "plan/solver.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -46,6 +47,8 @@ int book_work_names(const struct plan *p, char (*name)[BOOK_NAME])
     }
     for (int i = 0; i < p->contacts.columns; i++)
         snprintf(name[n++], BOOK_NAME, "%s", p->contacts.kind->column[i]);
+    for (int i = 0; i < p->book.solved_works; i++)
+        snprintf(name[n++], BOOK_NAME, "%s", plan_solved(p->in.set.method)->work[i]);
     return n;
 }
 

@@ -1,10 +1,12 @@
 /* sheet.c -- what is stored at a moment, and what the book says of it. */
 #include "book/book.h"
+#include "plan/solver.h"
 
 #include <assert.h>
 #include <math.h>
 
-static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS, "all works fit");
+static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS
+              + PLAN_SOLVED_WORKS, "all works fit");
 
 /* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */
 static double fluid_motion(const struct view *v, double *momentum)
@@ -38,6 +40,8 @@ static void read_works(const struct plan *p, const double *book, struct book_she
     }
     for (int i = 0; i < p->contacts.columns; i++)
         s->work[s->works++] = book[p->book.contacts + i];
+    for (int i = 0; i < p->book.solved_works; i++)
+        s->work[s->works++] = book[p->book.solved + i];
 }
 
 /* Momentum that came through walls, supports and gravity since the start. */

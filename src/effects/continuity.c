@@ -17,12 +17,9 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
 static int blocks(const void *self, const struct scales *s, const struct particles *p,
                   struct layout *l, int density_row[KINDS])
 {
-    const double mach = s->speed / s->c0;
-
     (void)self;
     density_row[KIND_FLUID] = layout_add(l, LAYOUT_OTHER, "density of fluid", "kg/m^3",
-                                         particles_count(p, KIND_FLUID), 1,
-                                         s->rho0 * mach * mach);
+                                         particles_count(p, KIND_FLUID), 1, s->density);
     return density_row[KIND_FLUID] < 0 ? 1 : 0;
 }
 

@@ -8,6 +8,7 @@
 #include "plan/inside.h"
 
 struct face;
+struct moment_given;
 
 /* What an evaluation works in: read while it lasts.  A moment made beside another shares
  * that one's, as one evaluation is over before the next. */
@@ -28,6 +29,8 @@ struct workspace {
     long met_builds;
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
+    double *sourced; /* [fluid] rates of density that no pair gives, for a pressure that
+                        looks ahead; NULL                                     */
     double (*points)[DIM];    /* [points of any body][DIM] scratch            */
     double (*speeds)[DIM];    /* likewise                                     */
     double *rates;   /* [size] of an evaluation that is only looked at        */
@@ -63,6 +66,7 @@ struct moment {
     void *solver;                      /* what plan->solver works in; of the run's */
     void *ahead;                       /* what implicit_ahead works in; of the run's; NULL */
     struct face *face;                 /* eval/face.h; NULL                   */
+    struct moment_given *given;        /* eval/given.h; of the run's; NULL    */
     char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];
     struct moment_counts counts;
@@ -117,6 +121,9 @@ void spread_accelerations(const struct moment *m, double *ydot);
  * points of one skin. */
 void solids_sum(struct moment *m);
 void solids_skin(const struct moment *m, struct moment_body *b);
+
+/* Adds the moment of a force f at x about a point; in 2D it has its last component alone. */
+void solids_turn(const double *about, const double *x, const double *f, double turn[3]);
 
 /* Sums over pairs by these laws.  push: see struct sum_job; it is added to.  apart: see
  * struct ask; forces of the implicit law by place. */

@@ -1,6 +1,6 @@
 /* moment.c -- a plan at one (t, y): its memory, and what is asked of it. */
 #include "eval/face.h"
-#include "eval/inside.h"
+#include "eval/given.h"
 #include "plan/solver.h"
 #include "space/list.h"
 
@@ -112,6 +112,7 @@ void moment_free(struct moment **moment)
     if (!m)
         return;
     moment_free(&m->observer);
+    given_free(&m->given);
     if (!m->beside) {
         if (m->solver)
             m->plan->solver->free(&m->solver);
@@ -157,8 +158,12 @@ void moment_restart(struct moment *m)
         list_forget(m->own);
     m->list = m->own;
     forget_forces(m);
+    if (m->given)
+        m->given->known = false;
     if (m->solver)
         m->plan->solver->forget(m->solver);
+    if (m->ahead && !m->beside)
+        implicit_ahead.forget(m->ahead);
     m->refusal[0] = '\0';
     memset(m->culprit, 0, sizeof m->culprit);
 }
@@ -211,6 +216,25 @@ const char *moment_refusal(const struct moment *m)
 const struct moment_counts *moment_counts(const struct moment *m)
 {
     return &m->counts;
+}
+
+int moment_keep(struct moment *m, struct archive *a)
+{
+    struct moment_counts *c = &m->counts;
+
+    TRY(archive_integers(a, "counts.rhs_explicit", &c->rhs_explicit, 1));
+    TRY(archive_integers(a, "counts.rhs_implicit", &c->rhs_implicit, 1));
+    TRY(archive_integers(a, "counts.passes", &c->passes, 1));
+    TRY(archive_integers(a, "counts.solves", &c->solves, 1));
+    TRY(archive_integers(a, "counts.products", &c->products, 1));
+    TRY(archive_integers(a, "counts.rebuilds", &c->rebuilds, 1));
+    TRY(archive_integers(a, "counts.refused", &c->refused, 1));
+    TRY(archive_integers(a, "counts.iterations", &c->iterations, 1));
+    TRY(archive_numbers(a, "counts.compression", &c->compression, 1));
+    TRY(archive_numbers(a, "counts.gain", &c->gain, 1));
+    if (archive_fills(a) && m->own)
+        m->own->builds = c->rebuilds;
+    return STATUS_DONE;
 }
 
 void moment_solve_tolerance(struct moment *m, double tol)

@@ -1,5 +1,5 @@
 /* observe.c -- looking at a run without disturbing it. */
-#include "eval/inside.h"
+#include "eval/given.h"
 
 #include "base/status.h"
 
@@ -55,21 +55,27 @@ int observe_forces(struct moment *run, double t, const double *y)
     return status == STATUS_DONE ? status : status_fail(STATUS_FAILED, "%s", o->refusal);
 }
 
+/* Did a step whose pressure was solved for give these forces? */
+static bool is_given(const struct moment *run)
+{
+    return run->given && run->given->known;
+}
+
 const double *observe_force(const struct moment *run, int object)
 {
-    return moment_force(run->observer, object);
+    return is_given(run) ? run->given->force[object] : moment_force(run->observer, object);
 }
 
 void observe_panel(const struct moment *run, int panel, struct observe_panel *out)
 {
-    const struct moment *o = run->observer;
-    const double *force = o->force[o->particles->objects + panel];
+    const double *force = observe_force(run, run->particles->objects + panel);
+    const double *turn = is_given(run) ? run->given->turn[panel] : run->observer->turn[panel];
     const double *along = run->plan->book.panel[panel].along;
     double size = 0;
 
     *out = (struct observe_panel){ .drag = 0 };
     memcpy(out->force, force, sizeof out->force);
-    memcpy(out->turn, o->turn[panel], sizeof out->turn);
+    memcpy(out->turn, turn, sizeof out->turn);
     for (int d = 0; d < DIM; d++) {
         out->drag += force[d] * along[d];
         size += fabs(along[d]);
@@ -81,9 +87,11 @@ void observe_panel(const struct moment *run, int panel, struct observe_panel *ou
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {
-    const struct moment_body *b = &run->observer->body[body];
+    const struct moment_body *b = &(run->observer ? run->observer : run)->body[body];
+    const double (*force)[DIM] = (const double (*)[DIM])(is_given(run) ? run->body[body].force
+                                                                       : b->force);
 
-    b->kind->show(b->body, b->work, &run->layout, t, y, (const double (*)[DIM])b->force, out);
+    b->kind->show(b->body, b->work, &run->layout, t, y, force, out);
 }
 
 int observe_escaped(struct moment *run, double t, const double *y)

@@ -25,8 +25,10 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
  * densities that their rows hold. */
 void observe_fluid(struct moment *run, double t, const double *y, struct view *v);
 
-/* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it.
- * STATUS_FAILED when the right-hand side cannot answer. */
+/* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it, but
+ * where the pressure was solved for once a step: forces on objects, panels and bodies are then
+ * those of the last step (given.h).  Before any look observe_body() knows where a body is, not
+ * the forces on it.  STATUS_FAILED when the right-hand side cannot answer. */
 int observe_forces(struct moment *run, double t, const double *y);
 const double *observe_force(const struct moment *run, int object); /* [DIM] [N] */
 /* The same of a panel; its moment [3] (2D: the last) and drag [N], NaN without `along`. */

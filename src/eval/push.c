@@ -48,12 +48,18 @@ int passes_body_forces(struct evaluation *e, const struct plan_field *of)
 int passes_sources(struct evaluation *e, const struct plan_field *of)
 {
     const struct plan *p = e->m->plan;
+    const int n = particles_count(e->m->particles, KIND_FLUID);
     double *rate = e->ydot + layout_at(&e->m->layout, p->row.density[KIND_FLUID]);
+    double *apart = e->m->work->sourced, *to = apart ? apart : rate;
 
     (void)of;
+    if (apart)
+        memset(apart, 0, (size_t)n * sizeof *apart);
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->as.source)
-            p->part[i].part->as.source->densify(p->part[i].self, &e->view, rate);
+            p->part[i].part->as.source->densify(p->part[i].self, &e->view, to);
+    for (int i = 0; apart && i < n; i++)
+        rate[i] += apart[i];
     return STATUS_DONE;
 }
 

@@ -36,8 +36,7 @@ static void sum_kind(struct moment *m, enum kind k)
     }
 }
 
-/* Moment of a force f at x about a point; in 2D it has its last component alone. */
-static void add_turn(const double *about, const double *x, const double *f, double turn[3])
+void solids_turn(const double *about, const double *x, const double *f, double turn[3])
 {
     double arm[3] = { 0 };
 
@@ -60,7 +59,7 @@ static void sum_panel(struct moment *m, const struct plan_panel *p, double *sum,
             continue;
         for (int d = 0; d < DIM; d++)
             sum[d] += f[d];
-        add_turn(p->about, m->particles->x[row], f, turn);
+        solids_turn(p->about, m->particles->x[row], f, turn);
     }
 }
 

@@ -60,6 +60,8 @@ static int take_memory(const struct plan *p, struct workspace *w)
         points = p->body[i].points > points ? p->body[i].points : points;
     w->rates = status_alloc((size_t)plan_size(p) + 1, sizeof *w->rates);
     w->points = status_alloc((size_t)points + 1, sizeof *w->points);
+    if (plan_ahead(p) > 0 && !(w->sourced = status_alloc((size_t)n + 1, sizeof *w->sourced)))
+        return STATUS_FAILED;
     if (p->drifter && !(w->drift = status_alloc((size_t)n + 1, sizeof *w->drift)))
         return STATUS_FAILED;
     w->speeds = status_alloc((size_t)points + 1, sizeof *w->speeds);
@@ -113,6 +115,7 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
         p->passes.press->part->as.wall->press->work_free(&w->press);
     free(w->sum);
     free(w->drift);
+    free(w->sourced);
     free(w->points);
     free(w->speeds);
     free(w->rates);

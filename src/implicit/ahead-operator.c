@@ -30,19 +30,20 @@ static const double *record(const struct ahead *a, int s)
 static void apply(void *self, const double *x, double *to)
 {
     struct ahead *a = self;
-    const struct nabla_engine *nabla = a->m->plan->engine->nabla;
+    const struct nabla_kept_engine *nabla = a->m->plan->engine->nabla_kept;
     const int fluid = a->m->list->start[KIND_FLUID + 1];
     const double *f = a->m->work->f, tau2 = a->tau * a->tau;
 
     memcpy(a->scalar, x, (size_t)a->listed * sizeof *x);
     complete(a, 1, a->scalar);
-    nabla->gradient(&a->job, KIND_BIT(KIND_FLUID), a->scalar, a->m->work->f);
+    nabla->gradient(&a->kept, a->moving, a->scalar, a->m->work->f);
     memset(a->vector, 0, (size_t)a->listed * NABLA_STRIDE * sizeof *a->vector);
     for (int s = 0; s < fluid; s++)
         for (int d = 0; d < DIM; d++)
             a->vector[s * NABLA_STRIDE + d] = f[s * DIM + d] / mass(a, s);
+    ahead_bodies_yield(a);
     complete(a, NABLA_STRIDE, a->vector);
-    nabla->divergence(&a->job, a->kinds, a->vector, to);
+    nabla->divergence(&a->kept, a->kinds, a->vector, to);
     for (int s = 0; s < a->listed; s++)
         to[s] = a->still[s] * x[s] + tau2 * to[s];
     for (int s = a->listed; s < a->n; s++)
@@ -77,6 +78,7 @@ static void read_accelerations(struct ahead *a, const double *udot)
         else
             object_acceleration(&all->object[all->object_of[c]], all->x[c], to);
     }
+    ahead_bodies_drive(a);
     complete(a, NABLA_STRIDE, a->vector);
 }
 
@@ -89,36 +91,36 @@ static void add(struct ahead *a, double factor)
 
 static void set_right_side(struct ahead *a, const struct eos *eos, const double *udot)
 {
-    const struct nabla_engine *nabla = a->m->plan->engine->nabla;
+    const struct nabla_kept_engine *nabla = a->m->plan->engine->nabla_kept;
 
     memset(a->b, 0, (size_t)a->n * sizeof *a->b);
     for (int s = 0; s < a->listed; s++)
         a->b[s] = mass(a, s) * (record(a, s)[RECORD_RHO] - eos->rho0);
     read_velocities(a);
-    nabla->divergence(&a->job, a->kinds, a->vector, a->term);
+    nabla->divergence(&a->kept, a->kinds, a->vector, a->term);
     add(a, a->tau);
-    nabla->bend(&a->job, a->kinds, a->vector, a->term);
+    a->m->plan->engine->nabla->bend(&a->job, a->kinds, a->vector, a->term);
     add(a, a->tau * a->tau);
     read_accelerations(a, udot);
-    nabla->divergence(&a->job, a->kinds, a->vector, a->term);
+    nabla->divergence(&a->kept, a->kinds, a->vector, a->term);
     add(a, a->tau * a->tau);
 }
 
 /* That of D M^-1 G: see space/nabla.h. */
 static void set_diagonal(struct ahead *a)
 {
-    const struct nabla_engine *nabla = a->m->plan->engine->nabla;
+    const struct nabla_kept_engine *nabla = a->m->plan->engine->nabla_kept;
     const int fluid = a->m->list->start[KIND_FLUID + 1];
     const double *sum = a->m->work->f;
 
     for (int s = 0; s < a->listed; s++)
         a->scalar[s] = 0.5;
     complete(a, 1, a->scalar);
-    nabla->gradient(&a->job, KIND_BIT(KIND_FLUID), a->scalar, a->m->work->f);
+    nabla->gradient(&a->kept, KIND_BIT(KIND_FLUID), a->scalar, a->m->work->f);
     for (int s = 0; s < a->listed; s++)
         a->scalar[s] = s < fluid ? 1 / mass(a, s) : 0;
     complete(a, 1, a->scalar);
-    nabla->squares(&a->job, a->kinds, a->scalar, a->term);
+    nabla->squares(&a->kept, a->kinds, a->scalar, a->term);
     for (int s = 0; s < a->listed; s++) {
         double square = 0;
         for (int d = 0; d < DIM && s < fluid; d++)
@@ -136,6 +138,8 @@ void ahead_assemble(struct ahead *a, const double *udot)
     a->listed = a->m->list->start[KINDS];
     a->job.list = a->m->list;
     a->job.record = a->m->work->record;
+    a->kept.list = a->m->list;
+    a->m->plan->engine->nabla_kept->keep(&a->job, &a->kept);
     for (int s = 0; s < a->listed; s++) {
         const double e = record(a, s)[RECORD_RHO] / eos->c0;
         a->still[s] = mass(a, s) * e * e;

@@ -1,6 +1,4 @@
-/* ahead.c -- the solve for a pressure that looks ahead.
- *
- * Its guess is the pressure of the density, so that it is a function of (t, y) alone. */
+/* ahead.c -- the solve for a pressure that looks ahead. */
 #include "implicit/ahead.h"
 
 #include "base/status.h"
@@ -21,10 +19,14 @@ static void ahead_free(void **self)
     if (!a)
         return;
     double *const memory[] = { a->P, a->residual, a->b, a->term, a->still, a->diagonal,
-                               a->scalar, a->vector };
+                               a->scalar, a->vector, a->kept.slope, a->past.P[0], a->past.P[1] };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
+    free(a->kept.rows);
+    free(a->kept.j);
+    free(a->push);
     operator_solver_free(&a->solver);
+    bounded_solver_free(&a->bounded);
     free(a);
     *self = NULL;
 }
@@ -34,19 +36,24 @@ static void set_kinds(struct ahead *a, const struct plan *p)
     for (int k = 0; k < KINDS; k++)
         if (particles_count(p->particles, k) > 0 && p->row.density[k] >= 0) {
             a->kinds |= KIND_BIT(k);
+            a->moving |= KIND_BIT(k) & ~(KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP));
             a->meets[k] |= KIND_BIT(KIND_FLUID);
             a->meets[KIND_FLUID] |= KIND_BIT(k);
         }
     a->job = (struct nabla_job){ .meets = a->meets, .kernel = p->kernel[PART_PRESSURE] };
 }
 
-static int take(struct ahead *a)
+static int take(struct ahead *a, const struct eos *eos)
 {
-    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal };
+    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal,
+                               &a->past.P[0], &a->past.P[1] };
 
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
             return STATUS_FAILED;
+    TRY(ahead_bodies_create(a->m->plan, &a->push));
+    if (eos->clamped)
+        return bounded_solver_create(a->n, PRODUCTS, &a->bounded);
     return operator_solver_create(a->n, PRODUCTS, &a->solver);
 }
 
@@ -57,26 +64,64 @@ static int ahead_create(struct moment *m, void **out)
 
     if (!a)
         return STATUS_FAILED;
+    a->m = m;
     a->n = p->particles->n;
     a->tau = p->pressure->part->as.pressure->ahead(p->pressure->self, &a->residual_share);
     a->residual_share = fmin(a->residual_share, p->in.set.tol);
     set_kinds(a, p);
-    return take(a);
+    return take(a, p->pressure->self);
 }
 
-/* After a rebuild there may be more images. */
+static int fit_groups(struct ahead *a, const struct list *l)
+{
+    const size_t want = (size_t)l->groups;
+
+    if (want <= a->room.groups)
+        return STATUS_DONE;
+    free(a->kept.rows);
+    a->room.groups = 0;
+    a->kept.rows = status_alloc(want + want / 8, sizeof *a->kept.rows);
+    if (!a->kept.rows)
+        return STATUS_FAILED;
+    a->room.groups = want + want / 8;
+    return STATUS_DONE;
+}
+
+static int fit_pairs(struct ahead *a, const struct list *l)
+{
+    const size_t want = nabla_kept_pairs(l);
+
+    if (want <= a->room.pairs)
+        return STATUS_DONE;
+    free(a->kept.j);
+    free(a->kept.slope);
+    a->room.pairs = 0;
+    a->kept.j = status_alloc(want + want / 4, sizeof *a->kept.j);
+    a->kept.slope = workspace_lines((want + want / 4) * DIM);
+    if (!a->kept.j || !a->kept.slope)
+        return STATUS_FAILED;
+    a->room.pairs = want + want / 4;
+    return STATUS_DONE;
+}
+
+/* After a rebuild there may be more groups, pairs and images. */
 static int fit(struct ahead *a, const struct list *l)
 {
     const size_t want = (size_t)l->listed + 1;
 
-    if (want <= a->places)
+    TRY(fit_groups(a, l));
+    TRY(fit_pairs(a, l));
+    if (want <= a->room.places)
         return STATUS_DONE;
     free(a->scalar);
     free(a->vector);
-    a->places = want + want / 8;
-    a->scalar = workspace_lines(a->places);
-    a->vector = workspace_lines(a->places * NABLA_STRIDE);
-    return a->scalar && a->vector ? STATUS_DONE : STATUS_FAILED;
+    a->room.places = 0;
+    a->scalar = workspace_lines(want + want / 8);
+    a->vector = workspace_lines((want + want / 8) * NABLA_STRIDE);
+    if (!a->scalar || !a->vector)
+        return STATUS_FAILED;
+    a->room.places = want + want / 8;
+    return STATUS_DONE;
 }
 
 static int refuse(struct ahead *a, const struct operator_report *report, double t)
@@ -103,9 +148,6 @@ static double begin(struct ahead *a)
 {
     double square = 0;
 
-    memset(a->P, 0, (size_t)a->n * sizeof *a->P);
-    for (int s = 0; s < a->listed; s++)
-        a->P[s] = a->m->work->record[(size_t)s * RECORD + RECORD_P2];
     operator_apply(&a->operator, a->P, a->residual);
     for (int s = 0; s < a->n; s++) {
         a->residual[s] = a->b[s] - a->residual[s];
@@ -114,7 +156,14 @@ static double begin(struct ahead *a)
     return sqrt(square);
 }
 
-static int find(void *self, struct moment *m, double t, const double *udot)
+static int solve(struct ahead *a, struct operator_report *report)
+{
+    if (a->bounded)
+        return bounded_solve(a->bounded, &a->operator, a->P, a->residual, report);
+    return operator_solve(a->solver, &a->operator, a->P, a->residual, report);
+}
+
+static int find(void *self, struct moment *m, double t, const double *y, const double *udot)
 {
     struct ahead *a = self;
     const struct list *l = m->list;
@@ -127,19 +176,24 @@ static int find(void *self, struct moment *m, double t, const double *udot)
                  t);
         return STATUS_FAILED;
     }
+    TRY(ahead_bodies_set(a, t, y));
     ahead_assemble(a, udot);
+    ahead_guess(a, t);
     a->operator.near = a->residual_share * begin(a);
     if (a->operator.near > 0)
-        status = operator_solve(a->solver, &a->operator, a->P, a->residual, &report);
+        status = solve(a, &report);
     if (status != STATUS_DONE)
         return refuse(a, &report, t);
     if (a->operator.near > 0)
         m->counts.products += report.products;
+    ahead_keep(a, t);
     for (int s = 0; s < l->listed; s++)
         m->work->record[(size_t)s * RECORD + RECORD_P2] = a->P[l->slot[l->order[s]]];
     return STATUS_DONE;
 }
 
 const struct plan_ahead_solver implicit_ahead = {
+    .vectors = 15, /* those of struct ahead, seven of its solver */
     .create = ahead_create, .free = ahead_free, .find = find,
+    .forget = ahead_forget,
 };

@@ -1,5 +1,6 @@
 /* book-rows.c -- where the quadratures of the book stand in y. */
 #include "plan/inside.h"
+#include "plan/solver.h"
 
 #include "base/status.h"
 
@@ -14,6 +15,7 @@ static bool pulls(const struct plan *p)
 
 int plan_book_rows(struct plan *p)
 {
+    const struct plan_solved *solved = plan_solved(p->in.set.method);
     struct plan_book *b = &p->book;
 
     b->work = 0;
@@ -25,7 +27,10 @@ int plan_book_rows(struct plan *p)
     b->applied = b->support + p->bodies * DIM;
     b->pull = b->applied + p->bodies * DIM;
     b->contacts = b->pull + (pulls(p) ? DIM : 0);
-    b->n = b->contacts + p->contacts.columns;
+    b->solved = b->contacts + p->contacts.columns;
+    while (solved && b->solved_works < PLAN_SOLVED_WORKS && solved->work[b->solved_works])
+        b->solved_works++;
+    b->n = b->solved + b->solved_works;
     b->row = layout_add(&p->layout, LAYOUT_OTHER, "book", "J", b->n, 1, 0);
     return b->row < 0 ? STATUS_FAILED : STATUS_DONE;
 }

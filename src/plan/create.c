@@ -87,6 +87,7 @@ static int make_layout(struct plan *p)
     const int n = particles_count(p->particles, KIND_FLUID);
     struct layout *l = &p->layout;
 
+    plan_scales_density(p);
     p->row.x = p->row.u = -1;
     for (int k = 0; k < KINDS; k++)
         p->row.density[k] = -1;

@@ -9,7 +9,7 @@ extern const struct kernel *const kernel_table_lanes2[];
 
 static const struct engine two = {
     2, &sum_engine_lanes2, effects_table_lanes2, walls_table_lanes2, kernel_table_lanes2,
-    &couple_engine_lanes2, &nabla_engine_lanes2
+    &couple_engine_lanes2, &nabla_engine_lanes2, &nabla_kept_engine_lanes2
 };
 
 #ifdef STIFFWATER_V3
@@ -18,7 +18,7 @@ extern const struct kernel *const kernel_table_lanes4[];
 
 static const struct engine four = {
     4, &sum_engine_lanes4, effects_table_lanes4, walls_table_lanes4, kernel_table_lanes4,
-    &couple_engine_lanes4, &nabla_engine_lanes4
+    &couple_engine_lanes4, &nabla_engine_lanes4, &nabla_kept_engine_lanes4
 };
 
 #ifdef STIFFWATER_V4
@@ -27,7 +27,7 @@ extern const struct kernel *const kernel_table_lanes8[];
 
 static const struct engine eight = {
     8, &sum_engine_lanes8, effects_table_lanes8, walls_table_lanes8, kernel_table_lanes8,
-    &couple_engine_lanes8, &nabla_engine_lanes8
+    &couple_engine_lanes8, &nabla_engine_lanes8, &nabla_kept_engine_lanes8
 };
 #endif
 

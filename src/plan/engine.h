@@ -4,7 +4,7 @@
 
 #include "plan/couple.h"
 #include "plan/sum.h"
-#include "space/nabla.h"
+#include "space/nabla-kept.h"
 #include "state/part.h"
 
 struct kernel;
@@ -17,6 +17,7 @@ struct engine {
     const struct kernel *const *kernels;  /* NULL-ended */
     const struct couple_engine *couple;
     const struct nabla_engine *nabla;
+    const struct nabla_kept_engine *nabla_kept;
 };
 
 /* Eight lanes where the processor has AVX-512, four where it has AVX2 and FMA, else

@@ -63,6 +63,9 @@ struct plan_book {
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
+    int solved;   /* [solved_works] energy that corrections of the method gave,
+                     plan/solver.h                                            */
+    int solved_works;
     int n;
     int panels;
     struct plan_panel *panel; /* [panels]                                     */
@@ -148,6 +151,7 @@ struct moment_body {
 
 /* scales.c: p->scales from what was read; the kernels' share comes later. */
 int plan_scales_make(struct plan *p, struct scene *scene);
+void plan_scales_density(struct plan *p); /* after parts are prepared */
 
 /* objects.c: bodies; then all particles; then which objects walls and
  * skins are, and the dye of fluids. */

@@ -3,6 +3,7 @@
 
 #include "plan/inside.h"
 #include "plan/solver.h"
+#include "space/nabla.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -17,6 +18,7 @@ struct count {
     int vectors;         /* of the size of y, of the method                     */
     bool fields;         /* densities are summed                                */
     bool viscous;        /* a viscosity is implicit                             */
+    bool ahead;          /* a pressure that looks ahead is solved for           */
     bool faces;          /* the fluid sticks at faces                           */
     bool drifts;         /* positions move with more than velocities            */
 };
@@ -71,6 +73,18 @@ static double viscous(const struct count *c)
                 + c->fluid * DIM * implicit_viscous.vectors);
 }
 
+/* Weights of pairs and their neighbours, a scalar and a vector by place, P and the system
+ * it solves, vectors of the solver. */
+static double ahead(const struct count *c)
+{
+    const double n = c->fluid + c->solid;
+
+    if (!c->ahead)
+        return 0;
+    return 1.25 * c->entries * (8 * DIM + 4) + 8 * c->fluid
+           + 8 * n * (1.125 * c->slots * (1 + NABLA_STRIDE) + implicit_ahead.vectors);
+}
+
 /* Coefficients of pairs of fluid and solids, from both sides; velocities and slip by
  * place; forces of two kinds and sums. */
 static double faces(const struct plan *p, const struct count *c)
@@ -93,6 +107,14 @@ static double pressed(const struct plan *p)
                 : 0;
 }
 
+/* What a pressure that is solved for once a step works in. */
+static double solved(const struct plan *p)
+{
+    const struct plan_solved *by = plan_solved(p->in.set.method);
+
+    return by ? by->memory(p) : 0;
+}
+
 static void estimate(const struct plan *p, const struct count *c, struct plan_memory *m)
 {
     const double n = c->fluid + c->solid;
@@ -101,7 +123,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
         .state = 8 * c->numbers * (c->vectors + 2), /* rates of looks, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
-              + viscous(c) + faces(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
+              + viscous(c) + ahead(c) + faces(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
         .outputs = outputs(c),
     };
@@ -116,11 +138,11 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0, .viscous = p->stiff,
-        .drifts = p->drifter, .faces = p->face,
+        .drifts = p->drifter, .faces = p->face, .ahead = plan_ahead(p) > 0,
     };
 
     estimate(p, &c, out);
-    out->sums += pressed(p);
+    out->sums += pressed(p) + solved(p);
 }
 
 double plan_memory_sum(const struct plan_memory *m)

@@ -1,5 +1,6 @@
 /* plan.c -- what a plan says of itself. */
 #include "plan/inside.h"
+#include "plan/solver.h"
 
 #include <math.h>
 #include <string.h>
@@ -181,4 +182,17 @@ const struct part *plan_part(const struct plan *p, int i, const char **path)
 {
     *path = p->part[i].path;
     return p->part[i].part;
+}
+
+/* Methods that solve for a pressure once a step. */
+static const struct plan_solved *const solved[] = { &solved_pcisph, &solved_mps, NULL };
+
+const struct plan_solved *plan_solved(const char *method)
+{
+    for (int i = 0; solved[i]; i++) {
+        const size_t n = strlen(solved[i]->name);
+        if (strncmp(method, solved[i]->name, n) == 0 && (method[n] == '\0' || method[n] == '@'))
+            return solved[i];
+    }
+    return NULL;
 }

@@ -112,3 +112,14 @@ int plan_scales_make(struct plan *p, struct scene *scene)
     }
     return make_periods(p, scene);
 }
+
+/* By (E1) a density off by rho0 (U/c0)^2 makes a pressure of rho0 U^2.  By (E3) one that is off
+ * with the wave number k = 1/hs, as errors of particles are, makes 1 + (c0 tau k)^2 times
+ * less: the pressure also meets the motion that it would cause. */
+void plan_scales_density(struct plan *p)
+{
+    struct scales *s = &p->scales;
+    const double mach = s->speed / s->c0, reach = plan_ahead(p) * s->speed / s->hs;
+
+    s->density = s->rho0 * mach * mach + s->rho0 * reach * reach;
+}

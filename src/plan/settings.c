@@ -132,6 +132,11 @@ const struct param settings_output_params[] = {
       .max = 1e6, .about = "time between output fields; computed: until/50" },
     { .key = "profiles", .unit = "s", AT(settings_output, profiles), .fallback = NAN, .min = 1e-9,
       .max = 1e6, .about = "time between profiles of probes; computed: until/50" },
+    { .key = "checkpoint", .unit = "s", AT(settings_output, checkpoint), .max = 1e6,
+      .about = "time between checkpoints, from which `stiffwater resume` goes on; a step ends at "
+               "each, so that bits depend on it; 0: none" },
+    { .key = "checkpoint_minutes", .unit = "min", AT(settings_output, checkpoint_minutes),
+      .max = 1e5, .about = "the same by the clock; bits then depend on where these fall; 0: none" },
     { .key = "snapshots", .unit = "", .type = PARAM_INTEGER, AT(settings_output, snapshots),
       .fallback = 6, .min = 0, .max = 1000,
       .about = "pictures of the particles, evenly spread from start to end" },

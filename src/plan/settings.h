@@ -61,6 +61,8 @@ struct settings_output {
     double interval;  /* between rows of the CSV files [s]          */
     double fields;    /* between output fields [s]                  */
     double profiles;  /* between profiles of probes [s]             */
+    double checkpoint;         /* between checkpoints [s], 0: none     */
+    double checkpoint_minutes; /* the same by the clock [min]          */
     int snapshots;    /* pictures of the particles, start and end included */
 };
 

@@ -1,5 +1,6 @@
-/* solver.h -- the implicit side of a law between particles: one const struct, which
- * plan_create() picks and a moment calls. */
+/* solver.h -- what is solved for: the implicit side of a law between particles, a pressure
+ * within a right-hand side, a pressure once a step.  One const struct each, which plan_create()
+ * picks; a moment calls the first two, the method of its name the third. */
 #ifndef PLAN_SOLVER_H
 #define PLAN_SOLVER_H
 
@@ -36,15 +37,52 @@ struct plan_solver {
 
 /* A pressure that is solved for: one there is. */
 struct plan_ahead_solver {
+    int vectors; /* of all particles that it holds, for an estimate of memory */
+
     /* What it works in, for a run's moment; free() takes NULL. */
     int (*create)(struct moment *m, void **out);
     void (*free)(void **self);
 
+    /* What earlier solves have left behind: the next begins as a first one. */
+    void (*forget)(void *self);
+
     /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
-     * [dimension].  STATUS_FAILED: a refusal. */
-    int (*find)(void *self, struct moment *m, double t, const double *udot);
+     * [dimension], and such forces on skins in m->work->f.  STATUS_FAILED: a refusal. */
+    int (*find)(void *self, struct moment *m, double t, const double *y, const double *udot);
 };
 
+/* A pressure that is solved for once a step, by the method of that name. */
+enum { PLAN_SOLVED_WORKS = 4 };
+struct plan_solved {
+    const char *name;
+
+    /* Columns of the book for energy that its corrections gave, NULL-ended; they are there where
+     * the scene names the method: plan_book.solved. */
+    const char *work[PLAN_SOLVED_WORKS + 1];
+
+    /* NULL, or why there is no such pressure in this plan. */
+    const char *(*serves)(const struct plan *plan);
+
+    /* What it works in, for a run's moment; free() takes NULL. */
+    int (*create)(struct moment *m, void **out);
+    void (*free)(void **self);
+    double (*memory)(const struct plan *plan); /* of that, about, on a full lattice [bytes] */
+
+    /* Longest step from (t, y), where rates are f, with this CFL number [s]; sets limit. */
+    double (*length)(void *self, double number, double t, const double *y, const double *f,
+                     struct limit *limit);
+
+    /* `to` at t + h from y at t, where rates are f; rates: scratch, or, where the method's own
+     * file says so, rates of the whole step.  Each is [size].  STATUS_FAILED: no memory, or a
+     * refusal, which is then that of the moment. */
+    int (*step)(void *self, double t, double h, const double *y, const double *f, double *to,
+                double *rates);
+};
+
+/* That of a method, whose name may have an @ behind it; NULL: it solves for none. */
+const struct plan_solved *plan_solved(const char *method);
+
+extern const struct plan_solved solved_pcisph, solved_mps; /* solved/ */
 extern const struct plan_ahead_solver implicit_ahead; /* implicit/ahead.c */
 extern const struct plan_solver implicit_viscous; /* implicit/viscous.c */
 

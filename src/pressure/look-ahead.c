@@ -4,8 +4,14 @@
  *   p = c0^2 (rho + tau rho' + tau^2 rho'' - rho0)                             (E3)
  *
  * which is a linear system, implicit/ahead.h.  tau is a constant, never the step: p is a
- * function of (t, y).  Sound of wave number k has rates s with
- * s^2 + (tau s + 1) w^2/(1 + tau^2 w^2) = 0, w = c0 k: none is faster than 1/tau, none grows. */
+ * function of (t, y).  Without tension p >= 0 and that is the complementarity problem
+ *
+ *   p >= 0,  p >= c0^2 (...),  p = c0^2 (...) where p > 0
+ *
+ * for a pressure that is cut after the solve makes water collapse.
+ *
+ * Sound of wave number k has rates s with s^2 + (tau s + 1) w^2/(1 + tau^2 w^2) = 0, w = c0 k:
+ * none is faster than 1/tau, none grows. */
 #include "pressure/liquid.h"
 
 #include "base/status.h"
@@ -42,11 +48,6 @@ static int complete(void *self)
 
     l->liquid.eos.gamma = 1;
     l->liquid.eos.clamped = !l->liquid.tension;
-    if (l->liquid.eos.clamped && l->tau > 0)
-        return status_fail(STATUS_BAD_SCENE, "eos.tension = false with eos.type = \"look-ahead\" "
-                           "and tau = %g: the pressure that is solved for has both signs, and "
-                           "cutting it afterwards makes water collapse; set eos.tension = true, "
-                           "or eos.type = \"tait\"", l->tau);
     return STATUS_DONE;
 }
 

@@ -32,9 +32,9 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     static const char *const words[] = { "done", "failed", "failed", "stopped", "failed" };
     const struct settings *s = plan_settings(r->plan);
 
-    json_text(j, "status", words[status]);
+    json_text(j, "status", status == RUN_GOES ? "running" : words[status]);
     json_text(j, "message", message);
-    json_text(j, "scene", scene_path(r->scene));
+    json_text(j, "scene", r->path);
     json_text(j, "version", PACKAGE_VERSION);
     json_integer(j, "dimension", DIM);
     json_text(j, "method", r->method->name);
@@ -77,6 +77,8 @@ static void write_work(struct json *j, const struct run *r)
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
     json_number(j, "mean_step", r->past.tally.steps ? r->past.tally.t / r->past.tally.steps : 0);
+    json_integer(j, "checkpoints", r->past.checkpoints.written);
+    json_integer(j, "checkpoints_by_clock", r->past.checkpoints.by_clock);
     json_object(j, "limited_by");
     json_integer(j, "error", r->past.tally.limited[METHOD_ERROR]);
     json_integer(j, "stability", r->past.tally.limited[METHOD_STABILITY]);

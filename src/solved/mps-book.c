@@ -1,35 +1,48 @@
 /* mps-book.c -- what corrections do to y and to the book.
  *
- * Pressure, collisions and stabilisation of an incompressible fluid should do no work but on
- * walls that move.  What they do beside is written where pressure and continuity keep theirs,
- * so that `pressure_defect` tells what the method makes (above 0) or loses.  Densities in y are
- * those of the solved pressures: the internal energy that the equation of state has there is
- * stored nowhere in the fluid, and is taken out by the same column.  Laws that change nothing
- * but densities do nothing here, so their powers are not booked. */
+ * Pressure, collisions, stabilisation and viscosity change velocities one after the other.  With
+ * du_k of the k-th, u before and u' after the step, a particle's kinetic energy changes by
+ *
+ *     sum over k of m du_k . (u + u')/2                                           (M17)
+ *
+ * exactly: each has a column of its own, with what it gave to moving walls beside.  Pressure and
+ * collisions of an incompressible fluid should give nothing, so that these columns tell what the
+ * method makes (above 0) or loses.  Densities in y are those of the solved pressures: the
+ * internal energy that the equation of state has there is stored nowhere in the fluid; the
+ * column of pressure and continuity, `pressure_defect`, has its changes, and nothing else.
+ * Laws that change nothing but densities do nothing here, so their powers are not booked. */
+#include "eval/given.h"
 #include "matter/eos.h"
 #include "solved/mps-inside.h"
 
 #include <math.h>
 
-void mps_apply(struct mps *s)
+void mps_begin(struct mps *s)
+{
+    const size_t bytes = (size_t)s->moment->particles->n * sizeof *s->gave.push;
+
+    for (int k = 0; k < MPS_WORKS; k++) {
+        memset(s->gave.kick[k], 0, bytes);
+        s->gave.walls[k] = 0;
+    }
+    memset(s->gave.push, 0, bytes);
+}
+
+void mps_apply(struct mps *s, enum mps_work what)
 {
     struct near *at = &s->near;
-    const double *g = s->moment->plan->scales.g;
 
-    for (int i = 0; i < at->fluid; i++) {
-        const double m = mps_mass(s, i);
+    for (int i = 0; i < at->fluid; i++)
         for (int d = 0; d < DIM; d++) {
             const double du = s->du[i][d];
-            s->made += m * (du * (at->u[i][d] + 0.5 * du) - g[d] * s->h * du);
+            s->gave.kick[what][mps_id(s, i)][d] += du;
             at->u[i][d] += du;
             at->x[i][d] += s->h * du;
         }
-    }
     near_images(at, s->list);
 }
 
-/* Where the powers of pressure and continuity are booked. */
-static int column(const struct plan *p)
+int mps_conserved(const struct plan *p)
 {
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].slot >= 0 && part_conserves(p->part[i].part))
@@ -91,6 +104,23 @@ static void forget_densities(const struct plan *p, const double *before, double 
             book[p->book.work + p->part[i].slot] = before[p->book.work + p->part[i].slot];
 }
 
+/* (M17) */
+static double work_of(const struct mps *s, enum mps_work what, const double *y, const double *to)
+{
+    const struct moment *m = s->moment;
+    const long u = layout_at(&m->layout, m->plan->row.u);
+    double work = s->gave.walls[what];
+
+    for (int id = 0; id < particles_count(m->particles, KIND_FLUID); id++) {
+        const int row = particles_row(m->particles, KIND_FLUID, id);
+        for (int d = 0; d < DIM; d++) {
+            const long at = u + (long)row * DIM + d;
+            work += m->particles->m[row] * s->gave.kick[what][id][d] * 0.5 * (y[at] + to[at]);
+        }
+    }
+    return work;
+}
+
 void mps_write(struct mps *s, double t, const double *y, double *to)
 {
     const struct plan *p = s->moment->plan;
@@ -100,9 +130,10 @@ void mps_write(struct mps *s, double t, const double *y, double *to)
     write_motion(s, to);
     write_densities(s, to);
     forget_densities(p, y + layout_at(&s->moment->layout, p->book.row), book);
-    book[column(p)] += s->made + s->walls + internal(s, t + s->h, to) - before;
-    book[p->book.walls] -= s->walls;
-    for (int o = 0; o < p->particles->objects; o++)
-        for (int d = 0; d < DIM; d++)
-            book[p->book.impulse + o * DIM + d] += s->push[o][d];
+    book[mps_conserved(p)] += internal(s, t + s->h, to) - before;
+    for (int k = 0; k < MPS_WORKS; k++) {
+        book[s->gave.column[k]] += work_of(s, k, y, to);
+        book[p->book.walls] -= s->gave.walls[k];
+    }
+    given_add(s->moment, s->h, (const double (*)[DIM])s->gave.push, book);
 }

@@ -48,14 +48,10 @@ static void change(struct mps *s, int i, pair_change *by)
         for (int d = 0; d < DIM; d++)
             apart[d] = at->u[j][d] - at->u[i][d];
         const double c = by(s, step, r2, apart, j >= at->fluid);
-        for (int d = 0; d < DIM; d++) {
+        for (int d = 0; d < DIM; d++)
             s->du[i][d] += c * step[d];
-            if (j >= at->fluid && c != 0) {
-                const double push = -mps_mass(s, i) * c * step[d];
-                s->push[mps_object(s, j)][d] += push;
-                s->walls += push * at->u[j][d];
-            }
-        }
+        if (j >= at->fluid && c != 0)
+            mps_push(s, MPS_COLLISIONS, j, -mps_mass(s, i) * c, step);
     }
 }
 
@@ -100,13 +96,10 @@ void mps_stabilise(struct mps *s)
                 was[d] = after[d] - (at->x[j][d] - s->was[j][d]) + (at->x[i][d] - s->was[i][d]);
             const double c = -restore(was, after, d0 * d0) / (2 * s->h)
                              * (j >= at->fluid ? 2 : 1);
-            for (int d = 0; d < DIM; d++) {
+            for (int d = 0; d < DIM; d++)
                 s->du[i][d] += c * was[d];
-                if (j >= at->fluid) {
-                    s->push[mps_object(s, j)][d] -= mps_mass(s, i) * c * was[d];
-                    s->walls -= mps_mass(s, i) * c * was[d] * at->u[j][d];
-                }
-            }
+            if (j >= at->fluid)
+                mps_push(s, MPS_STABILISATION, j, -mps_mass(s, i) * c, was);
         }
     }
 }

@@ -1,4 +1,7 @@
 /* mps-create.c -- which plans MPS serves, and its memory. */
+#include "eval/given.h"
+#include "plan/solver.h"
+#include "solved/memory.h"
 #include "solved/mps-inside.h"
 
 #include "base/status.h"
@@ -52,6 +55,23 @@ static void find_faces(struct mps *s)
     }
 }
 
+static const double more = 0.1, margin = 0.4; /* of the list, beyond radii and beside that [spacings] */
+
+/* The list; of near.h what is there for pairs, of poisson.h the same for those of fluid, and of
+ * lower halves the half that is written; of both, what is there for particles; the arrays of
+ * struct mps. */
+double mps_memory(const struct plan *p)
+{
+    const struct settings_mps *key = &p->in.mps;
+    const double reach = fmax(key->re, fmax(key->re_gradient, key->re_laplacian)) + more;
+    const double n = p->particles->n;
+    const double near = 4 + 16 * DIM + 8, poisson = 13 * 8 + 5,
+                 arrays = 7 * 8 + 2 + 8 * DIM * (3 + MPS_WORKS);
+
+    return memory_list(p, reach + margin) + 4 * memory_pairs(p, reach, true)
+         + 1.5 * (4 + 8) * memory_pairs(p, reach, false) + (near + poisson + arrays) * n;
+}
+
 /* All kinds that there are own their pairs with all others. */
 static int make_list(struct mps *s)
 {
@@ -63,9 +83,9 @@ static int make_list(struct mps *s)
         all |= particles_count(p->particles, (enum kind)k) > 0 ? KIND_BIT(k) : 0;
     for (int k = 0; k < KINDS; k++)
         def.acts[k] = all & KIND_BIT(k) ? all : 0;
-    s->reach = fmax(s->density.re, fmax(s->gradient.re, s->laplacian.re)) + 0.1 * p->scales.dx;
+    s->reach = fmax(s->density.re, fmax(s->gradient.re, s->laplacian.re)) + more * p->scales.dx;
     def.support = s->reach;
-    def.skin = 0.4 * p->scales.dx;
+    def.skin = margin * p->scales.dx;
     return p->engine->sum->list->create(&s->list, &def);
 }
 
@@ -83,11 +103,25 @@ static int take_memory(struct mps *s)
     s->role = status_alloc(n, sizeof *s->role);
     s->du = status_alloc(n, sizeof *s->du);
     s->was = status_alloc(n, sizeof *s->was);
-    s->push = status_alloc((size_t)all->objects + 1, sizeof *s->push);
-    if (!s->face || !s->role || !s->du || !s->was || !s->push)
+    s->gave.push = status_alloc(n, sizeof *s->gave.push);
+    for (int k = 0; k < MPS_WORKS; k++)
+        if (!(s->gave.kick[k] = status_alloc(n, sizeof *s->gave.kick[k])))
+            return STATUS_FAILED;
+    if (!s->face || !s->role || !s->du || !s->was || !s->gave.push)
         return STATUS_FAILED;
+    TRY(given_make(s->moment));
     TRY(poisson_create(all->n, s->key->iterations, &s->poisson));
     return make_list(s);
+}
+
+/* A plan that was made for another method has no columns of this one's. */
+static void find_columns(struct mps *s)
+{
+    const struct plan *p = s->moment->plan;
+    const bool own = plan_solved(p->in.set.method) == &solved_mps;
+
+    for (int k = 0; k < MPS_WORKS; k++)
+        s->gave.column[k] = own ? p->book.solved + k : mps_conserved(p);
 }
 
 int mps_create(struct moment *moment, struct mps **out)
@@ -107,6 +141,7 @@ int mps_create(struct moment *moment, struct mps **out)
         return STATUS_FAILED;
     }
     find_faces(s);
+    find_columns(s);
     return STATUS_DONE;
 }
 
@@ -121,7 +156,9 @@ void mps_free(struct mps **mps)
     poisson_free(&s->poisson);
     free(s->number), free(s->rate), free(s->before), free(s->rate_before), free(s->source);
     free(s->p), free(s->lowest), free(s->face), free(s->role), free(s->du), free(s->was);
-    free(s->push);
+    for (int k = 0; k < MPS_WORKS; k++)
+        free(s->gave.kick[k]);
+    free(s->gave.push);
     free(s);
     *mps = NULL;
 }

@@ -136,18 +136,13 @@ static void push_solid(struct mps *s, int j)
 {
     const struct near *at = &s->near;
     const double c = s->h / s->moment->plan->scales.rho0 * DIM / s->gradient.n0;
-    double (*push)[DIM] = &s->push[mps_object(s, j)];
     double step[DIM], share;
 
     for (size_t k = at->from[j]; k < at->from[j + 1]; k++) {
         const int i = partner(s, j, k, step, &share);
         if (i < 0 || i >= at->fluid)
             continue;
-        const double by = -c * mps_mass(s, i) * s->rise(s, i, j) * share;
-        for (int d = 0; d < DIM; d++) {
-            (*push)[d] += by * step[d];
-            s->walls += by * step[d] * at->u[j][d];
-        }
+        mps_push(s, MPS_PRESSURE, j, -c * mps_mass(s, i) * s->rise(s, i, j) * share, step);
     }
 }
 

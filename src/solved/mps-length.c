@@ -1,30 +1,21 @@
 /* mps-length.c -- how long a step of MPS may be. */
+#include "solved/largest.h"
 #include "solved/mps-inside.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* The largest speed of fluid in the domain, and whose; the reference speed when that is more.
- * What has left falls for ever, alone. */
+/* The fastest fluid, or the reference speed when that is more. */
 static double fastest(const struct mps *s, const double *y, struct limit *limit)
 {
-    const struct moment *m = s->moment;
-    const double *u = y + layout_at(&m->layout, m->plan->row.u);
-    const double *x = y + layout_at(&m->layout, m->plan->row.x);
-    double most = m->plan->scales.speed;
+    const double least = s->moment->plan->scales.speed;
+    int where = -1;
+    const double most = largest_inside(s->moment, y, y, &where);
 
     *limit = (struct limit){ .where = -1, .part = "mps, reference speed" };
-    for (int id = 0; id < particles_count(m->particles, KIND_FLUID); id++) {
-        const size_t at = (size_t)particles_row(m->particles, KIND_FLUID, id) * DIM;
-        double square = 0;
-        for (size_t d = 0; d < DIM; d++)
-            square += u[at + d] * u[at + d];
-        if (sqrt(square) > most && list_inside(&m->plan->list_def, x + at)) {
-            most = sqrt(square);
-            *limit = (struct limit){ .where = id, .part = "mps, speed" };
-        }
-    }
-    return most;
+    if (most > least)
+        *limit = (struct limit){ .where = where, .part = "mps, speed" };
+    return fmax(most, least);
 }
 
 /* Laws of the scene that decay and are taken explicitly: rate times step is at most 1/2. */

@@ -7,6 +7,7 @@
  * Sources b = -lap p, times dt^2/rho0, s being what the explicit part left:
  *
  *     gamma (n^s - n0)/n0                                                         (M6)
+ *     stable for gamma kappa < 4/3                                                (M18)
  *     dt (Dn/Dt)^s/(K n0) + drift (n^s - n0)/n0                                    (M10)
  *     dt (Dn/Dt)^s/(K n0) + a dt (Dn/Dt)^k/(K n0) + |dt (Dn/Dt)^k/n0| a' (M11),
  *     a' = (n^k - n0)/n0, a = |a'|

@@ -7,7 +7,9 @@
 #include "solved/mps-inside.h"
 
 #include "base/status.h"
+#include "eval/given.h"
 #include "matter/eos.h"
+#include "plan/solver.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -125,9 +127,11 @@ static int predict(struct mps *s, double t, const double *y, const double *f, do
         remember(s);
     if (s->key->nu > 0) {
         mps_viscosity(s);
-        for (int i = 0; i < s->near.fluid; i++)
+        for (int i = 0; i < s->near.fluid; i++) {
+            memcpy(s->gave.kick[MPS_VISCOSITY][mps_id(s, i)], s->du[i], sizeof s->du[i]);
             for (int d = 0; d < DIM; d++)
                 to[u + (long)s->list->order[i] * DIM + d] += s->du[i][d];
+        }
     }
     for (long i = 0; i < (long)n * DIM; i++)
         to[x + i] = y[x + i] + s->h * to[u + i];
@@ -182,27 +186,67 @@ static void correct(struct mps *s)
 {
     memcpy(s->was, s->near.x, (size_t)s->near.n * sizeof *s->was);
     mps_gradient(s);
-    mps_apply(s);
+    mps_apply(s, MPS_PRESSURE);
     if (mps_is(s->key->ds, "on")) {
         mps_stabilise(s);
-        mps_apply(s);
+        mps_apply(s, MPS_STABILISATION);
     }
 }
 
 int mps_step(struct mps *s, double t, double h, const double *y, const double *f, double *to)
 {
     s->h = h;
-    s->made = s->walls = 0;
-    memset(s->push, 0, (size_t)s->moment->plan->particles->objects * sizeof *s->push);
+    mps_begin(s);
+    given_start(s->moment);
     list_forget(s->list);
     TRY(predict(s, t, y, f, to));
     TRY(look(s, t + h, to));
     if (mps_is(s->key->collisions, "on")) {
         mps_collide(s);
-        mps_apply(s);
+        mps_apply(s, MPS_COLLISIONS);
     }
     TRY(find_pressure(s, y));
     correct(s);
     mps_write(s, t, y, to);
     return STATUS_DONE;
 }
+
+/* --- the contract ------------------------------------------------------------------- */
+
+static int create(struct moment *moment, void **out)
+{
+    struct mps *s;
+    const int status = mps_create(moment, &s);
+
+    *out = s;
+    return status;
+}
+
+static void leave(void **self)
+{
+    struct mps *s = *self;
+
+    mps_free(&s);
+    *self = NULL;
+}
+
+static double length(void *self, double number, double t, const double *y, const double *f,
+                     struct limit *limit)
+{
+    (void)f;
+    return mps_length(self, number, t, y, limit);
+}
+
+static int step(void *self, double t, double h, const double *y, const double *f, double *to,
+                double *rates)
+{
+    (void)rates;
+    return mps_step(self, t, h, y, f, to);
+}
+
+const struct plan_solved solved_mps = {
+    .name = "mps",
+    .work = { "mps.pressure", "mps.collisions", "mps.stabilisation", "mps.viscosity" },
+    .serves = mps_serves, .create = create, .free = leave, .memory = mps_memory,
+    .length = length, .step = step,
+};

@@ -23,6 +23,7 @@ const char *mps_serves(const struct plan *plan);
 
 int mps_create(struct moment *moment, struct mps **out);
 void mps_free(struct mps **mps); /* NULL is welcome */
+double mps_memory(const struct plan *plan); /* about [bytes] */
 
 /* to [size of y] at t + h from y at t.  STATUS_FAILED: no memory, or a refusal, which is then
  * that of the moment. */

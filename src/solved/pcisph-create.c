@@ -1,4 +1,6 @@
 /* pcisph-create.c -- memory of prediction and correction. */
+#include "eval/given.h"
+#include "solved/memory.h"
 #include "solved/pcisph-inside.h"
 
 #include "base/status.h"
@@ -29,7 +31,17 @@ static int take_memory(struct pcisph *p)
 
     p->sum = workspace_lines(n);
     p->push = workspace_lines(n * DIM);
+    TRY(given_make(p->m));
     return p->sum && p->push ? make_list(p) : STATUS_FAILED;
+}
+
+/* The list; records at two places, ones and P of places; sums and pushes. */
+double pcisph_memory(const struct plan *p)
+{
+    const double n = p->particles->n;
+
+    return memory_list(p, (1 + margin) * p->in.kernel.support)
+         + 8 * n * (1.125 * (2 * RECORD + 2) + 1 + DIM);
 }
 
 int pcisph_create(struct moment *moment, struct pcisph **out)

@@ -21,6 +21,7 @@ const char *pcisph_serves(const struct plan *plan);
 
 int pcisph_create(struct moment *moment, struct pcisph **out);
 void pcisph_free(struct pcisph **p); /* NULL is welcome */
+double pcisph_memory(const struct plan *plan); /* about [bytes] */
 
 /* y [size] at t comes in with any densities and goes out with those of the pressure for a
  * step of h [s]; rates [size] are those by all but the pressure.  STATUS_FAILED without a

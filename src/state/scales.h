@@ -19,6 +19,8 @@ struct scales {
     double mass;            /* rho0 dx^D                             [kg, 2D: kg/m] */
     double rho0, c0, gamma; /* fluid at rest [kg/m^3], sound [m/s], Tait exponent */
     double speed;           /* U, reference speed                    [m/s]    */
+    double density;         /* of evolving densities: what turns into a pressure of
+                               about rho0 U^2                        [kg/m^D] */
     double g[3];            /* gravity                               [m/s^2]  */
     double low[3], high[3]; /* domain                                [m]      */
     double period[3];       /* of a direction that repeats the domain's length,

@@ -7,36 +7,6 @@
 
 #include "algebra/vector.h"
 #include "base/status.h"
-#include "solved/mps.h"
-
-#include <math.h>
-
-static int take(struct fixed *x)
-{
-    struct mps *mps = NULL;
-    const int status = mps_create(x->moment, &mps);
-
-    x->own = mps;
-    return status;
-}
-
-static void leave(struct fixed *x)
-{
-    struct mps *mps = x->own;
-
-    mps_free(&mps);
-    x->own = NULL;
-}
-
-static double length(struct fixed *x)
-{
-    return mps_length(x->own, x->number, x->t, x->y, &x->limit);
-}
-
-static int advance(struct fixed *x, double h)
-{
-    return mps_step(x->own, x->t_old, h, x->y_old, x->f_old, x->y);
-}
 
 static int at(void *self, double t, double *y)
 {
@@ -49,12 +19,17 @@ static int at(void *self, double t, double *y)
     return STATUS_DONE;
 }
 
+static const char *serves(const struct plan *plan)
+{
+    return fixed_solved_serves("mps", plan);
+}
+
 const struct fixed_kind fixed_mps = {
     .method = { .name = "mps",
                 .told = { "moving particle semi-implicit: pressure of an incompressible fluid, solved "
                           "for in each step (group mps); order 1",
                           "Koshizuka, Oka, Nucl. Sci. Eng. 123 (1996) 421-434" },
-                .adaptive = false, .order = 1, .serves = mps_serves, .create = fixed_create,
+                .adaptive = false, .order = 1, .serves = serves, .create = fixed_create,
                 .step = fixed_step, .at = at, .state = fixed_state, .restart = fixed_restart,
                 .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors,
                 .rearrange = fixed_rearrange },
@@ -63,8 +38,8 @@ const struct fixed_kind fixed_mps = {
     .without_pressure = true,
     .remedy = "Steps are not halved, as pressures grow with shorter ones. Try mps@0.2, which "
               "chooses its steps, mps.gamma = 0.2 or mps.bundle = \"enhanced\"",
-    .length = length,
-    .advance = advance,
-    .take = take,
-    .leave = leave,
+    .take = fixed_solved_take,
+    .leave = fixed_solved_leave,
+    .length = fixed_solved_length,
+    .advance = fixed_solved_advance,
 };

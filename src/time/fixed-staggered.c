@@ -46,7 +46,7 @@ static void push(const struct fixed *x, double h, const double *f, double *right
     }
 }
 
-int fixed_bend(struct fixed *x, double h, const double *f)
+int fixed_bend(struct fixed *x, double h, const double *f, fixed_book *book)
 {
     const long steps = (long)(h / x->substep) + 1;
 
@@ -54,6 +54,8 @@ int fixed_bend(struct fixed *x, double h, const double *f)
     for (long k = 1; k <= steps; k++) {
         push(x, h / steps, f, x->try);
         TRY(moment_solve(x->moment, x->t_old + h * k / steps, h / steps, x->try, x->y));
+        if (book)
+            book(x, x->t_old + h * k / steps, h / steps);
     }
     return STATUS_DONE;
 }
@@ -61,7 +63,7 @@ int fixed_bend(struct fixed *x, double h, const double *f)
 static int advance(struct fixed *x, double h)
 {
     TRY(fixed_euler_advance(x, h));
-    return x->ranges > 0 ? fixed_bend(x, h, x->f_old) : STATUS_DONE;
+    return x->ranges > 0 ? fixed_bend(x, h, x->f_old, NULL) : STATUS_DONE;
 }
 
 static const char *serves(const struct plan *plan)

@@ -97,9 +97,18 @@ double fixed_largest(const struct fixed *x, int r, const double *y, int *where);
 double fixed_shorter(struct fixed *x, double h, double other, int where, const char *name);
 
 /* Bodies with steps of their own: y_old goes on by h under the forces of f, as
- * fixed_staggered does it. */
-int fixed_bend(struct fixed *x, double h, const double *f);
+ * fixed_staggered does it; book, unless it is NULL, is called after each of their steps, which
+ * ended at t and was that long. */
+typedef void fixed_book(struct fixed *x, double t, double h);
+int fixed_bend(struct fixed *x, double h, const double *f, fixed_book *book);
 int fixed_euler_advance(struct fixed *x, double h);
+
+/* fixed-solved.c: members of kinds whose pressure is solved for once a step. */
+const char *fixed_solved_serves(const char *method, const struct plan *plan);
+int fixed_solved_take(struct fixed *x);
+void fixed_solved_leave(struct fixed *x);
+double fixed_solved_length(struct fixed *x);
+int fixed_solved_advance(struct fixed *x, double h);
 
 #define FIXED_METHOD(NAME, ORDER, ABOUT, SOURCE)                                         \
     FIXED_METHOD_SERVING(fixed_serves, NAME, ORDER, ABOUT, SOURCE)

@@ -10,15 +10,13 @@ int solid_rows_add(const void *self, const struct scales *s, const struct partic
         [KIND_SKIN] = "density of skins",
         [KIND_SKIN_SLIP] = "density of slip skins",
     };
-    const double mach = s->speed / s->c0;
 
     (void)self;
     for (int k = KIND_WALL; k < KINDS; k++) {
         const int n = particles_count(p, k);
         if (n == 0)
             continue;
-        density_row[k] = layout_add(l, LAYOUT_OTHER, names[k], "kg/m^3", n, 1,
-                                    s->rho0 * mach * mach);
+        density_row[k] = layout_add(l, LAYOUT_OTHER, names[k], "kg/m^3", n, 1, s->density);
         if (density_row[k] < 0)
             return 1;
     }

@@ -52,6 +52,7 @@ static const struct {
     { "walls = \"ghost\"; effects = { summation = { }; pressure-printed = { }; };", NOWHERE },
     { "walls = \"adami\";" TANK_EFFECTS, NOWHERE },
     { "walls = \"adami\"; effects = { summation = { }; pressure = { }; };", NOWHERE },
+    { "walls = \"own-density\";" TANK_EFFECTS "eos = { type = \"look-ahead\"; };", EVERYWHERE },
     { "walls = \"contact\";" TANK_EFFECTS, EVERYWHERE },
     { "walls = \"contact\";" TANK_EFFECTS "eos = { type = \"linear\"; k = 250.0; };", EVERYWHERE },
 };

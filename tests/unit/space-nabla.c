@@ -1,9 +1,10 @@
-/* space-nabla.c -- divergence and gradient over pairs: against brute force and linear fields,
- * each the transpose of the other, and their bits. */
+/* space-nabla.c -- divergence and gradient over pairs, with weights worked out anew and with
+ * kept ones: against brute force and linear fields, each the transpose of the other, and
+ * their bits. */
 #include "space.h"
 
 #include "kernels/kernel.h"
-#include "space/nabla.h"
+#include "space/nabla-kept.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -28,14 +29,23 @@ enum { OWNERS = KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_WALL) | KIND_BIT(KIND_SKIN)
 /* A cloud with masses and values of its particles, and what the engine makes of them. */
 struct over {
     const struct nabla_engine *engine;
+    const struct nabla_kept_engine *keeper;
     const struct list_engine *lists;
     struct list *list;
     struct kernel_use kernel;
     struct nabla_job job;
+    bool keeps;
+    struct nabla_kept kept;
     double *record;
     double *a, *p; /* [slots + 1][NABLA_STRIDE], [slots + 1] */
     double *d, *g, *t; /* D a, G p, T p by slot */
 };
+
+/* Each lane width, with weights anew; then each once more, with kept ones. */
+static int ways(void)
+{
+    return 2 * space_engines();
+}
 
 static double *room(int n)
 {
@@ -47,21 +57,25 @@ static double *room(int n)
     return at;
 }
 
-static void choose(struct over *c, int engine, double support)
+static void choose(struct over *c, int way, double support)
 {
     const struct kernel *kernel = &kernel_wendland_c2_lanes2;
 
     c->engine = &nabla_engine_lanes2;
-    c->lists = space_engine(engine)->list;
+    c->keeper = &nabla_kept_engine_lanes2;
+    c->keeps = way >= space_engines();
+    c->lists = space_engine(way % space_engines())->list;
 #ifdef STIFFWATER_V3
     if (c->lists->lanes == 4) {
         c->engine = &nabla_engine_lanes4;
+        c->keeper = &nabla_kept_engine_lanes4;
         kernel = &kernel_wendland_c2_lanes4;
     }
 #endif
 #ifdef STIFFWATER_V4
     if (c->lists->lanes == 8) {
         c->engine = &nabla_engine_lanes8;
+        c->keeper = &nabla_kept_engine_lanes8;
         kernel = &kernel_wendland_c2_lanes8;
     }
 #endif
@@ -81,16 +95,19 @@ static void write_record(double *r, const double *x, double m)
 }
 
 /* List and records of a cloud; m NULL: all masses are `each`. */
-static struct over *over_make(int engine, const struct space_cloud *cloud, const double *m,
+static struct over *over_make(int way, const struct space_cloud *cloud, const double *m,
                                double each)
 {
     const double far[DIM] = { 1e3 };
     struct over *c = test_calloc(1, sizeof *c);
 
-    choose(c, engine, cloud->def.support);
+    choose(c, way, cloud->def.support);
     assert_int_equal(c->lists->create(&c->list, &cloud->def), 0);
     assert_int_equal(c->lists->update(c->list, &cloud->cloud), 0);
-    const int n = c->list->listed;
+    const int n = c->list->listed, pairs = (int)nabla_kept_pairs(c->list);
+    c->kept = (struct nabla_kept){ .list = c->list, .slope = room(pairs * DIM),
+                                   .rows = test_malloc((size_t)c->list->groups * sizeof(int)),
+                                   .j = test_malloc((size_t)pairs * sizeof(int)) };
     c->record = room((n + 1) * RECORD);
     c->a = room((n + 1) * NABLA_STRIDE);
     c->p = room(n + 1);
@@ -111,8 +128,10 @@ static struct over *over_make(int engine, const struct space_cloud *cloud, const
 
 static void over_free(struct over *c)
 {
-    double *const all[] = { c->record, c->a, c->p, c->d, c->g, c->t };
+    double *const all[] = { c->record, c->a, c->p, c->d, c->g, c->t, c->kept.slope };
 
+    test_free(c->kept.rows);
+    test_free(c->kept.j);
     c->lists->free(&c->list);
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -121,6 +140,13 @@ static void over_free(struct over *c)
 
 static void run(struct over *c)
 {
+    if (c->keeps) {
+        c->keeper->keep(&c->job, &c->kept);
+        c->keeper->divergence(&c->kept, OWNERS, c->a, c->d);
+        c->keeper->gradient(&c->kept, OWNERS, c->p, c->g);
+        c->keeper->squares(&c->kept, OWNERS, c->p, c->t);
+        return;
+    }
     c->engine->divergence(&c->job, OWNERS, c->a, c->d);
     c->engine->gradient(&c->job, OWNERS, c->p, c->g);
     c->engine->squares(&c->job, OWNERS, c->p, c->t);
@@ -138,7 +164,7 @@ static void fill(struct over *c)
     run(c);
 }
 
-static struct over *over_random(int engine, const int count[KINDS], double support)
+static struct over *over_random(int way, const int count[KINDS], double support)
 {
     space_seed(3);
     struct space_cloud *cloud = space_cloud(count, support, 0.02);
@@ -146,7 +172,7 @@ static struct over *over_random(int engine, const int count[KINDS], double suppo
 
     for (int i = 0; i < cloud->n; i++)
         m[i] = 0.5 + space_random();
-    struct over *c = over_make(engine, cloud, m, 0);
+    struct over *c = over_make(way, cloud, m, 0);
     fill(c);
     test_free(m);
     space_cloud_free(cloud);
@@ -219,7 +245,7 @@ static void compare(const struct over *c, int i)
 void nabla_agrees_with_brute_force(void **state)
 {
     (void)state;
-    for (int e = 0; e < space_engines(); e++)
+    for (int e = 0; e < ways(); e++)
         for (int wide = 0; wide < 2; wide++) {
             struct over *c = over_random(e, mixed, wide ? 0.6 : 0.25);
 
@@ -236,7 +262,7 @@ void nabla_agrees_with_brute_force(void **state)
 void nabla_is_its_transpose(void **state)
 {
     (void)state;
-    for (int e = 0; e < space_engines(); e++) {
+    for (int e = 0; e < ways(); e++) {
         struct over *c = over_random(e, mixed, 0.25);
         double one = 0, other = 0, size = 0;
 
@@ -354,7 +380,7 @@ void nabla_of_linear_fields(void **state)
     const int side = DIM == 2 ? 20 : 10;
 
     (void)state;
-    for (int e = 0; e < space_engines(); e++) {
+    for (int e = 0; e < ways(); e++) {
         struct space_cloud *cloud = lattice(side);
         struct over *c = over_make(e, cloud, NULL, pow(side, -DIM));
 
@@ -377,10 +403,10 @@ static void use_threads(int n)
 void nabla_same_bits_lanes_and_threads(void **state)
 {
     (void)state;
-    use_threads(1);
-    struct over *one = over_random(0, mixed, 0.25);
-    for (int e = 0; e < space_engines(); e++)
+    for (int e = 0; e < ways(); e++)
         for (int threads = 1; threads <= 2; threads++) {
+            use_threads(1);
+            struct over *one = over_random(e < space_engines() ? 0 : space_engines(), mixed, 0.25);
             use_threads(threads);
             struct over *c = over_random(e, mixed, 0.25);
             const size_t n = (size_t)c->list->listed * sizeof(double);
@@ -389,7 +415,7 @@ void nabla_same_bits_lanes_and_threads(void **state)
                       && memcmp(one->t, c->t, n) == 0,
                   "%d lanes, %d threads: other bits", c->lists->lanes, threads);
             over_free(c);
+            over_free(one);
         }
     use_threads(2);
-    over_free(one);
 }
