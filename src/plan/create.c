@@ -172,10 +172,13 @@ static int make_contacts(struct plan *p)
 static int build(struct plan *p, struct scene *scene)
 {
     TRY(input_read(scene, p->engine, &p->in));
+    if (strcmp(p->in.set.precision, "single") == 0)
+        p->engine = engine_single(p->engine);
     TRY(check_something(p, scene));
     TRY(plan_scales_make(p, scene));
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
                      p->kernel));
+    TRY(kernels_laws(p->engine, p->kernel, p->law_kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
     TRY(plan_bodies_make(p));
     TRY(make_contacts(p));
@@ -214,6 +217,8 @@ static void destroy(struct plan **plan)
     input_free(&p->in);
     free(p->body);
     free(p->wall);
+    if (p->law_kernel[0] != p->kernel[0])
+        kernels_free(p->law_kernel);
     kernels_free(p->kernel);
     free(p->table.all);
     free(p);

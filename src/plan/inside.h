@@ -117,6 +117,7 @@ struct plan {
     struct scales scales;
     const struct engine *engine;
     struct kernel_use *kernel[PART_KERNELS]; /* one may serve several uses   */
+    struct kernel_use *law_kernel[PART_KERNELS]; /* those that sums of pairs take */
     int parts, slots;
     struct plan_part part[PLAN_PARTS];
     const struct plan_part *pressure;  /* NULL: none                          */

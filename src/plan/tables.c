@@ -24,7 +24,7 @@ static const unsigned *kinds_of(const struct plan_part *part)
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
                    int owner, int partner)
 {
-    const struct part_law *law = part->part->as.law;
+    const struct part_law *law = engine_law(p->engine, part->part);
     struct pairs_table *t = &table[owner * KINDS + partner];
 
     if (!(kinds_of(part)[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
@@ -34,7 +34,7 @@ static int add_law(struct plan *p, struct pairs_table *table, const struct plan_
     t->work[t->n++] = (struct pairs_work){
         .law = law->choose ? law->choose(part->self) : law->pairs,
         .self = part->self,
-        .kernel = p->kernel[law->kernel],
+        .kernel = p->law_kernel[law->kernel],
         .slot = part->slot,
         .needs = law->rows,
     };
