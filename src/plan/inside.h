@@ -110,6 +110,8 @@ struct plan_tables {
                                                    all laws are                    */
     struct pairs_table *without_pressure;
     bool mixed;                /* a law belongs to both halves             */
+    struct kernel_use *kernel[PART_KERNELS]; /* in the precision of pairs; or the plan's */
+    double mass;               /* of all particles [kg, 2D: kg/m]; 0: they differ */
 };
 
 struct plan {
@@ -117,7 +119,6 @@ struct plan {
     struct scales scales;
     const struct engine *engine;
     struct kernel_use *kernel[PART_KERNELS]; /* one may serve several uses   */
-    struct kernel_use *law_kernel[PART_KERNELS]; /* those that sums of pairs take */
     int parts, slots;
     struct plan_part part[PLAN_PARTS];
     const struct plan_part *pressure;  /* NULL: none                          */

@@ -65,9 +65,10 @@ const struct param settings_kernel_params[] = {
       .words = use_words, .about = "kernel of viscosities, if another than type" },
     { .key = "support", .unit = "spacings", AT(settings_kernel, support), .fallback = 3,
       .min = 1.2, .max = 10, .about = "radius H beyond which the kernel is zero" },
-    { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = 0.05, .min = 0.001,
+    { .key = "skin", .unit = "H", AT(settings_kernel, skin), .fallback = NAN, .min = 0.001,
       .max = 1,
-      .about = "Verlet margin of the pair list; changes speed, and only the last bits of results" },
+      .about = "Verlet margin of the pair list; changes speed, and only the last bits of results; "
+      "computed: 0.05, 0.1 with pairs in single precision" },
     { 0 },
 };
 

@@ -4,6 +4,7 @@
 #include "plan/sum-single.h"
 
 #include "base/status.h"
+#include "space/record.h"
 #include "space/single.h"
 
 #include <stdlib.h>
@@ -36,6 +37,18 @@ static void end_group(const struct sum_job *job, int g, const struct sum *part,
     finish_group(job, v.kind, v.first, owners, &a, part, book);
 }
 
+/* Asks for what the end of a group will read and write. */
+LANES_INLINE void expect(const struct sum_job *job, int g)
+{
+    const struct visit v = visit_group(job->list, g);
+    const double *r = job->record + (size_t)v.first * RECORD;
+    const int owners = visit_owners(&v);
+
+    for (int i = 0; i < owners * RECORD; i += 8)
+        __builtin_prefetch(r + i);
+    expect_rates(job, v.kind, v.first, owners);
+}
+
 static void sum_groups(const struct sum_pass *pass, int from, int to, struct block *b,
                        struct chunk_power *book)
 {
@@ -47,10 +60,8 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
     for (int g = from; g < to; g += 2) {
         const bool both = g + 1 < to;
 
-        for (int h = 0; h < 1 + both; h++) {
-            const struct visit v = visit_group(job->list, g + h);
-            expect_rates(job, v.kind, v.first, visit_owners(&v));
-        }
+        for (int h = 0; h < 1 + both; h++)
+            expect(job, g + h);
         single->groups(job, pass->record, g, both, sum);
         for (int h = 0; h < 1 + both; h++) {
             widen(job->slots, sum, h, part);
@@ -59,15 +70,17 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
     }
 }
 
-static int make_records(const struct list *list, struct sum_scratch *scratch)
+static int make_records(const struct list *list, double mass, struct sum_scratch *scratch)
 {
     enum { LINE = 64, SPARE = 1000 };
+
+    const size_t floats = (size_t)single_floats(mass);
 
     if (list->listed < scratch->places)
         return STATUS_DONE;
     free(scratch->record);
     scratch->places = list->listed + 1 + list->listed / 8 + SPARE;
-    scratch->record = aligned_alloc(LINE, ((size_t)scratch->places * SINGLE_RECORD
+    scratch->record = aligned_alloc(LINE, ((size_t)scratch->places * floats
                                            * sizeof *scratch->record / LINE + 1) * LINE);
     if (scratch->record)
         return STATUS_DONE;
@@ -78,8 +91,8 @@ static int make_records(const struct list *list, struct sum_scratch *scratch)
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 {
-    TRY(make_records(job->list, scratch));
-    single_pack(job->list, job->record, scratch->record);
+    TRY(make_records(job->list, job->mass, scratch));
+    single_pack(job->list, job->record, job->mass, scratch->record);
     return sum_pass_run(job, scratch, sum_groups);
 }
 

@@ -91,7 +91,7 @@ static int least(int a, int b)
 }
 
 /* The next rows of both halves, at most as many as there is room for. */
-static void fill(const struct walk *w, const float *record, real count,
+static void fill(const struct walk *w, const struct single_records *all,
                  struct single_places *from, int *rows, const struct single_side *own,
                  unsigned needs, struct block *b)
 {
@@ -107,7 +107,7 @@ static void fill(const struct walk *w, const float *record, real count,
                 from->step[h] = 0;
             }
         }
-        single_rows_fill(record, from, n, count, own, needs, b, b->n);
+        single_rows_fill(all, from, n, own, needs, b, b->n);
         b->n += n;
         for (int h = 0; h < 2; h++) {
             from->j[h] += from->step[h] * (size_t)n;
@@ -127,7 +127,7 @@ static void hand_over(int slots, const struct sum *part, float *sum)
 static void groups(const struct sum_job *job, const float *record, int g, bool both, float *sum)
 {
     const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
-    const real count = (real)single_count(job->list);
+    const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
     struct walk w = start(job->list, g, both);
     struct sum part[SUM_SLOTS];
     struct single_side own;
@@ -135,7 +135,7 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
     int j[LANES];
 
     owners(job->list, g, both, j);
-    single_rows_side(record, j, &own);
+    single_rows_side(&all, j, &own);
     memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
         const struct pairs_table *table = &tables[partner];
@@ -144,7 +144,7 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
         if (table->n == 0) /* the list also serves summed densities */
             continue;
         while (rows[0] > 0 || rows[1] > 0) {
-            fill(&w, record, count, &from, rows, &own, table->needs, &b);
+            fill(&w, &all, &from, rows, &own, table->needs, &b);
             table->laws(table, &own.a, &b, part);
         }
     }

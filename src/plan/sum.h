@@ -26,6 +26,7 @@ struct sum_rates {
 struct sum_job {
     const struct list *list;
     const double *record;              /* [listed+1][RECORD], 64-byte aligned */
+    double mass;                       /* of all particles [kg, 2D: kg/m], or 0 */
     const struct pairs_table *table;   /* [KINDS][KINDS] owner, partner       */
     int slots;                         /* columns of the book                 */
     double later;                      /* powers are those of velocities and

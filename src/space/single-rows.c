@@ -43,9 +43,9 @@ LANES_INLINE void turn(lanes a, lanes b, lanes c, lanes d, lanes *to)
 /* Eight numbers of two records. */
 LANES_INLINE lanes join(const float *a, const float *b)
 {
-    const __m512d low = _mm512_castpd256_pd512(_mm256_load_pd((const double *)a));
+    const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd((const double *)a));
 
-    return (lanes)_mm512_insertf64x4(low, _mm256_load_pd((const double *)b), 1);
+    return (lanes)_mm512_insertf64x4(low, _mm256_loadu_pd((const double *)b), 1);
 }
 
 /* The first eight numbers of each record, lane by lane. */
@@ -99,35 +99,57 @@ LANES_INLINE void fetch_eight(const float *const of[LANES], lanes *to)
 }
 #endif
 
-LANES_INLINE void whole(const float *const of[LANES], struct held *h)
+#if DIM == 2
+enum { SHORT = false };
+
+LANES_INLINE void whole(const float *const of[LANES], bool alike, real mass, struct held *h)
 {
     lanes n[8];
 
+    (void)alike;
+    (void)mass;
     fetch_eight(of, n);
-#if DIM == 2
     *h = (struct held){
         .x = { (lanes_mask)n[0], (lanes_mask)n[1] }, .v = { n[2], n[3] },
         .rho = n[4], .p2 = n[5], .m = n[6], .irho = n[7],
     };
+}
 #else
-    lanes rest[4];
+enum { SHORT = true }; /* records may be */
 
-    fetch_four(of, 8, rest);
+/* alike: masses are `mass`, a constant, so that what is not needed is not formed. */
+LANES_INLINE void whole(const float *const of[LANES], bool alike, real mass, struct held *h)
+{
+    lanes n[8], rest[4];
+
+    fetch_eight(of, n);
     *h = (struct held){
         .x = { (lanes_mask)n[0], (lanes_mask)n[1], (lanes_mask)n[2] },
-        .v = { n[4], n[5], n[6] }, .rho = n[3], .p2 = n[7], .m = rest[0], .irho = rest[1],
+        .v = { n[4], n[5], n[6] }, .rho = n[3], .p2 = n[7],
     };
-#endif
+    if (alike) {
+        h->m = lanes_where(n[3] > 0, lanes_all(mass));
+        h->irho = 1 / n[3];
+        return;
+    }
+    fetch_four(of, 8, rest);
+    h->m = rest[0];
+    h->irho = rest[1];
 }
+#endif
 
-void single_rows_side(const float *record, const int *j, struct single_side *own)
+void single_rows_side(const struct single_records *all, const int *j, struct single_side *own)
 {
+    const size_t floats = (size_t)single_floats((double)all->mass);
     const float *of[LANES];
     struct held h;
 
     for (int l = 0; l < LANES; l++)
-        of[l] = record + (size_t)(unsigned)j[l] * SINGLE_RECORD;
-    whole(of, &h);
+        of[l] = all->record + (size_t)(unsigned)j[l] * floats;
+    if (SHORT && all->mass > 0)
+        whole(of, true, all->mass, &h);
+    else
+        whole(of, false, 0, &h);
     own->a = (struct side){ .rho = h.rho, .p2 = h.p2, .m = h.m, .irho = h.irho };
     for (int d = 0; d < DIM; d++) {
         own->x[d] = h.x[d];
@@ -144,17 +166,18 @@ LANES_INLINE lanes dot(const lanes *a, const lanes *b)
     return sum;
 }
 
-/* Row k; `needs` is a constant, as in gather.c. */
-LANES_INLINE void fill_row(const float *const of[LANES], real count,
-                           const struct single_side *own, unsigned needs, struct block *b, int k)
+/* Row k; `needs` and `alike` are constants, as in gather.c. */
+LANES_INLINE void fill_row(const float *const of[LANES], const struct single_records *all,
+                           bool alike, const struct single_side *own, unsigned needs,
+                           struct block *b, int k)
 {
     const struct side *a = &own->a;
     struct held h;
     lanes x[DIM], v[DIM];
 
-    whole(of, &h);
+    whole(of, alike, all->mass, &h);
     for (int d = 0; d < DIM; d++) {
-        x[d] = count * __builtin_convertvector(own->x[d] - h.x[d], lanes);
+        x[d] = all->count * __builtin_convertvector(own->x[d] - h.x[d], lanes);
         v[d] = a->v[d] - h.v[d];
     }
     const lanes r2 = dot(x, x);
@@ -178,32 +201,42 @@ LANES_INLINE void fill_row(const float *const of[LANES], real count,
         b->m[k] = h.m;
 }
 
-LANES_INLINE void fill(const float *record, const struct single_places *from, int n, real count,
-                       const struct single_side *own, unsigned needs, struct block *b, int at)
+LANES_INLINE void fill(const struct single_records *all, bool alike,
+                       const struct single_places *from, int n, const struct single_side *own,
+                       unsigned needs, struct block *b, int at)
 {
+    const size_t floats = alike || DIM == 2 ? 8 : 12;
     const int *first = from->j[0], *second = from->j[1];
 
     for (int k = at; k < at + n; k++) {
         const float *of[LANES];
 
         for (int l = 0; l < SINGLE_HALF; l++) {
-            of[l] = record + (size_t)(unsigned)first[l] * SINGLE_RECORD;
-            of[SINGLE_HALF + l] = record + (size_t)(unsigned)second[l] * SINGLE_RECORD;
+            of[l] = all->record + (size_t)(unsigned)first[l] * floats;
+            of[SINGLE_HALF + l] = all->record + (size_t)(unsigned)second[l] * floats;
         }
-        fill_row(of, count, own, needs, b, k);
+        fill_row(of, all, alike, own, needs, b, k);
         first += from->step[0];
         second += from->step[1];
     }
 }
 
 /* Fewer kinds of rows than in double precision: a needless store costs less here. */
-void single_rows_fill(const float *record, const struct single_places *from, int n, real count,
+void single_rows_fill(const struct single_records *all, const struct single_places *from, int n,
                       const struct single_side *own, unsigned needs, struct block *b, int at)
 {
-    enum { USUAL = NEED_XV | NEED_RHO | NEED_IRHO, ALL = USUAL | NEED_V | NEED_MASS };
+    enum { PLAIN = NEED_XV | NEED_RHO, USUAL = PLAIN | NEED_IRHO,
+           ALL = USUAL | NEED_V | NEED_MASS };
+    const bool alike = SHORT && all->mass > 0;
 
-    if (needs & (NEED_MASS | NEED_V))
-        fill(record, from, n, count, own, ALL, b, at);
+    if (alike && !(needs & (NEED_MASS | NEED_V | NEED_IRHO)))
+        fill(all, SHORT, from, n, own, PLAIN, b, at);
+    else if (alike && !(needs & (NEED_MASS | NEED_V)))
+        fill(all, SHORT, from, n, own, USUAL, b, at);
+    else if (alike)
+        fill(all, SHORT, from, n, own, ALL, b, at);
+    else if (needs & (NEED_MASS | NEED_V))
+        fill(all, false, from, n, own, ALL, b, at);
     else
-        fill(record, from, n, count, own, USUAL, b, at);
+        fill(all, false, from, n, own, USUAL, b, at);
 }

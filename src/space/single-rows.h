@@ -20,14 +20,20 @@ struct single_places {
     size_t step[2];
 };
 
+/* Records of all, as single_pack() left them. */
+struct single_records {
+    const float *record;
+    real count;           /* the length of a count [m]                          */
+    real mass;            /* of all particles; 0: they differ                   */
+};
+
 /* Owners in places j[LANES]; the dummy stands where there is none. */
 #define single_rows_side LANE_NAME(single_rows_side)
-void single_rows_side(const float *record, const int *j, struct single_side *own);
+void single_rows_side(const struct single_records *of, const int *j, struct single_side *own);
 
-/* Fills rows at..at+n-1 of b with what `needs` (NEED_ bits) ask for, but for kernels;
- * count [m]. */
+/* Fills rows at..at+n-1 of b with what `needs` (NEED_ bits) ask for, but for kernels. */
 #define single_rows_fill LANE_NAME(single_rows_fill)
-void single_rows_fill(const float *record, const struct single_places *from, int n, real count,
+void single_rows_fill(const struct single_records *of, const struct single_places *from, int n,
                       const struct single_side *own, unsigned needs, struct block *b, int at);
 
 #endif

@@ -36,37 +36,51 @@ static inline float counts(double x, double per)
     return f;
 }
 
+#if DIM == 2
 static inline void pack_one(const double *r, double per, double far, float *to)
 {
-    const bool there = r[RECORD_X] < far;
-
-#if DIM == 2
     to[0] = counts(r[RECORD_X], per);
     to[1] = counts(r[RECORD_X + 1], per);
     for (int i = 2; i < RECORD_M; i++)
         to[i] = (float)r[i];
-    to[6] = there ? (float)r[RECORD_M] : 0;
+    to[6] = r[RECORD_X] < far ? (float)r[RECORD_M] : 0;
     to[7] = (float)r[RECORD_IRHO];
+}
 #else
+static inline void pack_short(const double *r, double per, double far, float *to)
+{
     to[0] = counts(r[RECORD_X], per);
     to[1] = counts(r[RECORD_X + 1], per);
     to[2] = counts(r[RECORD_Z], per);
-    for (int i = RECORD_RHO; i < RECORD_M; i++)
+    to[3] = (float)(r[RECORD_X] < far ? r[RECORD_RHO] : -r[RECORD_RHO]);
+    for (int i = RECORD_V; i < RECORD_M; i++)
         to[i] = (float)r[i];
-    to[8] = there ? (float)r[RECORD_M] : 0;
-    to[9] = (float)r[RECORD_IRHO];
-#endif
 }
 
-void single_pack(const struct list *list, const double *from, float *record)
+static inline void pack_one(const double *r, double per, double far, float *to)
+{
+    pack_short(r, per, far, to);
+    to[8] = r[RECORD_X] < far ? (float)r[RECORD_M] : 0;
+    to[9] = (float)r[RECORD_IRHO];
+}
+#endif
+
+void single_pack(const struct list *list, const double *from, double mass, float *record)
 {
     const int n = list->listed + 1;
+    const size_t floats = (size_t)single_floats(mass);
     const double per = 1 / single_count(list), far = edge(&list->def);
 
 #pragma omp parallel for schedule(static) if (n > 4 * CHUNK)
     for (int begin = 0; begin < n; begin += CHUNK) {
         const int end = begin + CHUNK < n ? begin + CHUNK : n;
+#if DIM == 3
+        for (int s = begin; s < end && floats == 8; s++)
+            pack_short(from + (size_t)s * RECORD, per, far, record + (size_t)s * 8);
+        if (floats == 8)
+            continue;
+#endif
         for (int s = begin; s < end; s++)
-            pack_one(from + (size_t)s * RECORD, per, far, record + (size_t)s * SINGLE_RECORD);
+            pack_one(from + (size_t)s * RECORD, per, far, record + (size_t)s * floats);
     }
 }
