@@ -170,20 +170,22 @@ static int make_contacts(struct plan *p)
 }
 
 /* With pairs of half the cost a list that lasts longer pays (doc/speed.md). */
-static void choose_precision(struct plan *p)
+static void choose_precision(struct plan *p, struct scene *scene)
 {
     const bool single = strcmp(p->in.set.precision, "single") == 0;
 
     if (single)
         p->engine = engine_single(p->engine);
-    if (isnan(p->in.kernel.skin))
+    if (isnan(p->in.kernel.skin)) {
         p->in.kernel.skin = single ? 0.1 : 0.05;
+        scene_computed(scene, "kernel", "skin", p->in.kernel.skin);
+    }
 }
 
 static int build(struct plan *p, struct scene *scene)
 {
     TRY(input_read(scene, p->engine, &p->in));
-    choose_precision(p);
+    choose_precision(p, scene);
     TRY(check_something(p, scene));
     TRY(plan_scales_make(p, scene));
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
