@@ -143,6 +143,7 @@ part_rows() {
             stress-viscosity.mu=1 particle-shifting={}; do
             row all "$scene" default "effects.$effect" until=0.02
         done
+        row few "$scene" default precision=single until=0.03
         row few "$scene" default walls=adami kernel.type=wendland-c4 until=0.01
         row few "$scene" default walls=contact kernel.type=wendland-c4 until=0.01
     done

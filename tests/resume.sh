@@ -106,6 +106,8 @@ again 'pressure ahead in 3D' "$deep" 0.02 eos.type=look-ahead walls=own-density
 again 'pressure ahead with a beam' "$flat" 0.02 eos.type=look-ahead walls=own-density
 again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tension=false \
     walls=own-density
+again 'pairs in single precision' "$flat" 0.02 precision=single
+again 'pairs in single precision, in 3D' "$deep" 0.02 precision=single
 again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------

@@ -51,6 +51,12 @@ for base in small-2d small-3d; do
 done
 [ -z "$(ls -A)" ] || complain "check writes something"
 
+bad_key 'a word that is no precision' 'precision="half"' precision double single
+
+bad small-2d 'masses too small for single precision' \
+    's/^until = /precision = "single"; particle_mass = 1e-16; until = /' \
+    bad.scene 1e-32 'precision = "double"'
+
 # unknown keys, level by level, with the nearest known one
 bad small-2d 'key at the top' 's/^until =/untl =/' bad.scene:6 untl until
 bad small-2d 'group at the top' 's/^effects =/efects =/' bad.scene:21 efects effects

@@ -168,6 +168,11 @@ bool plan_profiles(const struct plan *p)
     return false;
 }
 
+const char *plan_precision(const struct plan *p)
+{
+    return p->in.set.precision;
+}
+
 int plan_lanes(const struct plan *p)
 {
     return p->engine->lanes;

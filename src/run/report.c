@@ -41,6 +41,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     json_text(j, "table", r->table);
     json_text(j, "norm", s->norm);
     json_number(j, "tol", s->tol);
+    json_text(j, "precision", plan_precision(r->plan));
     json_integer(j, "threads", threads());
     json_number(j, "t_end", r->past.tally.t);
 }
