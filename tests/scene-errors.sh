@@ -129,13 +129,13 @@ bad small-3d 'dimension 3 on paper only' 's/^dimension = 3/dimension = 2/' bad.s
 bad small-2d 'overlapping fluids' 's/to = \[0.05, 0.06\]/to = [0.06, 0.06]/' fluid.left \
     fluid.right bad.scene:12 bad.scene:13
 bad small-2d 'fluid in a wall' \
-    's/tank = { type = "frame"; };/& sill = { type = "box"; from = [0.08, 0.0]; to = [0.12, 0.02]; };/' \
+    's/tank = { type = "frame"; };/& sill = { type = "box"; from = [0.06, 0.0]; to = [0.12, 0.06]; };/' \
     fluid.right wall.sill bad.scene:16 bad.scene:13
 bad small-2d 'fluid outside the domain' 's/to = \[0.1, 0.06\]/to = [0.1, 0.12]/' bad.scene:13 \
     fluid.right domain
 bad small-2d 'fluid that is a frame' 's/right = { type = "box"; .*dye/right = { type = "frame"; dye/' \
     bad.scene:13 fluid.right 'for walls'
-bad small-2d 'beam in the water' 's/at = \[0.14, 0.0\]/at = [0.08, 0.0]/' beam.plate fluid.right
+bad small-2d 'beam in a wall' 's/at = \[0.14, 0.0\]/at = [0.14, -0.01]/' beam.plate wall.tank
 bad small-2d 'empty fluid' 's/right = { type = "box"; from = \[0.05, 0.0\]; to = \[0.1, 0.06\]/right = { type = "disc"; centre = [0.0725, 0.05]; radius = 1e-3/' \
     bad.scene:13 fluid.right
 bad small-2d 'box inside out' 's/to = \[0.1, 0.06\]/to = [0.04, 0.06]/' bad.scene:13 fluid.right

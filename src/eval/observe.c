@@ -149,6 +149,17 @@ int observe_runaway(struct moment *m, double t, const double *y)
                             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
 }
 
+int observe_judge(const struct moment *m, int body, double t, const double *y, char *doubt,
+                  size_t room)
+{
+    const struct moment_body *b = &m->body[body];
+
+    doubt[0] = '\0';
+    if (!b->kind->watch || !b->kind->watch->judge)
+        return STATUS_DONE;
+    return b->kind->watch->judge(b->body, &m->layout, t, y, doubt, room);
+}
+
 void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)
 {
     struct view v;

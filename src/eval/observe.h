@@ -48,6 +48,13 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
  * times the sound speed. */
 int observe_runaway(struct moment *run, double t, const double *y);
 
+/* STATUS_FAILED when a body has met a wall or another body, with no contact between them. */
+int observe_meeting(struct moment *run, double t, const double *y);
+
+/* What body i makes of itself: judge() of bodies/bodies.h. */
+int observe_judge(const struct moment *run, int body, double t, const double *y, char *doubt,
+                  size_t room);
+
 int observe_escaped(struct moment *run, double t, const double *y); /* fluid outside the box */
 
 /* Fluid in solids, more than half a spacing deep: how many, and the first of them. */

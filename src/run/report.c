@@ -55,6 +55,7 @@ static void write_sizes(struct json *j, const struct run *r)
     json_integer(j, "wall", particles_count(all, KIND_WALL) + particles_count(all, KIND_WALL_SLIP));
     json_integer(j, "skin", particles_count(all, KIND_SKIN) + particles_count(all, KIND_SKIN_SLIP));
     json_end(j);
+    json_integer(j, "carved", run_carved(r, NULL));
     json_integer(j, "state_size", plan_size(r->plan));
 }
 
