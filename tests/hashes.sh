@@ -140,7 +140,7 @@ part_rows() {
         for norm in max p8 wrms; do row all "$scene" default norm=$norm until=0.03; done
         for tol in 1e-1 1e-3; do row all "$scene" default tol=$tol until=0.03; done
         for effect in artificial-stress.strength=0.2 laminar-viscosity.mu=1 \
-            stress-viscosity.mu=1 particle-shifting={}; do
+            stress-viscosity.mu=1 particle-shifting={} xsph={}; do
             row all "$scene" default "effects.$effect" until=0.02
         done
         row few "$scene" default precision=single until=0.03
