@@ -5,6 +5,22 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
+
+/* A run to go on with has its scene in its directory. */
+static int dimension_of_run(const struct cli *c, int *dimension)
+{
+    char scene[4200];
+    struct cli of = { .subject = scene };
+
+    if (snprintf(scene, sizeof scene, "%s/scene.used", c->subject) >= (int)sizeof scene)
+        return status_fail(STATUS_BAD_SCENE, "%.200s...: no run in there, this path is too long",
+                           c->subject);
+    if (access(scene, R_OK) != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s cannot be read)", c->subject,
+                           scene);
+    return cli_dimension(&of, dimension);
+}
 
 int main(int argc, char **argv)
 {
@@ -19,6 +35,8 @@ int main(int argc, char **argv)
         if (status == STATUS_DONE)
             status = cli_dimension(&c, &dimension);
     }
+    if (c.command == CLI_RESUME)
+        status = dimension_of_run(&c, &dimension);
     if (status == STATUS_DONE)
         status = cli_exec(dimension, argv);
     fprintf(stderr, "stiffwater: %s\n", status_message());

@@ -132,6 +132,16 @@ static int sweep(const struct cli *c)
     return sweep_scene(&order);
 }
 
+static int resume(const struct cli *c)
+{
+    const struct run_order order = {
+        .overrides = c->overrides, .override = c->override, .directory = c->subject,
+        .threads = c->threads, .quiet = c->quiet,
+    };
+
+    return run_resume(&order);
+}
+
 static int carry_out(const struct cli *c)
 {
     const struct run_order order = {
@@ -141,6 +151,7 @@ static int carry_out(const struct cli *c)
 
     switch (c->command) {
     case CLI_RUN: return run_scene(&order);
+    case CLI_RESUME: return resume(c);
     case CLI_CHECK: return run_check(&order);
     case CLI_PLOT: return plot(c->subject);
     case CLI_LIST: return list(c->subject);

@@ -82,8 +82,8 @@ expect 2
 says Usage
 expect 2 rnu "$scenes/small-2d.scene"
 says rnu run --help
-expect 2 resume small-2d
-says resume "no such command"
+expect 2 continue small-2d
+says continue "no such command"
 expect 2 list efects
 says efects effects
 for key in tol eos.gamma beam.plate.E effects.artificial-viscosity.alpha fluid.water.dye kernel.support; do

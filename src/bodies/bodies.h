@@ -114,6 +114,21 @@ struct body_coupled {
                    double support[DIM]);
 };
 
+/* What a run asks between its steps. */
+struct body_watch {
+    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
+    double (*event)(const struct body *b, double t);
+
+    /* Is its theory still good at y?  STATUS_FAILED, with advice: no run should go on from
+     * here; else `doubt` is what readers should hear, or "".  NULL: it is good for all y. */
+    int (*judge)(const struct body *b, const struct layout *l, double t, const double *y,
+                 char *doubt, size_t room);
+
+    /* Is point i of its skin beside a support, where it may turn into what holds the body?
+     * NULL: none is. */
+    bool (*held)(const struct body *b, int i);
+};
+
 /* What it is to a pressure that looks ahead by tau, (E3), which predicts a body as it does
  * the water: by one step of backward Euler,
  *   (M + tau D + tau^2 K) a = S^T force + loads - K (q + tau v) - D v              (E4)
@@ -163,9 +178,6 @@ struct body_kind {
                  const double *y, const double (*force)[DIM], double *ydot,
                  struct body_load *out);
 
-    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
-    double (*event)(const struct body *b, double t);
-
     /* The fastest rate of load(), which every method takes explicitly.  NULL: it never
      * limits a step. */
     void (*limit)(const struct body *b, struct limit *out);
@@ -182,6 +194,7 @@ struct body_kind {
 
     const struct body_implicit *implicit; /* NULL: it makes no plan stiff          */
     struct body_joint joint;
+    const struct body_watch *watch;       /* NULL: f never jumps, all is allowed   */
 };
 
 extern const struct body_kind *const bodies_table[]; /* NULL-ended */

@@ -13,6 +13,13 @@ static const struct argp_option run_options[] = {
     { 0 },
 };
 
+static const struct argp_option resume_options[] = {
+    { "until", 'u', "T", 0, "Time at which the run ends [s] (default: as it was to)", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "quiet", 'q', NULL, 0, "No progress line", 0 },
+    { 0 },
+};
+
 static const struct argp_option compare_options[] = {
     { "methods", 'M', "A,B@CFL,...", 0,
       "Methods, see `stiffwater list methods`; those with a fixed rule take a CFL number", 0 },
@@ -85,6 +92,13 @@ const struct commands_row commands_table[] = {
       "one.  Exit status: 0 done, 1 the run failed, 2 the scene or the command line is wrong, "
       "3 stopped by SIGINT, SIGTERM or SIGHUP (files are complete), 4 input or output failed.",
       run_options, true },
+    { "resume", CLI_RESUME, "DIR [until=T]",
+      "Goes on with a run that was interrupted, or makes one longer, from its last checkpoint.\v"
+      "There is one when the scene sets output.checkpoint (simulated time) or "
+      "output.checkpoint_minutes.  With the first, tables, fields and the last state are to the bit "
+      "those of a run that was never interrupted; rows later than the checkpoint are cut off and "
+      "written again.  A damaged checkpoint falls back to the one before.  Exit status: as of run.",
+      resume_options, true },
     { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
       "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "
       "Simulates nothing, writes nothing.", run_options, true },

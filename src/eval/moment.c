@@ -218,6 +218,25 @@ const struct moment_counts *moment_counts(const struct moment *m)
     return &m->counts;
 }
 
+int moment_keep(struct moment *m, struct archive *a)
+{
+    struct moment_counts *c = &m->counts;
+
+    TRY(archive_integers(a, "counts.rhs_explicit", &c->rhs_explicit, 1));
+    TRY(archive_integers(a, "counts.rhs_implicit", &c->rhs_implicit, 1));
+    TRY(archive_integers(a, "counts.passes", &c->passes, 1));
+    TRY(archive_integers(a, "counts.solves", &c->solves, 1));
+    TRY(archive_integers(a, "counts.products", &c->products, 1));
+    TRY(archive_integers(a, "counts.rebuilds", &c->rebuilds, 1));
+    TRY(archive_integers(a, "counts.refused", &c->refused, 1));
+    TRY(archive_integers(a, "counts.iterations", &c->iterations, 1));
+    TRY(archive_numbers(a, "counts.compression", &c->compression, 1));
+    TRY(archive_numbers(a, "counts.gain", &c->gain, 1));
+    if (archive_fills(a) && m->own)
+        m->own->builds = c->rebuilds;
+    return STATUS_DONE;
+}
+
 void moment_solve_tolerance(struct moment *m, double tol)
 {
     if (m->solver)

@@ -9,6 +9,7 @@
 #ifndef EVAL_MOMENT_H
 #define EVAL_MOMENT_H
 
+#include "base/archive.h"
 #include "plan/plan.h"
 
 struct moment;
@@ -124,6 +125,9 @@ struct moment_counts {
     double gain;          /* what an iteration corrects, of what it should        */
 };
 const struct moment_counts *moment_counts(const struct moment *moment);
+
+/* These counts, to a checkpoint and back. */
+int moment_keep(struct moment *moment, struct archive *a);
 
 /* Entries in the rows of its pair list; 0: it has none yet. */
 double moment_pairs(const struct moment *moment);

@@ -27,7 +27,8 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
 
 /* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it, but
  * where the pressure was solved for once a step: forces on objects, panels and bodies are then
- * those of the last step (given.h).  STATUS_FAILED when the right-hand side cannot answer. */
+ * those of the last step (given.h).  Before any look observe_body() knows where a body is, not
+ * the forces on it.  STATUS_FAILED when the right-hand side cannot answer. */
 int observe_forces(struct moment *run, double t, const double *y);
 const double *observe_force(const struct moment *run, int object); /* [DIM] [N] */
 /* The same of a panel; its moment [3] (2D: the last) and drag [N], NaN without `along`. */
@@ -46,6 +47,13 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
 /* STATUS_FAILED when no run should go on from here: fluid moves faster than eos.fastest
  * times the sound speed. */
 int observe_runaway(struct moment *run, double t, const double *y);
+
+/* STATUS_FAILED when a body has met a wall or another body, with no contact between them. */
+int observe_meeting(struct moment *run, double t, const double *y);
+
+/* What body i makes of itself: judge() of bodies/bodies.h. */
+int observe_judge(const struct moment *run, int body, double t, const double *y, char *doubt,
+                  size_t room);
 
 int observe_escaped(struct moment *run, double t, const double *y); /* fluid outside the box */
 

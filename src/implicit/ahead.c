@@ -76,14 +76,14 @@ static int fit_groups(struct ahead *a, const struct list *l)
 {
     const size_t want = (size_t)l->groups;
 
-    if (want <= a->groups)
+    if (want <= a->room.groups)
         return STATUS_DONE;
     free(a->kept.rows);
-    a->groups = 0;
+    a->room.groups = 0;
     a->kept.rows = status_alloc(want + want / 8, sizeof *a->kept.rows);
     if (!a->kept.rows)
         return STATUS_FAILED;
-    a->groups = want + want / 8;
+    a->room.groups = want + want / 8;
     return STATUS_DONE;
 }
 
@@ -91,16 +91,16 @@ static int fit_pairs(struct ahead *a, const struct list *l)
 {
     const size_t want = nabla_kept_pairs(l);
 
-    if (want <= a->pairs)
+    if (want <= a->room.pairs)
         return STATUS_DONE;
     free(a->kept.j);
     free(a->kept.slope);
-    a->pairs = 0;
+    a->room.pairs = 0;
     a->kept.j = status_alloc(want + want / 4, sizeof *a->kept.j);
     a->kept.slope = workspace_lines((want + want / 4) * DIM);
     if (!a->kept.j || !a->kept.slope)
         return STATUS_FAILED;
-    a->pairs = want + want / 4;
+    a->room.pairs = want + want / 4;
     return STATUS_DONE;
 }
 
@@ -111,16 +111,16 @@ static int fit(struct ahead *a, const struct list *l)
 
     TRY(fit_groups(a, l));
     TRY(fit_pairs(a, l));
-    if (want <= a->places)
+    if (want <= a->room.places)
         return STATUS_DONE;
     free(a->scalar);
     free(a->vector);
-    a->places = 0;
+    a->room.places = 0;
     a->scalar = workspace_lines(want + want / 8);
     a->vector = workspace_lines((want + want / 8) * NABLA_STRIDE);
     if (!a->scalar || !a->vector)
         return STATUS_FAILED;
-    a->places = want + want / 8;
+    a->room.places = want + want / 8;
     return STATUS_DONE;
 }
 

@@ -26,7 +26,9 @@ struct ahead {
     struct nabla_kept kept;    /* weights of the pairs at the positions of a solve  */
     unsigned meets[KINDS], kinds, moving;
     int n, listed;             /* all particles; those in the list, without images */
-    size_t places, pairs, groups;           /* there is room for             */
+    struct {
+        size_t places, pairs, groups;       /* there is room for             */
+    } room;
     double tau, residual_share;
     double *P, *residual, *b, *term;        /* [n]                            */
     double *still, *diagonal;               /* [n] E, that of the system      */

@@ -61,12 +61,12 @@ static void forget(struct running *r)
     r->from = 0;
 }
 
-static int make_room(struct running *r)
+static int make_room(struct running *r, long n)
 {
-    const long room = 2 * r->room + 64;
+    const long room = 2 * n + 64;
     double *t, *value;
 
-    if (r->n < r->room)
+    if (n <= r->room)
         return STATUS_DONE;
     if ((t = realloc(r->t, (size_t)room * sizeof *t)))
         r->t = t;
@@ -79,10 +79,27 @@ static int make_room(struct running *r)
     return STATUS_DONE;
 }
 
+int running_keep(struct running *r, struct archive *a)
+{
+    long n;
+
+    if (!r)
+        return STATUS_DONE;
+    n = r->n - r->from;
+    TRY(archive_integers(a, "means", &n, 1));
+    if (archive_fills(a)) {
+        TRY(make_room(r, n));
+        r->from = 0;
+        r->n = n;
+    }
+    TRY(archive_numbers(a, "means.t", r->t + r->from, n));
+    return archive_numbers(a, "means.value", r->value + r->from * r->columns, n * r->columns);
+}
+
 int running_add(struct running *r, double t, const double *value)
 {
     forget(r);
-    TRY(make_room(r));
+    TRY(make_room(r, r->n + 1));
     r->t[r->n] = t;
     memcpy(r->value + r->n * r->columns, value, (size_t)r->columns * sizeof *value);
     r->n++;

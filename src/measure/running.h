@@ -10,11 +10,16 @@
 #ifndef MEASURE_RUNNING_H
 #define MEASURE_RUNNING_H
 
+#include "base/archive.h"
+
 struct running;
 
 /* Columns of readings, each with its window [columns] [s], above 0. */
 int running_create(int columns, const double *window, struct running **out);
 void running_free(struct running **running); /* NULL is welcome */
+
+/* All readings that are kept.  NULL is welcome and keeps nothing. */
+int running_keep(struct running *running, struct archive *a);
 
 /* The readings [columns] of the time t, which is later than any before. */
 int running_add(struct running *r, double t, const double *value);

@@ -3,8 +3,10 @@
 
 #include "base/status.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 int aside_join(char *to, const char *dir, const char *name)
 {
@@ -73,4 +75,42 @@ int aside_close(struct aside *a)
     remove(a->temporary);
     return status_fail(STATUS_IO, "%s: cannot be written: %s", a->path,
                        strerror(error ? error : EIO));
+}
+
+/* Names are on the disk, too. */
+static void sync_directory(const char *path)
+{
+    char directory[ASIDE_PATH];
+    const char *slash = strrchr(path, '/');
+    int file;
+
+    snprintf(directory, sizeof directory, "%.*s", slash ? (int)(slash - path) : 1,
+             slash ? path : ".");
+    file = open(*directory ? directory : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file >= 0) {
+        fsync(file);
+        close(file);
+    }
+}
+
+int aside_close_safely(struct aside *a, const char *before)
+{
+    char path[ASIDE_PATH];
+
+    memcpy(path, a->path, sizeof path);
+    if (fflush(a->to) != 0 || ferror(a->to) || fsync(fileno(a->to)) != 0) {
+        const int error = errno;
+        aside_drop(a);
+        return status_fail(STATUS_IO, "%s: cannot be written: %s", path,
+                           strerror(error ? error : EIO));
+    }
+    if (rename(path, before) != 0 && errno != ENOENT) {
+        const int error = errno;
+        aside_drop(a);
+        return status_fail(STATUS_IO, "%s: cannot be kept as %s: %s", path, before,
+                           strerror(error));
+    }
+    TRY(aside_close(a));
+    sync_directory(path);
+    return STATUS_DONE;
 }

@@ -19,6 +19,10 @@ int aside_open(struct aside *a, const char *path);
  * away instead, the old file stays, and STATUS_IO comes back. */
 int aside_close(struct aside *a);
 
+/* The same for a file that has to outlive a loss of power: it is on the disk before it takes
+ * the place of the old one, which stays beside it as `before` (in the same directory). */
+int aside_close_safely(struct aside *a, const char *before);
+
 /* Takes what was written away; the old file stays. */
 void aside_drop(struct aside *a);
 

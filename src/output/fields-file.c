@@ -6,7 +6,7 @@
 
 #include "base/status.h"
 #include "output/aside.h"
-#include <hdf5.h>
+#include "output/image.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,8 @@ static int write_array(hid_t group, const struct array *a)
     const hsize_t size[2] = { a->rows, a->columns };
     const hid_t space = H5Screate_simple(a->columns > 0 ? 2 : 1, size, NULL);
     const hid_t making = H5Pcreate(H5P_DATASET_CREATE);
-    const int fine = pack(making, a) && write_data(group, a, space, making);
+    const int fine = H5Pset_obj_track_times(making, 0) >= 0 /* same numbers, same bytes */
+                     && pack(making, a) && write_data(group, a, space, making);
 
     H5Pclose(making);
     H5Sclose(space);
@@ -173,37 +174,11 @@ static int write_groups(hid_t file, const struct cloud_frame *c, const struct wo
            && write_group(file, "VTKHDF/PointData", values, c->t);
 }
 
-/* The file as bytes, NULL when HDF5 could not make it; free() it. */
-static void *take_image(hid_t file, size_t *size)
-{
-    const ssize_t wanted = H5Fget_file_image(file, NULL, 0);
-    void *image = wanted > 0 ? status_alloc((unsigned long)wanted, 1) : NULL;
-
-    if (image && H5Fget_file_image(file, image, (size_t)wanted) != wanted) {
-        free(image);
-        return NULL;
-    }
-    *size = (size_t)wanted;
-    return image;
-}
-
-/* HDF5 only ever writes to memory here: after a write that failed it can neither
- * close its file nor end the program in peace (1.10: a crash at exit). */
 static void *make_image(const struct cloud_frame *c, const struct work *w, size_t *size)
 {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    void *image = NULL;
-    hid_t file;
+    const hid_t file = image_open();
 
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    H5Pset_fapl_core(access, (size_t)1 << 22, 0);
-    file = H5Fcreate("fields", H5F_ACC_TRUNC, H5P_DEFAULT, access);
-    if (is_fine(file) && write_groups(file, c, w) && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0)
-        image = take_image(file, size);
-    if (is_fine(file))
-        H5Fclose(file);
-    H5Pclose(access);
-    return image;
+    return image_close(file, is_fine(file) && write_groups(file, c, w), size);
 }
 
 static int write_image(const char *path, const void *image, size_t size)

@@ -8,15 +8,11 @@
 #include "output/fields-file.h"
 #include <stdlib.h>
 
-struct moment {
-    double t;
-    int n;
-};
-
 struct fields {
     char folder[ASIDE_PATH], index[ASIDE_PATH];
     int moments, room;
-    struct moment *moment;
+    double *t;  /* [room] [s]        */
+    long *n;    /* [room] particles  */
 };
 
 /* One array: TYPE is Scalar or Vector, PLACE its path below /VTKHDF. */
@@ -41,7 +37,7 @@ static void attribute(FILE *to, int number, int rows, int columns, const char *t
     fputs("\n        </Attribute>\n", to);
 }
 
-static void grid(FILE *to, int number, const struct moment *m)
+static void grid(FILE *to, int number, double t, int n)
 {
     static const char real[] = "NumberType=\"Float\" Precision=\"8\"";
     static const char byte[] = "NumberType=\"UChar\" Precision=\"1\"";
@@ -52,17 +48,17 @@ static void grid(FILE *to, int number, const struct moment *m)
             "        <Time Value=\"%.17g\"/>\n"
             "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%d\""
             " NodesPerElement=\"1\">\n          ",
-            m->t, m->n);
-    item(to, number, m->n, 1, "NumberType=\"Int\" Precision=\"8\"", "Connectivity");
+            t, n);
+    item(to, number, n, 1, "NumberType=\"Int\" Precision=\"8\"", "Connectivity");
     fputs("\n        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          ", to);
-    item(to, number, m->n, 3, real, "Points");
+    item(to, number, n, 3, real, "Points");
     fputs("\n        </Geometry>\n", to);
-    attribute(to, number, m->n, 3, real, "velocity");
-    attribute(to, number, m->n, 1, real, "density");
-    attribute(to, number, m->n, 1, real, "pressure");
-    attribute(to, number, m->n, 1, byte, "dye");
-    attribute(to, number, m->n, 1, byte, "kind");
-    attribute(to, number, m->n, 1, whole, "id");
+    attribute(to, number, n, 3, real, "velocity");
+    attribute(to, number, n, 1, real, "density");
+    attribute(to, number, n, 1, real, "pressure");
+    attribute(to, number, n, 1, byte, "dye");
+    attribute(to, number, n, 1, byte, "kind");
+    attribute(to, number, n, 1, whole, "id");
     fputs("      </Grid>\n", to);
 }
 
@@ -76,20 +72,21 @@ static int write_index(const struct fields *f)
           "    <Grid Name=\"moments\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
           a.to);
     for (int i = 0; i < f->moments; i++)
-        grid(a.to, i, f->moment + i);
+        grid(a.to, i, f->t[i], (int)f->n[i]);
     fputs("    </Grid>\n  </Domain>\n</Xdmf>\n", a.to);
     return aside_close(&a);
 }
 
-static int start(struct fields *f, const char *dir)
+static int start(struct fields *f, const char *dir, bool again)
 {
     TRY(aside_join(f->folder, dir, "fields"));
     TRY(aside_join(f->index, dir, "fields.xdmf"));
-    remove(f->index); /* of an earlier run */
+    if (!again)
+        remove(f->index); /* of an earlier run */
     return aside_directory(f->folder);
 }
 
-int fields_open(struct fields **out, const char *dir)
+int fields_open(struct fields **out, const char *dir, bool again)
 {
     struct fields *f = status_alloc(1, sizeof *f);
     int code;
@@ -97,24 +94,49 @@ int fields_open(struct fields **out, const char *dir)
     *out = f;
     if (!f)
         return STATUS_FAILED;
-    code = start(f, dir);
+    code = start(f, dir, again);
     if (code != STATUS_DONE)
         fields_close(out);
     return code;
 }
 
+static int make_room(struct fields *f, int moments)
+{
+    const int room = 2 * moments + 64;
+    double *t;
+    long *n;
+
+    if (moments <= f->room)
+        return STATUS_DONE;
+    if ((t = realloc(f->t, (size_t)room * sizeof *t)))
+        f->t = t;
+    if ((n = realloc(f->n, (size_t)room * sizeof *n)))
+        f->n = n;
+    if (!t || !n)
+        return status_fail(STATUS_FAILED, "out of memory for the index of the fields");
+    f->room = room;
+    return STATUS_DONE;
+}
+
 static int remember(struct fields *f, const struct cloud_frame *frame)
 {
-    if (f->moments == f->room) {
-        const int room = 2 * f->room + 64;
-        struct moment *more = realloc(f->moment, (size_t)room * sizeof *more);
-        if (!more)
-            return status_fail(STATUS_FAILED, "out of memory for the index of the fields");
-        f->moment = more;
-        f->room = room;
-    }
-    f->moment[f->moments++] = (struct moment){ frame->t, frame->n };
+    TRY(make_room(f, f->moments + 1));
+    f->t[f->moments] = frame->t;
+    f->n[f->moments++] = frame->n;
     return STATUS_DONE;
+}
+
+int fields_keep(struct fields *f, struct archive *a)
+{
+    if (!f)
+        return STATUS_DONE;
+    TRY(archive_integer(a, "fields", &f->moments));
+    TRY(make_room(f, f->moments));
+    TRY(archive_numbers(a, "fields.t", f->t, f->moments));
+    TRY(archive_integers(a, "fields.particles", f->n, f->moments));
+    if (!archive_fills(a) || archive_tries(a) || f->moments == 0)
+        return STATUS_DONE;
+    return write_index(f);
 }
 
 int fields_write(struct fields *f, const struct cloud_frame *frame)
@@ -132,7 +154,8 @@ void fields_close(struct fields **fields)
 {
     if (!*fields)
         return;
-    free((*fields)->moment);
+    free((*fields)->t);
+    free((*fields)->n);
     free(*fields);
     *fields = NULL;
 }

@@ -14,12 +14,17 @@
 #ifndef OUTPUT_FIELDS_H
 #define OUTPUT_FIELDS_H
 
+#include "base/archive.h"
 #include "output/cloud.h"
 
 struct fields;
 
-/* Makes DIR/fields; takes away the index of an earlier run. */
-int fields_open(struct fields **out, const char *dir);
+/* Makes DIR/fields; takes away the index of an earlier run.  again: goes on with the files
+ * that are there, after fields_keep(). */
+int fields_open(struct fields **out, const char *dir, bool again);
+
+/* Which moments there are; loading cuts the index back to them.  NULL is welcome. */
+int fields_keep(struct fields *f, struct archive *a);
 
 /* Adds a moment; times must grow. In 2D z and the third velocity are 0. */
 int fields_write(struct fields *f, const struct cloud_frame *frame);

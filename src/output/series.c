@@ -150,24 +150,72 @@ static int head(struct series *s, const char *const *name, const char *const *un
     return series_flush(s);
 }
 
-int series_open(struct series **out, const char *path, int columns, const char *const *name,
-                const char *const *unit)
+static int open_file(struct series **out, const char *path, int columns, int flags)
 {
-    struct series *s = status_alloc(1, sizeof *s);
-    int code;
+    struct series *s = *out = status_alloc(1, sizeof *s);
 
     if (!s)
         return STATUS_FAILED;
     s->columns = columns;
     snprintf(s->path, sizeof s->path, "%s", path);
-    s->file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-    code = s->file < 0 ? trouble(s) : head(s, name, unit);
-    if (code != STATUS_DONE) {
-        s->used = 0;
-        series_close(&s);
+    s->file = open(path, O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666);
+    return s->file < 0 ? trouble(s) : STATUS_DONE;
+}
+
+int series_open(struct series **out, const char *path, int columns, const char *const *name,
+                const char *const *unit)
+{
+    int code = open_file(out, path, columns, O_CREAT | O_TRUNC);
+
+    if (code == STATUS_DONE)
+        code = head(*out, name, unit);
+    if (code != STATUS_DONE && *out) {
+        (*out)->used = 0;
+        series_close(out);
     }
-    *out = s;
     return code;
+}
+
+int series_open_again(struct series **out, const char *path, int columns)
+{
+    const int code = open_file(out, path, columns, 0);
+
+    if (code != STATUS_DONE)
+        series_close(out);
+    return code;
+}
+
+static int save(struct series *s)
+{
+    TRY(series_flush(s));
+    if (fsync(s->file) != 0 && errno != EINVAL) /* EINVAL: no regular file */
+        return trouble(s);
+    return STATUS_DONE;
+}
+
+static int cut(struct series *s, bool tries)
+{
+    const off_t there = lseek(s->file, 0, SEEK_END);
+
+    if (there < s->whole)
+        return status_fail(STATUS_IO, "%s: has %lld bytes, but had %lld at the checkpoint; it was "
+                           "changed since: put it back as it was, or run the scene anew", s->path,
+                           (long long)there, (long long)s->whole);
+    return tries || ftruncate(s->file, s->whole) == 0 ? STATUS_DONE : trouble(s);
+}
+
+int series_keep(struct series *s, struct archive *a, const char *name)
+{
+    long whole;
+
+    if (!s)
+        return STATUS_DONE;
+    if (!archive_fills(a))
+        TRY(save(s));
+    whole = (long)s->whole;
+    TRY(archive_integers(a, name, &whole, 1));
+    s->whole = (off_t)whole;
+    return archive_fills(a) ? cut(s, archive_tries(a)) : STATUS_DONE;
 }
 
 int series_close(struct series **series)

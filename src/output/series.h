@@ -11,12 +11,23 @@
 #ifndef OUTPUT_SERIES_H
 #define OUTPUT_SERIES_H
 
+#include "base/archive.h"
+
 struct series;
 
 /* Makes the file; name and unit [columns] are only read here ("" or "1" for a
  * column without unit). */
 int series_open(struct series **out, const char *path, int columns, const char *const *name,
                 const char *const *unit);
+
+/* Opens a file that is there to add rows behind those that series_keep() leaves: to be called
+ * before the first one. */
+int series_open_again(struct series **out, const char *path, int columns);
+
+/* The length of the file as an archive's entry `name`.  Saving: its rows are on the disk.
+ * Loading: what came later is cut off; STATUS_IO when the file has become shorter.  NULL is
+ * welcome and keeps nothing. */
+int series_keep(struct series *s, struct archive *a, const char *name);
 
 /* Adds a row of value [columns]. */
 int series_row(struct series *s, const double *value);

@@ -12,7 +12,7 @@ struct snapshot {
     struct series *index;
 };
 
-static int start(struct snapshot *s, const char *dir)
+static int start(struct snapshot *s, const char *dir, bool again)
 {
     char path[ASIDE_PATH];
 
@@ -20,11 +20,13 @@ static int start(struct snapshot *s, const char *dir)
     TRY(aside_directory(path));
     TRY(aside_join(s->dir, dir, "."));
     TRY(aside_join(path, dir, "snapshots.csv"));
+    if (again)
+        return series_open_again(&s->index, path, 2);
     return series_open(&s->index, path, 2, (const char *[]){ "t", "file" },
                        (const char *[]){ "s", "" });
 }
 
-int snapshot_open(struct snapshot **out, const char *dir)
+int snapshot_open(struct snapshot **out, const char *dir, bool again)
 {
     struct snapshot *s = status_alloc(1, sizeof *s);
     int code;
@@ -32,10 +34,18 @@ int snapshot_open(struct snapshot **out, const char *dir)
     *out = s;
     if (!s)
         return STATUS_FAILED;
-    code = start(s, dir);
+    code = start(s, dir, again);
     if (code != STATUS_DONE)
         snapshot_close(out);
     return code;
+}
+
+int snapshot_keep(struct snapshot *s, struct archive *a)
+{
+    if (!s)
+        return STATUS_DONE;
+    TRY(archive_integer(a, "snapshots", &s->written));
+    return series_keep(s->index, a, "snapshots.csv");
 }
 
 static void row(FILE *to, const struct cloud_frame *c, int i)

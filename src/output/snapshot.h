@@ -6,11 +6,14 @@
 #ifndef OUTPUT_SNAPSHOT_H
 #define OUTPUT_SNAPSHOT_H
 
+#include "base/archive.h"
 #include "output/cloud.h"
 
 struct snapshot;
 
-int snapshot_open(struct snapshot **out, const char *dir);
+/* again: goes on with the files that are there, after snapshot_keep(). */
+int snapshot_open(struct snapshot **out, const char *dir, bool again);
+int snapshot_keep(struct snapshot *s, struct archive *a); /* NULL is welcome */
 int snapshot_write(struct snapshot *s, const struct cloud_frame *frame);
 int snapshot_close(struct snapshot **snapshot); /* NULL is welcome */
 

@@ -19,6 +19,7 @@ struct settings {
     const char *norm;   /* one of vector_norm_words                            */
     double substep;     /* largest one of bodies in staggered and mri [s]     */
     const char *walls;  /* wall model                                         */
+    const char *precision; /* of pairs: "double" or "single"                 */
 };
 
 struct settings_kernel {
@@ -61,6 +62,8 @@ struct settings_output {
     double interval;  /* between rows of the CSV files [s]          */
     double fields;    /* between output fields [s]                  */
     double profiles;  /* between profiles of probes [s]             */
+    double checkpoint;         /* between checkpoints [s], 0: none     */
+    double checkpoint_minutes; /* the same by the clock [min]          */
     int snapshots;    /* pictures of the particles, start and end included */
 };
 

@@ -40,7 +40,8 @@ int columns_open(const struct columns *c, struct series **out, const char *dir, 
         unit[i] = c->unit[i];
     }
     TRY(aside_join(path, dir, file));
-    return series_open(out, path, c->n, name, unit);
+    return c->again ? series_open_again(out, path, c->n)
+                    : series_open(out, path, c->n, name, unit);
 }
 
 int columns_none(const char *dir, const char *file)

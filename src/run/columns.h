@@ -8,6 +8,7 @@
 enum { COLUMNS_MOST = 4096, COLUMNS_NAME = 80 };
 
 struct columns {
+    bool again; /* files are there: rows go on behind those that series_keep() leaves */
     int n; /* asked for; columns_open() refuses more than there is room for */
     char name[COLUMNS_MOST][COLUMNS_NAME], unit[COLUMNS_MOST][16];
 };
@@ -19,7 +20,7 @@ void columns_start(struct columns *c);
 void columns_add(struct columns *c, const char *unit, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Makes DIR/FILE with its header lines; a table of t alone is none. */
+/* Makes DIR/FILE with its header lines, or opens it again; a table of t alone is none. */
 int columns_open(const struct columns *c, struct series **out, const char *dir, const char *file);
 
 /* Closes what columns_open() opened; *status becomes the first error. */

@@ -8,10 +8,12 @@
 #include "run/run.h"
 #include "time/method.h"
 
+#include <stdio.h>
+
 enum { RUN_PATH = 3900 };
 
 struct run {
-    char directory[RUN_PATH];
+    char directory[RUN_PATH], path[RUN_PATH]; /* path: of the scene that it began with */
     struct scene *scene;
     const struct plan *plan;
     struct moment *moment;
@@ -25,6 +27,8 @@ struct run {
     double clock_start;      /* [s]                                           */
     double cpu_start;        /* [s], spent by then: libraries take some       */
     double clock_stop;       /* when a signal was noticed, 0: none [s]        */
+    double clock_kept;       /* of the last checkpoint, or the start [s]      */
+    long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
 };
 
@@ -32,8 +36,16 @@ struct run {
 int run_prepare(struct run *r, const struct run_order *order);
 void run_release(struct run *r);
 
-/* run.json; status as in base/status.h. */
+/* run.json; status as in base/status.h, or RUN_GOES. */
+enum { RUN_GOES = -1 };
 int run_report(const struct run *r, int status, const char *message, const double *y);
+
+/* The message [RUN_MESSAGE] of a run that ended early; for one that failed, with the cause. */
+enum { RUN_MESSAGE = 3072 };
+void run_explain(const struct run *r, int status, char *message);
+
+/* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
+int run_carry_out(const struct run_order *order, struct archive *from);
 
 int run_constants(const struct run *r); /* for plots, see output/figures.h    */
 
@@ -41,6 +53,9 @@ int run_constants(const struct run *r); /* for plots, see output/figures.h    */
  * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);
 int run_doubt_end(const struct run *r);
+
+/* Sites that fluids left to solids; writes a line for each such fluid, NULL: nowhere. */
+int run_carved(const struct run *r, FILE *to);
 
 double run_clock(void);     /* [s] wall                                       */
 double run_cpu(void);       /* [s] user and system, this process              */

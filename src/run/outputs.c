@@ -7,6 +7,7 @@
 #include "output/fields.h"
 #include "output/snapshot.h"
 #include "run/columns.h"
+#include "run/saved.h"
 #include "run/tables.h"
 #include "state/period.h"
 
@@ -28,7 +29,7 @@ struct outputs {
     unsigned char *kind;
 };
 
-static int open_particles(struct outputs *o, const struct plan *plan, const char *dir)
+static int open_particles(struct outputs *o, const struct plan *plan, const char *dir, bool again)
 {
     const struct particles *all = plan_particles(plan);
     const int n = all->n;
@@ -44,8 +45,8 @@ static int open_particles(struct outputs *o, const struct plan *plan, const char
         return STATUS_FAILED;
     for (int k = 0; k < KINDS; k++)
         memset(o->kind + all->from[k], k, particles_count(all, k));
-    TRY(fields_open(&o->fields, dir));
-    return snapshot_open(&o->snapshot, dir);
+    TRY(fields_open(&o->fields, dir, again));
+    return snapshot_open(&o->snapshot, dir, again);
 }
 
 /* Two runs in one directory would mix their rows.  A file system that knows no
@@ -61,23 +62,33 @@ static int lock_directory(struct outputs *o, const char *dir)
 }
 
 static int open_all(struct outputs *o, const struct plan *plan, const char *dir,
-                    struct running **means)
+                    struct running **means, bool again)
 {
     TRY(lock_directory(o, dir));
-    TRY(columns_none(dir, "run.json")); /* it is to say how this run ended */
-    TRY(tables_open(&o->tables, plan, dir, means));
-    return open_particles(o, plan, dir);
+    if (!again) {
+        TRY(saved_refuse(dir));
+        TRY(columns_none(dir, "run.json")); /* it is to say how this run goes */
+    }
+    TRY(tables_open(&o->tables, plan, dir, means, again));
+    return open_particles(o, plan, dir, again);
 }
 
 int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_past *past)
+                 struct run_past *past, bool again)
 {
     *out = status_alloc(1, sizeof **out);
     if (!*out)
         return STATUS_FAILED;
     (*out)->lock = -1;
     (*out)->balance = &past->balance;
-    return open_all(*out, plan, dir, &past->means);
+    return open_all(*out, plan, dir, &past->means, again);
+}
+
+int outputs_keep(struct outputs *o, struct archive *a)
+{
+    TRY(tables_keep(o->tables, a));
+    TRY(fields_keep(o->fields, a));
+    return snapshot_keep(o->snapshot, a);
 }
 
 /* Energy of a row that the book explains [J]: that above all fluid in the lowest
@@ -130,6 +141,11 @@ int outputs_step(struct outputs *o, struct moment *moment, const struct method_s
 {
     TRY(tables_step(o->tables, step));
     return tables_readings(o->tables, moment, step->t, y);
+}
+
+int outputs_checkpoint(struct outputs *o, double t, const char *because)
+{
+    return tables_checkpoint(o->tables, t, because);
 }
 
 int outputs_profile(struct outputs *o, struct moment *moment, double t, const double *y)

@@ -8,9 +8,13 @@
 struct outputs;
 
 /* Makes DIR (and its files with their header lines).  What rows show, and readings of
- * probes that have running means, are kept in *past. */
+ * probes that have running means, are kept in *past.  again: goes on with the files that are
+ * there, after outputs_keep(). */
 int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_past *past);
+                 struct run_past *past, bool again);
+
+/* What there is of files; loading cuts them back to it. */
+int outputs_keep(struct outputs *o, struct archive *a);
 
 /* The state at which a run begins; before any row. */
 int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y);
@@ -21,6 +25,9 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
 /* A row in steps.csv; y [size] is the state after the step. */
 int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,
                  const double *y);
+
+/* A row in checkpoints.csv, because of simulated "time" or of the "clock". */
+int outputs_checkpoint(struct outputs *o, double t, const char *because);
 
 /* Each point of the probes that have a profile. */
 int outputs_profile(struct outputs *o, struct moment *moment, double t, const double *y);

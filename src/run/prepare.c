@@ -105,6 +105,7 @@ int run_prepare(struct run *r, const struct run_order *order)
 #endif
     TRY(choose_directory(r, order));
     TRY(scene_read(order->scene, &r->scene));
+    snprintf(r->path, sizeof r->path, "%s", scene_path(r->scene));
     for (int i = 0; i < order->overrides; i++)
         TRY(scene_override(r->scene, order->override[i]));
     TRY(plan_create(r->scene, &r->plan));
@@ -112,6 +113,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     TRY(find_method(r));
     compute_defaults(r);
     r->past.tally.density[0] = HUGE_VAL;
+    r->clock_kept = r->clock_start;
     r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
     return r->y ? STATUS_DONE : STATUS_FAILED;
 }
@@ -127,4 +129,20 @@ void run_release(struct run *r)
     scene_free(&r->scene);
     free(r->y);
     r->y = NULL;
+}
+
+int run_carved(const struct run *r, FILE *to)
+{
+    const struct particles *all = plan_particles(r->plan);
+    int sum = 0;
+
+    for (int i = 0; i < all->objects; i++) {
+        const struct object *o = &all->object[i];
+        sum += o->carved;
+        if (o->carved > 0 && to)
+            fprintf(to, "fluid.%s makes room: %d of its %d sites are left to solids, most of them "
+                    "to %s.%s\n", o->name, o->carved, o->carved + o->n,
+                    plan_object_group(r->plan, o->carver), all->object[o->carver].name);
+    }
+    return sum;
 }

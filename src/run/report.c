@@ -32,15 +32,16 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     static const char *const words[] = { "done", "failed", "failed", "stopped", "failed" };
     const struct settings *s = plan_settings(r->plan);
 
-    json_text(j, "status", words[status]);
+    json_text(j, "status", status == RUN_GOES ? "running" : words[status]);
     json_text(j, "message", message);
-    json_text(j, "scene", scene_path(r->scene));
+    json_text(j, "scene", r->path);
     json_text(j, "version", PACKAGE_VERSION);
     json_integer(j, "dimension", DIM);
     json_text(j, "method", r->method->name);
     json_text(j, "table", r->table);
     json_text(j, "norm", s->norm);
     json_number(j, "tol", s->tol);
+    json_text(j, "precision", plan_precision(r->plan));
     json_integer(j, "threads", threads());
     json_number(j, "t_end", r->past.tally.t);
 }
@@ -54,6 +55,7 @@ static void write_sizes(struct json *j, const struct run *r)
     json_integer(j, "wall", particles_count(all, KIND_WALL) + particles_count(all, KIND_WALL_SLIP));
     json_integer(j, "skin", particles_count(all, KIND_SKIN) + particles_count(all, KIND_SKIN_SLIP));
     json_end(j);
+    json_integer(j, "carved", run_carved(r, NULL));
     json_integer(j, "state_size", plan_size(r->plan));
 }
 
@@ -76,6 +78,8 @@ static void write_work(struct json *j, const struct run *r)
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
     json_number(j, "mean_step", r->past.tally.steps ? r->past.tally.t / r->past.tally.steps : 0);
+    json_integer(j, "checkpoints", r->past.checkpoints.written);
+    json_integer(j, "checkpoints_by_clock", r->past.checkpoints.by_clock);
     json_object(j, "limited_by");
     json_integer(j, "error", r->past.tally.limited[METHOD_ERROR]);
     json_integer(j, "stability", r->past.tally.limited[METHOD_STABILITY]);

@@ -7,6 +7,7 @@
 #include "implicit/release.h"
 #include "output/aside.h"
 #include "output/progress.h"
+#include "run/checkpoint.h"
 #include "run/stop.h"
 #include "scene/scene.h"
 
@@ -15,31 +16,26 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Times k * every (k = 0, 1, ...) of one kind of output; past.due has the next k. */
-struct ticks {
-    double every; /* [s] */
-    int (*write)(struct outputs *o, struct moment *moment, double t, const double *y);
-};
-
-enum { MESSAGE = 3072 };
+/* Writers of outputs at times k * every (k = 0, 1, ...); past.due has the next k. */
+static int (*const writers[RUN_DUES])(struct outputs *o, struct moment *moment, double t,
+                                      const double *y)
+    = { outputs_rows, outputs_field, outputs_snapshot, outputs_profile };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
 static const char *const limiters[] = { "error", "stability", "output" };
 
-static void make_ticks(struct run *r, struct ticks tick[RUN_DUES])
+static void choose_times(struct run *r)
 {
     const struct settings_output *o = plan_output(r->plan);
+    double *every = r->past.every;
 
-    tick[RUN_ROWS] = (struct ticks){ isnan(o->interval) ? r->until / 500 : o->interval,
-                                     outputs_rows };
-    tick[RUN_FIELDS] = (struct ticks){ isnan(o->fields) ? r->until / 50 : o->fields,
-                                       outputs_field };
-    tick[RUN_SNAPSHOTS] = (struct ticks){
-        o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until, outputs_snapshot };
-    tick[RUN_PROFILES] = (struct ticks){
-        !plan_profiles(r->plan) ? 2 * r->until : isnan(o->profiles) ? r->until / 50 : o->profiles,
-        outputs_profile };
+    every[RUN_ROWS] = isnan(o->interval) ? r->until / 500 : o->interval;
+    every[RUN_FIELDS] = isnan(o->fields) ? r->until / 50 : o->fields;
+    every[RUN_SNAPSHOTS] = o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until;
+    every[RUN_PROFILES] = !plan_profiles(r->plan) ? 2 * r->until
+                        : isnan(o->profiles) ? r->until / 50 : o->profiles;
+    r->past.slack = 1e-9 * r->until;
     if (o->snapshots == 0)
         r->past.due[RUN_SNAPSHOTS] = 1;
     if (!plan_profiles(r->plan))
@@ -48,8 +44,12 @@ static void make_ticks(struct run *r, struct ticks tick[RUN_DUES])
 
 static int stopped(const struct run *r, const char *files)
 {
-    return status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", stop_asked(),
-                       r->past.tally.t, r->until, files);
+    status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", stop_asked(),
+                r->past.tally.t, r->until, files);
+    if (r->past.checkpoints.written > 0)
+        status_advise((struct status_advice){
+            .remedy = "`stiffwater resume` with its directory goes on from the last checkpoint" });
+    return STATUS_STOPPED;
 }
 
 /* A step may owe a million rows: too many to wait for. */
@@ -63,20 +63,20 @@ static bool is_impatient(struct run *r)
 }
 
 /* Every output that is due in (.., t]; at t itself the state is exact. */
-static int write_due(struct run *r, struct ticks tick[RUN_DUES], double t)
+static int write_due(struct run *r, double t)
 {
-    const double *end = r->method->state(r->self);
-    const double slack = 1e-9 * r->until;
+    const double *end = r->method->state(r->self), *every = r->past.every;
+    const double slack = r->past.slack;
 
     for (int i = 0; i < RUN_DUES; i++)
-        for (long *k = &r->past.due[i]; *k * tick[i].every <= t + slack
-                                        && *k * tick[i].every <= r->until + slack; ++*k) {
-            const double due = fmin(*k * tick[i].every, t);
+        for (long *k = &r->past.due[i]; *k * every[i] <= t + slack
+                                        && *k * every[i] <= r->until + slack; ++*k) {
+            const double due = fmin(*k * every[i], t);
             if (is_impatient(r))
                 return stopped(r, "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
-            TRY(tick[i].write(r->outputs, r->moment, due, due < t ? r->y : end));
+            TRY(writers[i](r->outputs, r->moment, due, due < t ? r->y : end));
         }
     return STATUS_DONE;
 }
@@ -97,11 +97,27 @@ static void keep_density(struct run *r, double t, const double *y)
     }
 }
 
+/* What should end a run, or be heard of once, after a step. */
+static int watch(struct run *r, double t, const double *y)
+{
+    char doubt[300];
+
+    for (int i = 0; i < plan_bodies(r->plan); i++) {
+        TRY(observe_judge(r->moment, i, t, y, doubt, sizeof doubt));
+        if (doubt[0] && !(r->past.tally.doubted & 1L << i))
+            status_warn("%s", doubt);
+        r->past.tally.doubted |= (long)(doubt[0] != '\0') << i;
+    }
+    TRY(observe_meeting(r->moment, t, y));
+    return observe_runaway(r->moment, t, y);
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
 
-    TRY(r->method->step(r->self, fmin(r->event, r->until), &step));
+    TRY(r->method->step(r->self, fmin(fmin(r->event, checkpoint_next(r)), r->until), &step));
+    step.rejected += r->rejected;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;
@@ -109,7 +125,7 @@ static int one_step(struct run *r, struct progress *progress)
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
-    return observe_runaway(r->moment, step.t, r->method->state(r->self));
+    return watch(r, step.t, r->method->state(r->self));
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -121,17 +137,29 @@ static int next_segment(struct run *r)
     return r->method->restart(r->self, r->past.tally.t, r->method->state(r->self));
 }
 
+static int keep_when_due(struct run *r)
+{
+    return checkpoint_due(r) ? checkpoint_write(r) : STATUS_DONE;
+}
+
+/* A run that goes on stands at a checkpoint. */
+static int begin(struct run *r)
+{
+    TRY(write_due(r, r->past.tally.t));
+    TRY(run_constants(r));
+    TRY(run_report(r, RUN_GOES, "", r->method->state(r->self)));
+    return r->past.checkpoints.written == 0 ? keep_when_due(r) : STATUS_DONE;
+}
+
 static int go(struct run *r, struct progress *progress)
 {
-    struct ticks tick[RUN_DUES];
-
-    make_ticks(r, tick);
-    r->event = plan_event(r->plan, 0);
-    TRY(write_due(r, tick, 0));
+    r->event = plan_event(r->plan, r->past.tally.t);
+    TRY(begin(r));
     while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));
-        TRY(write_due(r, tick, r->past.tally.t));
+        TRY(write_due(r, r->past.tally.t));
         TRY(next_segment(r));
+        TRY(keep_when_due(r));
         if (stop_asked() && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");
     }
@@ -151,20 +179,37 @@ static int write_used(const struct run *r)
     return status;
 }
 
-static int start(struct run *r)
+static int create_method(struct run *r)
 {
     char constant[40] = "";
 
-    TRY(release_start(r->moment, r->y));
-    TRY(r->method->create(r->method, &r->def, r->moment, 0, r->y, &r->self));
+    TRY(r->method->create(r->method, &r->def, r->moment, r->past.tally.t, r->y, &r->self));
     if (r->def.seconds > 0)
         snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
     snprintf(r->table, sizeof r->table, "%s%s",
              r->method->table ? r->method->table(r->self) : "", constant);
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past));
+    return STATUS_DONE;
+}
+
+static int start(struct run *r)
+{
+    TRY(checkpoint_agree(r));
+    TRY(release_start(r->moment, r->y));
+    TRY(create_method(r));
+    choose_times(r);
+    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, false));
     keep_density(r, 0, r->y);
     TRY(outputs_start(r->outputs, r->moment, 0, r->y));
     return write_used(r);
+}
+
+static int start_again(struct run *r, struct archive *from)
+{
+    TRY(checkpoint_agree(r));
+    TRY(checkpoint_load_state(r, from));
+    TRY(create_method(r));
+    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, true));
+    return checkpoint_load_past(r, from);
 }
 
 /* The last row of a run that ended early: where it ended. */
@@ -176,90 +221,58 @@ static void write_end(struct run *r)
         outputs_rows(r->outputs, r->moment, r->past.tally.t, y);
 }
 
-/* A constant step is the choice of the user alone. */
-static void doubt_step(const struct run *r)
+static int first_of(int status, int next)
 {
-    struct limit limit[2];
-    char cause[160];
-    double rate;
-
-    if (!(r->def.seconds > 0) || status_has_cause())
-        return;
-    moment_limit(r->moment, r->past.tally.t, r->method->state(r->self), plan_stiff(r->plan), limit);
-    rate = fmax(limit[0].rate, limit[1].rate);
-    snprintf(cause, sizeof cause, "The constant step of %g s is %.3g times 1/(fastest rate) there; "
-             "bounds of stability lie between 1 and 5", r->def.seconds, r->def.seconds * rate);
-    status_advise((struct status_advice){ cause, "try a shorter step" });
+    return status != STATUS_DONE ? status : next;
 }
 
-/* What to try, unless the failure says it. */
-static void advise(const struct run *r)
+/* The last files; the first error is told, unless the run has one. */
+static int end(struct run *r, int status, const char *message)
 {
-    if (status_has_remedy())
-        return;
-    status_advise((struct status_advice){
-        .remedy = r->past.tally.steps == 0
-            ? "That is the start itself: try a higher eos.c0 or wider eos.lowest and eos.highest, "
-              "or look at what the scene starts with"
-            : "Things to try: shorter steps (a smaller tol or CFL number), a higher eos.c0, more "
-              "viscosity or density diffusion, a smaller spacing" });
+    const int constants = run_constants(r);
+    const int before = first_of(status, constants);
+    const int report = run_report(r, before, message, r->method->state(r->self));
+
+    return first_of(first_of(before, report), outputs_close(&r->outputs));
 }
 
-/* The message of a run that ended early; for one that failed, with the cause. */
-static void explain(const struct run *r, int status, char message[MESSAGE])
-{
-    char why[MESSAGE / 3] = "";
-
-    if (status == STATUS_FAILED) {
-        doubt_step(r);
-        advise(r);
-    }
-    snprintf(message, MESSAGE, "%.*s", MESSAGE / 2, status_message());
-    if (status == STATUS_FAILED)
-        observe_blame(r->moment, r->past.tally.t, r->method->state(r->self), why, sizeof why);
-    if (why[0])
-        snprintf(message + strlen(message), MESSAGE - strlen(message), ". Cause: %s", why);
-}
-
-int run_scene(const struct run_order *order)
+int run_carry_out(const struct run_order *order, struct archive *from)
 {
     struct progress progress;
-    char message[MESSAGE] = "";
+    char message[RUN_MESSAGE] = "";
     struct run r;
-    int status, last;
+    int status;
 
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
     if (status == STATUS_DONE)
-        status = start(&r);
+        status = from ? start_again(&r, from) : start(&r);
     if (status != STATUS_DONE || !r.outputs) {
         run_release(&r);
         return status;
     }
     stop_listen();
-    progress_start(&progress, stderr, 0, r.until, order->quiet);
+    run_carved(&r, order->quiet ? NULL : stderr);
+    progress_start(&progress, stderr, r.past.tally.t, r.until, order->quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);
     if (status != STATUS_DONE) {
-        explain(&r, status, message);
+        run_explain(&r, status, message);
         write_end(&r);
     }
     if (status == STATUS_DONE && (status = run_doubt_end(&r)) != STATUS_DONE)
         snprintf(message, sizeof message, "%s", status_message());
-    last = run_constants(&r);
-    if (status == STATUS_DONE)
-        status = last;
-    last = run_report(&r, status, message, r.method->state(r.self));
-    if (status == STATUS_DONE)
-        status = last;
-    last = outputs_close(&r.outputs);
-    if (status == STATUS_DONE)
-        status = last;
+    status = end(&r, status, message);
     run_release(&r);
     if (message[0]) {
         status_clear();
         status_fail(status, "%s", message);
     }
     return status;
+}
+
+int run_scene(const struct run_order *order)
+{
+    return run_carry_out(order, NULL);
 }

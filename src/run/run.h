@@ -16,6 +16,10 @@ struct run_order {
 /* Simulates.  Returns the exit status; the message is in status_message(). */
 int run_scene(const struct run_order *order);
 
+/* Goes on from the checkpoint in order->directory; the scene is that which was used there.  Its
+ * only setting is until=T. */
+int run_resume(const struct run_order *order);
+
 /* Prints the plan, sizes and expected cost; simulates and writes nothing. */
 int run_check(const struct run_order *order);
 

@@ -118,6 +118,12 @@ int tables_forces_row(struct tables_forces *o, struct moment *moment, double t, 
     return row_panels(o, moment, t, y);
 }
 
+int tables_forces_keep(struct tables_forces *o, struct archive *a)
+{
+    TRY(series_keep(o->forces, a, "forces.csv"));
+    return series_keep(o->panels, a, "panels.csv");
+}
+
 void tables_forces_close(struct tables_forces **tables, int *status)
 {
     struct tables_forces *o = *tables;

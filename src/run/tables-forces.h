@@ -15,6 +15,9 @@ int tables_forces_open(struct tables_forces **out, const struct plan *plan, cons
 /* A row in each, after observe_forces() of the same t and y. */
 int tables_forces_row(struct tables_forces *o, struct moment *moment, double t, const double *y);
 
+/* Lengths of the files, output/series.h. */
+int tables_forces_keep(struct tables_forces *o, struct archive *a);
+
 /* NULL is welcome; *status becomes the first error. */
 void tables_forces_close(struct tables_forces **tables, int *status);
 

@@ -210,6 +210,12 @@ int tables_probes_profile(struct tables_probes *o, const struct crowd *c, double
     return STATUS_DONE;
 }
 
+int tables_probes_keep(struct tables_probes *o, struct archive *a)
+{
+    TRY(series_keep(o->probes, a, "probes.csv"));
+    return series_keep(o->profiles, a, "profiles.csv");
+}
+
 void tables_probes_close(struct tables_probes **tables, int *status)
 {
     struct tables_probes *o = *tables;

@@ -22,6 +22,9 @@ int tables_probes_read(struct tables_probes *o, const struct crowd *c, double t)
 int tables_probes_row(struct tables_probes *o, const struct crowd *c, double t);
 int tables_probes_profile(struct tables_probes *o, const struct crowd *c, double t);
 
+/* Lengths of the files, output/series.h. */
+int tables_probes_keep(struct tables_probes *o, struct archive *a);
+
 /* NULL is welcome; *status becomes the first error. */
 void tables_probes_close(struct tables_probes **tables, int *status);
 

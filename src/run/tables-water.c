@@ -116,6 +116,13 @@ int tables_water_profile(struct tables_water *o, struct moment *moment, double t
     return tables_probes_profile(o->probes, o->crowd, t);
 }
 
+int tables_water_keep(struct tables_water *o, struct archive *a)
+{
+    TRY(series_keep(o->front, a, "front.csv"));
+    TRY(series_keep(o->pairs, a, "pairing.csv"));
+    return tables_probes_keep(o->probes, a);
+}
+
 void tables_water_close(struct tables_water **tables, int *status)
 {
     struct tables_water *o = *tables;

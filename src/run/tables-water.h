@@ -20,6 +20,9 @@ int tables_water_row(struct tables_water *o, struct moment *moment, double t, co
 /* The state after an accepted step, and at the start: readings for running means. */
 int tables_water_step(struct tables_water *o, struct moment *moment, double t, const double *y);
 
+/* Lengths of the files, output/series.h. */
+int tables_water_keep(struct tables_water *o, struct archive *a);
+
 /* NULL is welcome; *status becomes the first error. */
 void tables_water_close(struct tables_water **tables, int *status);
 

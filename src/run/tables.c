@@ -16,7 +16,7 @@
 #endif
 
 struct tables {
-    struct series *book, *beam, *steps;
+    struct series *book, *beam, *steps, *checkpoints;
     struct tables_forces *forces;
     struct tables_water *water; /* front, pairing, probes */
     int book_columns;
@@ -58,6 +58,18 @@ static int open_steps(struct tables *o, const char *dir, struct columns *h)
     return columns_open(h, &o->steps, dir, "steps.csv");
 }
 
+static int open_checkpoints(struct tables *o, const struct plan *plan, const char *dir,
+                            struct columns *h)
+{
+    const struct settings_output *set = plan_output(plan);
+
+    if (!(set->checkpoint > 0 || set->checkpoint_minutes > 0))
+        return columns_none(dir, "checkpoints.csv");
+    columns_start(h);
+    columns_add(h, "", "because");
+    return columns_open(h, &o->checkpoints, dir, "checkpoints.csv");
+}
+
 static int open_all(struct tables *o, const struct plan *plan, const char *dir, struct columns *h,
                     struct running **means)
 {
@@ -65,19 +77,32 @@ static int open_all(struct tables *o, const struct plan *plan, const char *dir, 
     TRY(tables_water_open(&o->water, plan, dir, h, means));
     TRY(tables_forces_open(&o->forces, plan, dir, h));
     TRY(open_beam(o, plan, dir, h));
+    TRY(open_checkpoints(o, plan, dir, h));
     return open_steps(o, dir, h);
 }
 
 int tables_open(struct tables **out, const struct plan *plan, const char *dir,
-                struct running **means)
+                struct running **means, bool again)
 {
     struct columns *h = status_alloc(1, sizeof *h);
     int status;
 
+    if (h)
+        h->again = again;
     *out = status_alloc(1, sizeof **out);
     status = *out && h ? open_all(*out, plan, dir, h, means) : STATUS_FAILED;
     free(h);
     return status;
+}
+
+int tables_keep(struct tables *o, struct archive *a)
+{
+    TRY(series_keep(o->book, a, "book.csv"));
+    TRY(tables_water_keep(o->water, a));
+    TRY(tables_forces_keep(o->forces, a));
+    TRY(series_keep(o->beam, a, "beam.csv"));
+    TRY(series_keep(o->checkpoints, a, "checkpoints.csv"));
+    return series_keep(o->steps, a, "steps.csv");
 }
 
 static int row_book(struct tables *o, const struct book_sheet *s)
@@ -144,6 +169,11 @@ int tables_step(struct tables *o, const struct method_step *step)
     return series_text_row(o->steps, v, text);
 }
 
+int tables_checkpoint(struct tables *o, double t, const char *because)
+{
+    return series_text_row(o->checkpoints, &t, (const char *[]){ NULL, because });
+}
+
 int tables_close(struct tables **tables)
 {
     struct tables *o = *tables;
@@ -155,6 +185,7 @@ int tables_close(struct tables **tables)
     tables_water_close(&o->water, &status);
     tables_forces_close(&o->forces, &status);
     columns_close(&o->beam, &status);
+    columns_close(&o->checkpoints, &status);
     columns_close(&o->steps, &status);
     free(o);
     *tables = NULL;

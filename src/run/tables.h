@@ -11,9 +11,13 @@ struct tables;
 
 /* Makes the files with their header lines in DIR, removes those that an earlier run
  * left and this one has nothing for.  *means: running means of probes, which are the run's:
- * made here when they are needed and not there yet. */
+ * made here when they are needed and not there yet.  again: goes on with the files that are
+ * there, after tables_keep(). */
 int tables_open(struct tables **out, const struct plan *plan, const char *dir,
-                struct running **means);
+                struct running **means, bool again);
+
+/* Lengths of all files, output/series.h. */
+int tables_keep(struct tables *o, struct archive *a);
 
 /* A row in pairing.csv: it costs as much as a right-hand side. */
 int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y);
@@ -32,6 +36,9 @@ int tables_readings(struct tables *o, struct moment *moment, double t, const dou
 
 /* A row in steps.csv. */
 int tables_step(struct tables *o, const struct method_step *step);
+
+/* A row in checkpoints.csv. */
+int tables_checkpoint(struct tables *o, double t, const char *because);
 
 /* Closes and frees, NULL is welcome; the first error is told. */
 int tables_close(struct tables **tables);

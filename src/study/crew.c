@@ -40,8 +40,11 @@ static void came(struct work *w, int number)
         w->crew->came(w->crew->self, number);
 }
 
+/* Also checkpoints: a run of a study that was interrupted is made from its beginning. */
 static bool begin(void *self, int i)
 {
+    static const char *const old[] = { "run.json", "order", "checkpoint.h5",
+                                       "checkpoint-before.h5" };
     struct work *w = self;
     char path[MEMBER_PATH];
 
@@ -49,10 +52,10 @@ static bool begin(void *self, int i)
         w->tell.all--;
         return false;
     }
-    member_path(w->crew->home, member(w, i), "run.json", path);
-    remove(path);
-    member_path(w->crew->home, member(w, i), "order", path);
-    remove(path);
+    for (size_t k = 0; k < sizeof old / sizeof old[0]; k++) {
+        member_path(w->crew->home, member(w, i), old[k], path);
+        remove(path);
+    }
     w->tell.now = member(w, i)->name;
     return true;
 }

@@ -1,0 +1,156 @@
+#!/bin/sh
+# checkpoint.sh -- what resume refuses, and what it does not mind: damaged checkpoints, signals,
+# full disks, another scene, version or layout; and runs that would overwrite one that can go on.
+. "${top_srcdir:-.}/tests/lib.sh"
+scenes=$top_srcdir/tests/scenes
+ask=
+asking
+scene=$scenes/small-2d.scene
+
+# run DIRECTORY KEY=VALUE...: of 20 ms, with checkpoints at 0, 8, 16 and 20 ms
+run() {
+    dir=$1
+    shift
+    "$STIFFWATER" run "$scene" -q output.checkpoint=0.008 -o "$dir" "$@" || wrong "$dir does not run"
+}
+
+# ends DIRECTORY: where `whole' ended
+ends() {
+    if [ "$(hash "$1")" = "$(hash whole)" ] && cmp -s "$1/book.csv" whole/book.csv &&
+        cmp -s "$1/steps.csv" whole/steps.csv; then good "$1 ends as a run that was left alone"
+    else wrong "$1 ends elsewhere"; fi
+}
+
+# like NAME: a copy of the whole run
+like() {
+    rm -rf "$1"
+    cp -r whole "$1"
+}
+
+run whole
+claim 'four checkpoints' "$(number whole checkpoints) == 4 && $(number whole checkpoints_by_clock) == 0"
+[ "$(tail -n 4 whole/checkpoints.csv | tr '\n' ' ')" = '0,time 0.008,time 0.016,time 0.02,time ' ] ||
+    wrong "checkpoints.csv: $(cat whole/checkpoints.csv)"
+
+# --- what is damaged ------------------------------------------------------------------------
+like cut
+head -c 3000 whole/checkpoint.h5 >cut/checkpoint.h5
+expect 0 resume cut -q
+says 'cut/checkpoint.h5 is damaged' 'going on from cut/checkpoint-before.h5'
+ends cut
+like flipped
+printf 'x' | dd of=flipped/checkpoint.h5 bs=1 seek=20000 conv=notrunc 2>dd
+expect 0 resume flipped -q
+says 'damaged' 'going on from'
+ends flipped
+like both
+: >both/checkpoint.h5
+echo no checkpoint >both/checkpoint-before.h5
+cp -r both both-before
+expect 4 resume both -q
+says 'both/checkpoint.h5 is damaged' 'the checkpoint before it is damaged, too'
+diff -r both both-before >differ || wrong "a refused resume changes files: $(cat differ)"
+like none
+rm none/checkpoint*.h5
+expect 4 resume none -q
+says 'no checkpoint to go on from' output.checkpoint
+expect 2 resume nowhere -q
+says 'nowhere: no run in there'
+like short
+head -n 8 whole/steps.csv >short/steps.csv
+cp -r short short-before
+expect 4 resume short -q
+says 'short/steps.csv' 'had' 'at the checkpoint'
+diff -r short short-before >differ || wrong "a refused resume changes files: $(cat differ)"
+like gone
+rm gone/forces.csv
+expect 4 resume gone -q
+says 'gone/forces.csv'
+
+# --- what is another run's ------------------------------------------------------------------
+like other
+sed -i 's/^tol = .*/tol = 0.1;/' other/scene.used
+expect 4 resume other -q
+says "scene.used was changed"
+run small spacing=0.01
+like swapped
+cp small/checkpoint.h5 swapped/checkpoint.h5
+expect 4 resume swapped -q
+says "checkpoint's scene"
+cp small/scene.used swapped/scene.used
+expect 4 resume swapped -q
+says 'swapped/' 'at the checkpoint'
+expect 2 resume whole -q tol=0.1
+says tol=0.1 'only until=T'
+expect 2 resume whole -q until=0.01
+says 'has come to t = 0.02 s already'
+expect 2 run "$scene" -q output.checkpoint=1e-9 -o many
+says 'output.checkpoint = 1e-09 s' 'more than 100000'
+[ ! -e many ] || wrong "a refused run leaves files"
+
+# --- a run over one that can go on ----------------------------------------------------------
+like again
+sed -i 's/"status": "done"/"status": "running"/' again/run.json
+cp -r again again-before
+expect 4 run "$scene" -q -o again
+says 'a run was interrupted there' '`stiffwater resume again`' '-o'
+diff -r again again-before >differ || wrong "a refused run changes files: $(cat differ)"
+rm again/run.json
+expect 4 run "$scene" -q -o again
+says 'interrupted'
+expect 0 resume again -q
+ends again
+expect 0 run "$scene" -q until=0.001 -o again
+[ ! -e again/checkpoint.h5 ] || wrong "a checkpoint of an earlier run stays"
+
+# --- signals --------------------------------------------------------------------------------
+"$STIFFWATER" run "$scene" -q output.checkpoint=0.004 until=0.4 -o quiet
+"$STIFFWATER" run "$scene" -q output.checkpoint=0.004 until=0.4 -o signal >said 2>&1 &
+pid=$!
+waited=0
+until [ "$(cat signal/checkpoints.csv 2>/dev/null | wc -l)" -gt 6 ] || [ $waited = 100 ]; do
+    sleep 0.05
+    waited=$((waited + 1))
+done
+grep -q '"status": "running"' signal/run.json || wrong "a run that goes on has no run.json"
+[ -s signal/figures/constants.gp ] || wrong "a run that goes on has no constants for figures"
+expect 4 resume signal -q
+says 'another run is writing there'
+kill $pid
+wait $pid
+[ $? = 3 ] || wrong "SIGTERM does not stop the run"
+grep -q 'stiffwater resume' said || wrong "a stopped run does not say how to go on: $(cat said)"
+expect 4 run "$scene" -q -o signal
+says interrupted
+expect 0 resume signal -q -n 1
+[ "$(hash signal)" = "$(hash quiet)" ] && cmp -s signal/book.csv quiet/book.csv ||
+    wrong "a run that was stopped and goes on ends elsewhere"
+if command -v gnuplot >/dev/null; then
+    sed -i 's/"status": "done"/"status": "running"/' signal/run.json
+    expect 0 plot signal
+    says energies.png
+fi
+
+# --- where no checkpoint can be written -------------------------------------------------------
+mkdir -p full/checkpoint.h5.part
+expect 0 run "$scene" -q output.checkpoint=0.008 -o full
+says 'no checkpoint at t = 0.016 s' 'the run goes on'
+ends full
+if [ -w /dev/full ]; then
+    mkdir once
+    ln -s /dev/full once/checkpoint.h5.part
+    expect 0 run "$scene" -q output.checkpoint=0.008 -o once
+    says 'no checkpoint at t = 0 s' 'No space left on device'
+    expect 0 resume once -q
+    ends once
+fi
+
+# --- by the clock -----------------------------------------------------------------------------
+run clock output.checkpoint=0 output.checkpoint_minutes=1e-5
+claim 'the clock asks for checkpoints' "$(number clock checkpoints_by_clock) > 2 &&
+    $(number clock checkpoints) == $(number clock checkpoints_by_clock) + $(grep -c ,time clock/checkpoints.csv)"
+claim 'they are told' "$(grep -c ,clock clock/checkpoints.csv) == $(number clock checkpoints_by_clock)"
+rm clock/checkpoint.h5
+expect 0 resume clock -q
+
+finish
