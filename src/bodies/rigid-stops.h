@@ -7,6 +7,8 @@
 
 #include "bodies/rigid-make.h"
 
+enum { RIGID_PLACES = 2 * DIM << DIM }; /* corners at sides, at most */
+
 /* Fills in b->stops.  BAD_SCENE when the body reaches beyond a side at the start. */
 int rigid_stops_create(struct body *b, const struct scales *s);
 

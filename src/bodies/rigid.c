@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "bodies/rigid-stops.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -221,6 +222,39 @@ static void rigid_show(const struct body *b, struct body_work *w, const struct l
     out->tip_angle = DIM == 2 ? *w->turn - b->def.angle[0] * degree : 0;
 }
 
+/* From the frame of the body into space; in the plane a moment is one number. */
+static void turn_moment(const struct body_work *w, const double *own, double *to)
+{
+    to[0] = to[1] = to[2] = 0;
+    if (DIM == 2)
+        to[2] = own[0];
+    for (int d = 0; d < TURNING_SPINS && DIM == 3; d++)
+        for (int k = 0; k < TURNING_SPINS; k++)
+            to[d] += w->R[d][k] * own[k];
+}
+
+static void rigid_pose(const struct body *b, struct body_work *w, const struct layout *l,
+                       const double *y, const double (*force)[DIM], struct body_pose *out)
+{
+    double moment[TURNING_SPINS], aside[RIGID_PLACES * DIM], power[2], length = 0;
+
+    *out = (struct body_pose){ 0 };
+    read_state(b, w, l, y);
+    memcpy(out->x, w->x, sizeof out->x);
+    memcpy(out->v, w->v, sizeof out->v);
+    memcpy(out->spin, w->spin, TURNING_SPINS * sizeof *out->spin);
+    for (int i = 0; i < TURNING_NUMBERS; i++)
+        length += w->turn[i] * w->turn[i];
+    for (int i = 0; i < TURNING_NUMBERS; i++)
+        out->turn[i] = w->turn[i] / (DIM == 2 ? 1 : sqrt(length));
+    gather(b, w, force, out->force, moment);
+    turn_moment(w, moment, out->moment);
+    if (b->stops.places > 0)
+        rigid_stops(b, w, y + layout_at(l, b->row[4]), out->contact, moment, aside, power);
+}
+
+static const struct body_watch watch = { .pose = rigid_pose };
+
 const struct body_kind bodies_rigid = {
     .identity = {
         .name = "rigid", .about = "rigid body: a box, a disc (2D) or a sphere (3D)",
@@ -232,5 +266,5 @@ const struct body_kind bodies_rigid = {
               .work_free = rigid_make_work_free },
     .skin = rigid_points, .rows = rigid_rows, .start = rigid_start, .move = rigid_move,
     .load = rigid_load, .limit = rigid_limit, .energy = rigid_energy,
-    .momentum = rigid_momentum, .weight = rigid_weight, .show = rigid_show,
+    .momentum = rigid_momentum, .weight = rigid_weight, .show = rigid_show, .watch = &watch,
 };
