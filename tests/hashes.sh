@@ -151,6 +151,7 @@ part_rows() {
         row all data/scenes/toth-standard-sph.scene default spacing=5e-3 $key until=5e-3
     done
     row few "$flat" dv walls=contact $soft until=0.03
+    row few tests/scenes/floating-box.scene default until=0.2 body.it.angle=3.0
     row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
     row all "$flat" default beam.plate.theory=elastica until=0.03
     row all "$flat" default beam.plate.theory=elastica beam.plate.E=1e5 until=0.08

@@ -108,6 +108,8 @@ again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tens
     walls=own-density
 again 'pairs in single precision' "$flat" 0.02 precision=single
 again 'pairs in single precision, in 3D' "$deep" 0.02 precision=single
+again 'a box that sinks and stops' "$top_srcdir/tests/scenes/floating-box.scene" 0.2 body.it.density=1500.0 \
+    body.it.angle=3.0 'body.it.stops=["bottom","left"]'
 again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------

@@ -38,6 +38,8 @@ struct observe_panel {
 void observe_panel(const struct moment *run, int panel, struct observe_panel *out);
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out);
+/* The same of a rigid body (plan_body_rigid()). */
+void observe_pose(const struct moment *run, int body, const double *y, struct body_pose *out);
 
 /* For the message of a run that failed after the state (t, y): for which particle -- the
  * one that the last refusal named, or the one that is pushed hardest --, where, and which

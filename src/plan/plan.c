@@ -99,6 +99,13 @@ int plan_bodies(const struct plan *p)
     return p->bodies;
 }
 
+bool plan_body_rigid(const struct plan *p, int body)
+{
+    const struct body_watch *watch = p->body[body].kind->watch;
+
+    return watch && watch->pose;
+}
+
 const char *plan_body_name(const struct plan *p, int body)
 {
     return p->body[body].name;
