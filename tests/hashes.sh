@@ -63,6 +63,7 @@ shipped_rows() {
     ship all toth-beam until=0.25
     ship all light-plate until=0.02
     ship all closed-tank until=0.05
+    ship all floating-box until=0.2
     ship all dam-break-3d spacing=0.0555 until=0.1
     ship few beam-alone until=0.01
     ship all elastica until=0.6

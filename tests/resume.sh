@@ -61,6 +61,7 @@ ship toth-pcisph 0.02 spacing=5e-3
 ship toth-fsi 0.16 spacing=5e-3
 ship light-plate 0.02
 ship closed-tank 0.05
+ship floating-box 0.05
 ship toth-standard-sph 0.003 spacing=5e-3
 ship tank-sizes 0.01
 ship gate 0.02 spacing=0.01

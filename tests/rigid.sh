@@ -29,6 +29,15 @@ done
 rise=$(mean contact bodies.csv it.y 3 0.18)
 claim 'at faces: draft within a tenth of it' "($rise - 0.0112)^2 < 0.001^2"
 
+# One that water makes room for: no water is left in it, behind its skin.
+well room "$top_srcdir/data/scenes/floating-box.scene" until=6
+rise=$(mean room bodies.csv box.y 3 0.2475)
+claim 'water makes room for all of it' "$(number room carved) == 120"
+claim 'draft of the shipped box within a tenth of a spacing' "$rise^2 < 0.001^2"
+claim 'it does not drift' "$(mean room bodies.csv box.x 3 0.4)^2 < (0.01 * 0.2)^2"
+claim 'it does not turn' "$(mean room bodies.csv box.angle 3)^2 < (0.5 / 57.3)^2"
+claim 'its energy closes' "$(number room energy_defect_max) < 5e-3"
+
 well held "$scenes/held-box.scene"
 lift=$(mean held forces.csv it.fy 2)
 torque=$(mean held bodies.csv it.mz 2)

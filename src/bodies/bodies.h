@@ -138,6 +138,9 @@ struct body_watch {
      * NULL: none is. */
     bool (*held)(const struct body *b, int i);
 
+    /* Is x inside of it as it stands at the start?  NULL: it is no wider than its points. */
+    bool (*holds)(const struct body *b, const double *x);
+
     /* For output; force as in show().  NULL: it is no rigid body. */
     void (*pose)(const struct body *b, struct body_work *w, const struct layout *l,
                  const double *y, const double (*force)[DIM], struct body_pose *out);

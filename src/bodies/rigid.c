@@ -253,7 +253,24 @@ static void rigid_pose(const struct body *b, struct body_work *w, const struct l
         rigid_stops(b, w, y + layout_at(l, b->row[4]), out->contact, moment, aside, power);
 }
 
-static const struct body_watch watch = { .pose = rigid_pose };
+static bool rigid_holds(const struct body *b, const double *x)
+{
+    double q[TURNING_NUMBERS], R[DIM][DIM], square = 0;
+    bool in = true;
+
+    rigid_def_turned(&b->def, q);
+    turning_matrix(q, R);
+    for (int k = 0; k < DIM; k++) {
+        double own = 0;
+        for (int d = 0; d < DIM; d++)
+            own += R[d][k] * (x[d] - b->def.at[d]);
+        in &= fabs(own) <= 0.5 * b->def.size[k];
+        square += own * own;
+    }
+    return rigid_def_round(&b->def) ? square <= b->def.radius * b->def.radius : in;
+}
+
+static const struct body_watch watch = { .holds = rigid_holds, .pose = rigid_pose };
 
 const struct body_kind bodies_rigid = {
     .identity = {

@@ -48,6 +48,13 @@ static int gather(struct solids *s, const struct points *points)
                           room * s->scales->dx);
 }
 
+/* Behind their layers walls and rigid bodies are hollow. */
+static bool holds(const struct fill_item *item, const double *x)
+{
+    return item->shape ? shape_contains(item->shape, x)
+                       : item->holds && item->holds(item->body, x);
+}
+
 /* The item that leaves no room at x, -1: there is room. */
 static int solid_at(const struct solids *s, const double *x)
 {
@@ -57,9 +64,8 @@ static int solid_at(const struct solids *s, const double *x)
         j = beyond_find(&s->near, s->scales, x, s->near.width, NULL, NULL);
     if (j >= 0)
         return s->of[j];
-    for (int k = 0; k < s->items; k++) /* behind their layers walls are hollow */
-        if (s->item[k].kind != KIND_FLUID && s->item[k].shape
-            && shape_contains(s->item[k].shape, x))
+    for (int k = 0; k < s->items; k++)
+        if (s->item[k].kind != KIND_FLUID && holds(&s->item[k], x))
             return k;
     return -1;
 }

@@ -15,6 +15,9 @@ struct fill_item {
     const struct shape *shape;  /* shape to fill, or NULL                     */
     int points;                 /* given points, when shape is NULL           */
     const double (*point)[DIM]; /* [points][DIM] [m]                          */
+    bool (*holds)(const void *body, const double *x); /* is x inside of what has these
+                                   points?  NULL: it is no wider than they are */
+    const void *body;
 };
 
 /* All particles of all items, sorted by kind; within a kind in the order of
