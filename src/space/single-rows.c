@@ -166,6 +166,14 @@ LANES_INLINE lanes dot(const lanes *a, const lanes *b)
     return sum;
 }
 
+typedef unsigned circle __attribute__((vector_size(sizeof(lanes_mask))));
+
+/* From b to a, the short way around the circle. */
+LANES_INLINE lanes_mask way(lanes_mask a, lanes_mask b)
+{
+    return (lanes_mask)((circle)a - (circle)b);
+}
+
 /* Row k; `needs` and `alike` are constants, as in gather.c. */
 LANES_INLINE void fill_row(const float *const of[LANES], const struct single_records *all,
                            bool alike, const struct single_side *own, unsigned needs,
@@ -177,7 +185,7 @@ LANES_INLINE void fill_row(const float *const of[LANES], const struct single_rec
 
     whole(of, alike, all->mass, &h);
     for (int d = 0; d < DIM; d++) {
-        x[d] = all->count * __builtin_convertvector(own->x[d] - h.x[d], lanes);
+        x[d] = all->count * __builtin_convertvector(way(own->x[d], h.x[d]), lanes);
         v[d] = a->v[d] - h.v[d];
     }
     const lanes r2 = dot(x, x);
