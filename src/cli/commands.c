@@ -105,6 +105,12 @@ const struct commands_row commands_table[] = {
     { "plot", CLI_PLOT, "DIR",
       "Draws the figures of a run, comparison or spread again, by gnuplot.",
       no_options, false },
+    { "report", CLI_REPORT, "DIR",
+      "Writes DIR/report.html, one page with numbers, warnings, figures and scene of a run.\v"
+      "All that it shows is in it, so that it opens without a network and can be sent.  Draws the "
+      "figures first.  Each number stands beside what it is to be held against.  A comparison, "
+      "sweep or spread has its words and figures.",
+      no_options, false },
     { "list", CLI_LIST, "TABLE",
       "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
       no_options, false },

@@ -218,7 +218,7 @@ void cli_parse(int argc, char **argv, struct cli *c)
         exit(STATUS_DONE);
     }
     if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0) {
-        cli_version();
+        cli_version(stdout);
         exit(STATUS_DONE);
     }
     s = (struct state){ .command = find(argv[1]), .cli = c };

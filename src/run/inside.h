@@ -42,6 +42,9 @@ int run_report(const struct run *r, int status, const char *message, const doubl
 enum { RUN_MESSAGE = 3072 };
 void run_explain(const struct run *r, int status, char *message);
 
+/* Where the results of a run are and what came out, on standard output. */
+void run_sum_up(const struct run *r, const struct run_order *order, int status);
+
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);
 
