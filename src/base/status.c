@@ -16,6 +16,7 @@ static struct {
     char message[WHAT + 2 * ADVICE + 4];            /* all of them                 */
 } kept;
 static char *warned[STATUS_WARNINGS]; /* to be told again */
+static bool hushed;
 static atomic_flag taken = ATOMIC_FLAG_INIT; /* threads may fail together: one writes */
 
 /* A text that did not fit ends in dots, so that it is not taken for whole. */
@@ -124,6 +125,8 @@ void status_warn(const char *format, ...)
     char line[4096];
     va_list arguments;
 
+    if (hushed)
+        return;
     va_start(arguments, format);
     print_cut(line, sizeof line, format, arguments);
     va_end(arguments);
@@ -133,6 +136,11 @@ void status_warn(const char *format, ...)
             warned[i] = strdup(line);
             return;
         }
+}
+
+void status_hush(bool on)
+{
+    hushed = on;
 }
 
 const char *status_warning(int i)

@@ -69,6 +69,10 @@ void status_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 enum { STATUS_WARNINGS = 20 };
 const char *status_warning(int i);
 
+/* Warnings are neither printed nor kept while this is on: for a look at a scene that nobody asked
+ * for. */
+void status_hush(bool on);
+
 /* malloc(count * size), zeroed; NULL and a failure kept when there is none. */
 void *status_alloc(unsigned long count, unsigned long size);
 

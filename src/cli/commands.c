@@ -100,8 +100,12 @@ const struct commands_row commands_table[] = {
       "written again.  A damaged checkpoint falls back to the one before.  Exit status: as of run.",
       resume_options, true },
     { "check", CLI_CHECK, "SCENE [KEY=VALUE ...]",
-      "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time and memory. "
-      "Simulates nothing, writes nothing.", run_options, true },
+      "Prints the plan of a scene: parts, sizes, Mach number, expected steps, time, memory and disk. "
+      "Simulates nothing, writes nothing.\v"
+      "Warns of scenes that lead nowhere: no wall below the water, a probe inside a solid, a Mach "
+      "number above 0.3; refuses those whose files the disk cannot hold or whose start has no "
+      "right-hand side.  Shares of effects are measured, on scenes of up to 30,000 particles: what a "
+      "right-hand side takes less without the effect.  SCENE may be - for standard input.", run_options, true },
     { "plot", CLI_PLOT, "DIR",
       "Draws the figures of a run, comparison or spread again, by gnuplot.",
       no_options, false },

@@ -70,7 +70,7 @@ static void take_word(struct argp_state *argp, const char *word)
     struct state *s = argp->input;
 
     if (!s->cli->subject)
-        s->cli->subject = word;
+        s->cli->subject = s->command->keys && strcmp(word, "-") == 0 ? "/dev/stdin" : word;
     else if (s->command->keys && strchr(word, '='))
         add_override(argp, word, NULL);
     else if (s->command->keys)
