@@ -14,7 +14,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Writers of outputs at times k * every (k = 0, 1, ...); past.due has the next k. */
@@ -187,20 +186,15 @@ static int create_method(struct run *r)
     return STATUS_DONE;
 }
 
-/* A start that has no answer is refused before there are files.  The moment is as before. */
+/* A start that has no answer is refused before there are files. */
 static int try_start(struct run *r)
 {
-    double *ydot = status_alloc(plan_size(r->plan), sizeof *ydot);
-    int status = ydot ? STATUS_DONE : STATUS_FAILED;
-
-    if (ydot && moment_eval(r->moment, ASK_ALL, 0, r->y, ydot) != STATUS_DONE)
-        status = status_fail_with(STATUS_FAILED, (struct status_advice){
-            .remedy = "try a higher eos.c0 or wider eos.lowest and eos.highest, or look at what the "
-                      "scene starts with" }, "the start has no right-hand side: %s; nothing was "
-            "written", moment_refusal(r->moment));
-    moment_restart(r->moment);
-    free(ydot);
-    return status;
+    if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
+        return STATUS_DONE;
+    return status_fail_with(STATUS_FAILED, (struct status_advice){
+        .remedy = "try a higher eos.c0 or wider eos.lowest and eos.highest, or look at what the "
+                  "scene starts with" }, "the start has no right-hand side: %s; nothing was "
+                  "written", moment_refusal(r->moment));
 }
 
 static int start(struct run *r)
