@@ -2,6 +2,7 @@
 #include "base/status.h"
 #include "cli/cli.h"
 #include "output/figures.h"
+#include "output/movie.h"
 #include "output/report.h"
 #include "plan/catalogue-keys.h"
 #include "plan/catalogue.h"
@@ -95,6 +96,14 @@ static int plot(const char *directory)
     return figures_draw(directory, scripts, reference);
 }
 
+static int movie(const char *directory)
+{
+    char scripts[4200];
+
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    return has_results(directory) ? movie_write(directory, scripts) : refuse_directory(directory);
+}
+
 /* Without gnuplot there is a page, too: that has been said where it was missed. */
 static int report(const char *directory)
 {
@@ -183,6 +192,7 @@ static int carry_out(const struct cli *c)
     case CLI_CHECK: return run_check(&order);
     case CLI_PLOT: return plot(c->subject);
     case CLI_REPORT: return report(c->subject);
+    case CLI_MOVIE: return movie(c->subject);
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
     case CLI_COMPARE: return compare(c);

@@ -115,6 +115,11 @@ const struct commands_row commands_table[] = {
       "figures first.  Each number stands beside what it is to be held against.  A comparison, "
       "sweep or spread has its words and figures.",
       no_options, false },
+    { "movie", CLI_MOVIE, "DIR",
+      "Makes a movie of the particle files of a run: DIR/movie.webm, or .gif without ffmpeg.\v"
+      "A frame for each file in DIR/fields (scene key output.fields), drawn by gnuplot; the colour is "
+      "the speed of the water; a 3D tank is cut in the middle.",
+      no_options, false },
     { "list", CLI_LIST, "TABLE",
       "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
       no_options, false },
