@@ -36,9 +36,9 @@ of(kind, low, high) = kind >= low && kind <= high ? 1 : NaN
 if (joined) { set terminal pngcairo size canvas_x, canvas_y font 'Sans,17' } \
 else { set terminal gif animate delay 8 loop 0 size canvas_x, canvas_y font 'Sans,14'; \
     set output 'movie.gif' }
-set title title noenhanced
-set xlabel 'x [m]'
-set ylabel (dim == 2 ? 'y [m]' : 'z [m], cut in the middle')
+set label 1 'x [m]' center at screen (90 + drawn_x / 2) / canvas_x, screen 18.0 / canvas_y
+set label 2 (dim == 2 ? 'y [m]' : 'z [m], cut in the middle') center rotate \
+    at screen 16.0 / canvas_x, screen (75 + drawn_y / 2) / canvas_y
 unset grid
 set xrange [left:right]
 set yrange [bottom:above]
@@ -55,7 +55,7 @@ set colorbox user origin screen (105 + drawn_x) / canvas_x, screen 75.0 / canvas
 r = 0.65 * dx
 do for [m = 1:frames] {
     if (joined) { set output sprintf('frame-%04d.png', m - 1) }
-    set label 1 sprintf('t = %.3f s', time[m]) right at graph 0.98, graph 0.95 front
+    set title sprintf('%s, t = %.3f s', title, time[m]) noenhanced
     plot file[m] using (shown($2) ? $1 * of($6, 1, 2) : NaN):(up($2, $3)):(r) \
             with circles fs solid noborder lc rgb '#a6a6a6' notitle, \
         '' using (shown($2) ? $1 * of($6, 0, 0) : NaN):(up($2, $3)):(r):4 \
