@@ -13,8 +13,8 @@ above = high_up + rim
 drawn_x = 1000.0
 drawn_y = drawn_x * (above - bottom) / (right - left)
 if (drawn_y > 800) { drawn_x = drawn_x * 800 / drawn_y; drawn_y = 800.0 }
-canvas_x = 2 * int((drawn_x + 250) / 2)   # even numbers: codecs want them
-canvas_y = 2 * int((drawn_y + 130) / 2)
+canvas_x = 2 * int((drawn_x + 270) / 2)   # even numbers: codecs want them
+canvas_y = 2 * int((drawn_y + 140) / 2)
 
 stats 'frames.csv' using 1 nooutput name 'shot'
 frames = int(shot_records)
@@ -36,21 +36,21 @@ of(kind, low, high) = kind >= low && kind <= high ? 1 : NaN
 if (joined) { set terminal pngcairo size canvas_x, canvas_y font 'Sans,17' } \
 else { set terminal gif animate delay 8 loop 0 size canvas_x, canvas_y font 'Sans,14'; \
     set output 'movie.gif' }
-set label 1 'x [m]' center at screen (90 + drawn_x / 2) / canvas_x, screen 18.0 / canvas_y
+set label 1 'x [m]' center at screen (110 + drawn_x / 2) / canvas_x, screen 18.0 / canvas_y
 set label 2 (dim == 2 ? 'y [m]' : 'z [m], cut in the middle') center rotate \
-    at screen 16.0 / canvas_x, screen (75 + drawn_y / 2) / canvas_y
+    at screen 16.0 / canvas_x, screen (85 + drawn_y / 2) / canvas_y
 unset grid
 set xrange [left:right]
 set yrange [bottom:above]
-set lmargin at screen 90.0 / canvas_x
-set rmargin at screen (90 + drawn_x) / canvas_x
-set bmargin at screen 75.0 / canvas_y
-set tmargin at screen (75 + drawn_y) / canvas_y
+set lmargin at screen 110.0 / canvas_x
+set rmargin at screen (110 + drawn_x) / canvas_x
+set bmargin at screen 85.0 / canvas_y
+set tmargin at screen (85 + drawn_y) / canvas_y
 set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [0:fastest]
 set cblabel 'speed [m/s], end: and beyond'
 set cbtics
-set colorbox user origin screen (105 + drawn_x) / canvas_x, screen 75.0 / canvas_y \
+set colorbox user origin screen (125 + drawn_x) / canvas_x, screen 85.0 / canvas_y \
     size screen 20.0 / canvas_x, screen drawn_y / canvas_y
 r = 0.65 * dx
 do for [m = 1:frames] {

@@ -58,6 +58,18 @@ if command -v xmllint >/dev/null; then
     xmllint --huge --noout page.xml 2>/dev/null && good 'it is well-formed' || wrong 'it is well-formed'
 fi
 
+# Experiments on a column that falls are for such a one only, up to the first solid on its way.
+falls() {
+    run "$1" output.snapshots=0 until=0.001
+    sed -n "s/^$2 = //p" "$1/figures/constants.gp"
+}
+claim 'a column in the corner falls' "$(falls dam falls) == 1"
+scene=$top_srcdir/data/scenes/tank-sizes.scene
+claim 'a drop is no column' "$(falls drop falls) == 0"
+scene=$top_srcdir/data/scenes/gate.scene
+claim 'a gate ends the way' "($(falls gate beam_x) - 0.2)^2 < 1e-12"
+scene=$top_srcdir/data/scenes/dam-break.scene
+
 # Texts that look like markup are texts.
 run odd 'title=<b>&"x"' || wrong 'a title may be anything'
 "$STIFFWATER" report odd >page.said 2>&1
