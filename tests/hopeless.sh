@@ -52,6 +52,13 @@ rm -f some/steps.csv && rm -rf some/figures
 there=$(find some -type f -exec cat {} + | wc -c)
 claim 'the estimate is right within a third' "$told * 1e6 > 0.67 * $there && $told * 1e6 < 1.5 * $there"
 
+# --- a start without a right-hand side --------------------------------------------------------
+"$STIFFWATER" run "$top_srcdir/data/scenes/still-water.scene" eos.c0=4 eos.highest=1.02 -q -o dense \
+    >dense.said 2>&1
+claim 'a start that has no answer is refused' "$? == 1"
+prints dense 'the start has no right-hand side' 'particle 0' 'nothing was written' 'eos.highest'
+[ ! -e dense ] && good 'before anything is written' || wrong 'before anything is written'
+
 # --- a scene through a pipe -------------------------------------------------------------------
 "$STIFFWATER" run - until=0.01 spacing=0.01 -q -o piped <"$dam" >piped.said 2>&1
 claim 'a scene from standard input' "$? == 0"

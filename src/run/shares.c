@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 30000, LEAST_TIMES = 5, MOST_TIMES = 40 };
+enum { MOST = 30000, LEAST_TIMES = 5, MOST_TIMES = 1000 };
 
 static const double patience = 1.5; /* [s] of the clock for all effects */
 
