@@ -61,7 +61,9 @@ do for [f = 1:9] {
     }
 }
 member(i) = word(members, i) + 0
-look(i) = family_colour[family(word(lines, i))]
+is_hull(i) = words(lines) <= 8 || is_one_of(word(lines, i), hull)
+look(i) = is_hull(i) ? family_colour[family(word(lines, i))] : '#c8c8c8'
+hull = ''
 mine(i, p) = line_of(case(0)) eq word(lines, i) && (p eq '' || place(0) eq p)
 
 # Why runs did not come to their end, a line of text each reason.  A text ends at its first comma

@@ -6,6 +6,14 @@ load 'panels.gp'
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'dye.png'
+set yrange [*:*]
+stats first_file using (sort(column(kind_column)) == 0 ? column(dye_column) : NaN) skip 3 \
+    nooutput name 'dyed'
+set yrange [bottom:above]
+entries = (dyed_max > 0 ? "'#1f6fb4:water' '#f2c418:water with dye 1'" : "'#1f6fb4:water'") \
+    .(dyed_max > 1 ? " '#009e73:dye 2 and more'" : '').solids
+eval put_scale
+eval put_words
 set multiplot title heading noenhanced
 do for [m = 1:moments] {
     eval next_panel
@@ -13,5 +21,6 @@ do for [m = 1:moments] {
         file using (is(0)):up:(r):(dye(column(dye_column))) skip 3 \
         with circles fs solid noborder lc rgb variable notitle, \
         file using (is(3)):up:(r) skip 3 with circles fs solid noborder lc rgb skin notitle
+    eval take_away
 }
 unset multiplot

@@ -18,6 +18,9 @@ fastest = a > 0 && g > 0 ? 2 * sqrt(g * n2 * a) : end_max > 0 ? end_max : 1
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'floor.png'
+entries = solids
+eval put_scale
+eval put_words
 set multiplot title heading noenhanced
 set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [0:fastest]
@@ -31,5 +34,6 @@ do for [m = 1:moments] {
         file using (is(0)):up:(r):(speed($4, $5, $6)) skip 3 \
         with circles fs solid noborder lc palette notitle
     unset colorbox
+    eval take_away
 }
 unset multiplot

@@ -38,7 +38,8 @@ if (drawn_y > 900) { drawn_x = drawn_x * 900 / drawn_y; drawn_y = 900; panel_x =
 legend = exists('legend') ? legend : 0   # pixels at the right, for a colour box
 panel_y = drawn_y + 52
 canvas_x = int(across * panel_x + 24 + legend)
-canvas_y = int(down * panel_y + 56)
+strip = 50                               # pixels below, for scale and legend
+canvas_y = int(down * panel_y + 56 + strip)
 
 set border 0
 unset tics
@@ -47,6 +48,40 @@ unset key
 set size noratio
 set xrange [left:right]
 set yrange [bottom:above]
+# A scale of a round length, and what the colours mean, below the panels.
+# With `entries` such as "'#1f6fb4:water' '#a6a6a6:walls'", `eval put_scale` and `eval put_words`
+# put them there before the first panel is drawn, `eval take_away` takes them off after it.
+round_down(v) = (p = 10**floor(log10(v)), v >= 5 * p ? 5 * p : v >= 2 * p ? 2 * p : p)
+bar = round_down((right - left) / 4)
+bar_x = bar / (right - left) * drawn_x
+bar_text = bar < 0.01 ? sprintf('%g mm', 1e3 * bar) : bar < 1 ? sprintf('%g cm', 1e2 * bar) : \
+    sprintf('%g m', bar)
+strip_y = (strip / 2.0) / canvas_y
+put_scale = "set arrow 90 from screen 24.0 / canvas_x, screen strip_y \
+    to screen (24 + bar_x) / canvas_x, screen strip_y heads size screen 0.004, 90 lw 2 front; \
+    set label 90 bar_text at screen (34 + bar_x) / canvas_x, screen strip_y left noenhanced"
+put_words = "next_x = 140 + bar_x; do for [i = 1:words(entries)] { \
+    e = word(entries, i); k = strstrt(e, ':'); says = e[k + 1:*]; \
+    set object 90 + i circle at screen next_x / canvas_x, screen strip_y \
+        size screen 8.0 / canvas_x fc rgb e[1:k - 1] fs solid noborder front; \
+    set label 90 + i says at screen (next_x + 16) / canvas_x, screen strip_y left noenhanced; \
+    next_x = next_x + 60 + 12.0 * strlen(says) }"
+take_away = "unset arrow 90; unset label 90; do for [i = 1:words(entries)] { \
+    unset label 90 + i; unset object 90 + i }"
+# Are there particles of this sort in the first picture?
+first_file = ''
+stats '../snapshots.csv' using (first_file = '../'.strcol(2), 0) skip 2 every ::0::0 nooutput
+set xrange [*:*]
+set yrange [*:*]
+stats first_file using (sort(column(kind_column)) == 1 ? 1 : NaN) skip 3 nooutput name 'has_wall'
+stats first_file using (sort(column(kind_column)) == 3 ? 1 : NaN) skip 3 nooutput name 'has_skin'
+set xrange [left:right]
+set yrange [bottom:above]
+has_wall_records = exists('has_wall_records') ? has_wall_records : 0
+has_skin_records = exists('has_skin_records') ? has_skin_records : 0
+solids = (has_wall_records > 0 ? " '".wall.":walls'" : '') \
+    .(has_skin_records > 0 ? " '".skin.":beams'" : '')
+
 # The file of moment m is left in `file`, its panel is set.
 next_panel = "stats '../snapshots.csv' using (t = $1, file = '../'.strcol(2), 0) \
     skip 2 every ::which(m)::which(m) nooutput; \

@@ -4,22 +4,47 @@ load 'style.gp'
 legend = 150
 load 'panels.gp'
 
-# One scale for all moments: the weight of the column, or what pressure there is at the start.
-eval 'm = 1; '.next_panel
+# One scale for all moments, that no single particle and no single impact sets: the mean over the
+# moments of the pressures below and above which 1 of 40 particles of the fluid is.  Above, no less
+# than the weight of the column.
+highest = 0
+lowest = 0
+set xrange [*:*]
 set yrange [*:*]
-stats file using (sort(column(kind_column)) == 0 ? column(p_column) / 1e3 : NaN) skip 3 \
-    nooutput name 'start'
+do for [m = 1:moments] {
+    eval next_panel
+    set yrange [*:*]
+    set table $sorted
+    plot file using (sort(column(kind_column)) == 0 ? column(p_column) / 1e3 : NaN):(1) skip 3 \
+        smooth cnormal
+    unset table
+    set datafile separator whitespace
+    stats $sorted using ($2 <= 0.975 ? $1 : NaN) nooutput name 'most'
+    stats $sorted using ($2 >= 0.025 ? $1 : NaN) nooutput name 'least'
+    set datafile separator ','
+    highest = highest + most_max / moments
+    lowest = lowest + least_min / moments
+}
+set xrange [left:right]
 set yrange [bottom:above]
-highest = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : start_max > 0 ? start_max : 1
+heavy = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : 0
+highest = highest > heavy ? highest : heavy > 0 ? heavy : 1
+lowest = lowest < -highest / 50 ? lowest : 0
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'pressure.png'
+entries = solids
+eval put_scale
+eval put_words
 set multiplot title heading noenhanced
 # Tension has colours of its own; particles beyond an end of the scale have the colour of the end.
-set palette defined (-2.5 '#d73027', -0.01 '#fdbfae', 0 '#440154', 1 '#414487', 2 '#2a788e', \
-    3 '#22a884', 4 '#7ad151', 5 '#fde725')
-set cbrange [-highest / 2:highest]
-set cblabel 'pressure [kPa], red: tension, ends: and beyond'
+low = 5 * lowest / highest
+set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
+if (lowest < 0) { set palette defined (low '#d73027', low / 500 '#fdbfae', 0 '#440154', \
+    1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725') }
+set cbrange [lowest:highest]
+set cblabel lowest < 0 ? 'pressure [kPa], red: tension, ends: and beyond' \
+    : 'pressure [kPa], ends: and beyond'
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7
@@ -30,5 +55,6 @@ do for [m = 1:moments] {
         with circles fs solid noborder lc palette notitle, \
         file using (is(3)):up:(r) skip 3 with circles fs solid noborder lc rgb skin notitle
     unset colorbox
+    eval take_away
 }
 unset multiplot

@@ -47,6 +47,20 @@ both_panels = "do for [side = 0:1] { w = side + 1; eval axes; \
     set ylabel side ? '' : axis[q] offset 1, 0; \
     set xlabel n < rows ? '' : name_of[w]; eval panel }"
 
+# Where there are more than eight lines those on the lower hull have colours: a run of theirs in any
+# panel that is drawn, against any cost, has none beside it that is cheaper and more exact.
+runs = int(row_records)
+array run_cost[runs]
+array run_error[runs]
+array run_line[runs]
+keep(i, v, e) = (run_cost[i] = v, run_error[i] = e, run_line[i] = line_of(case(0)), 0)
+add_hull = "stats table using (keep(int($0) + 1, cost(w), good(q))) skip 2 nooutput; \
+    do for [i = 1:runs] { beaten = run_cost[i] > 0 && run_error[i] > 0 ? 0 : 1; \
+        do for [j = 1:runs] { if (beaten == 0 && run_cost[j] > 0 && run_error[j] > 0 \
+            && run_cost[j] < run_cost[i] && run_error[j] < run_error[i]) { beaten = 1 } }; \
+        if (beaten == 0) { hull = add(hull, run_line[i]) } }"
+find_hull = "hull = ''; do for [k_hull in drawn] { q = k_hull + 0; do for [w = 1:2] { eval add_hull } }"
+
 # What stands beside and below the panels: the key, and why runs are missing.
 has_places = 0
 legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at screen 0.999; \
@@ -75,6 +89,8 @@ rows = words(shown)
 high = larger(330, key_high / rows)
 tall = 1.0 * head + rows * high + 25 + below
 file = 'work-precision.png'
+drawn = shown
+if (words(lines) > 8) { eval find_hull }
 eval start
 do for [n = 1:rows] {
     q = word(shown, n) + 0
@@ -88,6 +104,8 @@ unset multiplot
 most_rows = 6
 places_shown = words(places) > most_rows ? most_rows : words(places)
 do for [k in shown] {
+    drawn = k
+    if (words(lines) > 8) { eval find_hull }
     q = k + 0
     rows = places_shown
     high = larger(rows > 1 ? 400 : 620, key_high / rows)

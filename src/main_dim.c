@@ -2,6 +2,8 @@
 #include "base/status.h"
 #include "cli/cli.h"
 #include "output/figures.h"
+#include "output/movie.h"
+#include "output/report.h"
 #include "plan/catalogue-keys.h"
 #include "plan/catalogue.h"
 #include "run/run.h"
@@ -13,6 +15,7 @@
 #include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -76,16 +79,50 @@ static bool has_results(const char *directory)
     return false;
 }
 
+static int refuse_directory(const char *directory)
+{
+    return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s/run.json cannot be read)",
+                       directory, directory);
+}
+
 static int plot(const char *directory)
 {
     char scripts[4200], reference[4200];
 
     if (!has_results(directory))
-        return status_fail(STATUS_BAD_SCENE, "%s: no run in there (%s/run.json cannot be read)",
-                           directory, directory);
+        return refuse_directory(directory);
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
     snprintf(reference, sizeof reference, "%.4096s/data/reference", cli_data());
     return figures_draw(directory, scripts, reference);
+}
+
+static int movie(const char *directory)
+{
+    char scripts[4200];
+
+    snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
+    return has_results(directory) ? movie_write(directory, scripts) : refuse_directory(directory);
+}
+
+/* Without gnuplot there is a page, too: that has been said where it was missed. */
+static int report(const char *directory)
+{
+    char *versions = NULL;
+    size_t size = 0;
+    FILE *to;
+    int drawn, status;
+
+    if (!has_results(directory))
+        return refuse_directory(directory);
+    drawn = plot(directory);
+    to = open_memstream(&versions, &size);
+    if (!to)
+        return status_fail(STATUS_FAILED, "out of memory for a report");
+    cli_version(to);
+    fclose(to);
+    status = report_write(directory, versions);
+    free(versions);
+    return status != STATUS_DONE ? status : drawn;
 }
 
 static int compare(const struct cli *c)
@@ -154,6 +191,8 @@ static int carry_out(const struct cli *c)
     case CLI_RESUME: return resume(c);
     case CLI_CHECK: return run_check(&order);
     case CLI_PLOT: return plot(c->subject);
+    case CLI_REPORT: return report(c->subject);
+    case CLI_MOVIE: return movie(c->subject);
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
     case CLI_COMPARE: return compare(c);

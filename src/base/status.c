@@ -15,6 +15,8 @@ static struct {
     char what[WHAT], cause[ADVICE], remedy[ADVICE]; /* what happened; "" or advice */
     char message[WHAT + 2 * ADVICE + 4];            /* all of them                 */
 } kept;
+static char *warned[STATUS_WARNINGS]; /* to be told again */
+static bool hushed;
 static atomic_flag taken = ATOMIC_FLAG_INIT; /* threads may fail together: one writes */
 
 /* A text that did not fit ends in dots, so that it is not taken for whole. */
@@ -123,10 +125,27 @@ void status_warn(const char *format, ...)
     char line[4096];
     va_list arguments;
 
+    if (hushed)
+        return;
     va_start(arguments, format);
     print_cut(line, sizeof line, format, arguments);
     va_end(arguments);
     fprintf(stderr, "stiffwater: warning: %s\n", line);
+    for (int i = 0; i < STATUS_WARNINGS; i++)
+        if (!warned[i]) {
+            warned[i] = strdup(line);
+            return;
+        }
+}
+
+void status_hush(bool on)
+{
+    hushed = on;
+}
+
+const char *status_warning(int i)
+{
+    return i < STATUS_WARNINGS ? warned[i] : NULL;
 }
 
 void *status_alloc(unsigned long count, unsigned long size)

@@ -65,6 +65,14 @@ const char *status_plain(char *text);
 /* A line on standard error that starts with "stiffwater: warning:". */
 void status_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* The warnings so far, the first STATUS_WARNINGS of them: i = 0, 1, ...; NULL: no more. */
+enum { STATUS_WARNINGS = 20 };
+const char *status_warning(int i);
+
+/* Warnings are neither printed nor kept while this is on: for a look at a scene that nobody asked
+ * for. */
+void status_hush(bool on);
+
 /* malloc(count * size), zeroed; NULL and a failure kept when there is none. */
 void *status_alloc(unsigned long count, unsigned long size);
 

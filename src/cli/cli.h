@@ -5,8 +5,9 @@
 #include "study/compare.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 
-enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_SWEEP, CLI_SPREAD, CLI_PLOT, CLI_LIST, CLI_EXPLAIN };
+enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_SWEEP, CLI_SPREAD, CLI_PLOT, CLI_REPORT, CLI_MOVIE, CLI_LIST, CLI_EXPLAIN };
 
 enum { CLI_OVERRIDES = 128 };
 
@@ -37,7 +38,7 @@ struct cli {
 void cli_parse(int argc, char **argv, struct cli *c);
 
 /* Program, libraries and their versions, as --version prints them. */
-void cli_version(void);
+void cli_version(FILE *to);
 
 /* Replaces this process by the program for `dimension` (2 or 3), found beside
  * this one or in the directory where it was installed.  Returns only when that

@@ -70,7 +70,7 @@ static void take_word(struct argp_state *argp, const char *word)
     struct state *s = argp->input;
 
     if (!s->cli->subject)
-        s->cli->subject = word;
+        s->cli->subject = s->command->keys && strcmp(word, "-") == 0 ? "/dev/stdin" : word;
     else if (s->command->keys && strchr(word, '='))
         add_override(argp, word, NULL);
     else if (s->command->keys)
@@ -218,7 +218,7 @@ void cli_parse(int argc, char **argv, struct cli *c)
         exit(STATUS_DONE);
     }
     if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0) {
-        cli_version();
+        cli_version(stdout);
         exit(STATUS_DONE);
     }
     s = (struct state){ .command = find(argv[1]), .cli = c };

@@ -10,15 +10,15 @@
 #define PACKAGE_VERSION "unknown"
 #endif
 
-void cli_version(void)
+void cli_version(FILE *to)
 {
-    printf("stiffwater %s\nSUNDIALS %s\nGSL %s (built with %s)\n", PACKAGE_VERSION,
+    fprintf(to, "stiffwater %s\nSUNDIALS %s\nGSL %s (built with %s)\n", PACKAGE_VERSION,
            SUNDIALS_VERSION, gsl_version, GSL_VERSION);
-    printf("HDF5 %d.%d.%d\n", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE);
+    fprintf(to, "HDF5 %d.%d.%d\n", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE);
 #ifdef _OPENMP
-    printf("OpenMP %d\n", _OPENMP);
+    fprintf(to, "OpenMP %d\n", _OPENMP);
 #else
-    puts("OpenMP: not built in");
+    fputs("OpenMP: not built in\n", to);
 #endif
-    puts("Licence GPL-3.0-or-later; no warranty.");
+    fputs("Licence GPL-3.0-or-later; no warranty.\n", to);
 }

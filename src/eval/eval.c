@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static void add_stiff(struct moment *m, double t, const double *y, double *ydot)
@@ -98,4 +99,21 @@ void moment_body_book(struct moment *m, double t, const double *y, double share,
                       m->work->rates, &load);
         book_add_load(p, i, share, &load, book);
     }
+}
+
+int moment_try(struct moment *m, double t, const double *y)
+{
+    const struct moment_counts counts = m->counts;
+    const long builds = m->own ? m->own->builds : 0;
+    double *ydot = status_alloc((unsigned long)moment_size(m), sizeof *ydot);
+    const int status = ydot ? moment_eval(m, ASK_ALL, t, y, ydot) : STATUS_FAILED;
+
+    free(ydot);
+    if (status != STATUS_DONE)
+        return status;
+    moment_restart(m);
+    m->counts = counts;
+    if (m->own)
+        m->own->builds = builds;
+    return STATUS_DONE;
 }

@@ -88,6 +88,10 @@ void moment_by_id(const struct moment *moment, const double *y, double *to);
 int moment_eval(struct moment *moment, struct ask ask, double t, const double *y, double *ydot);
 const char *moment_refusal(const struct moment *moment);
 
+/* Is there an answer at (t, y)?  Asked of a fresh moment, which is as fresh afterwards, its counters
+ * too, unless there is none: then as moment_eval(). */
+int moment_try(struct moment *moment, double t, const double *y);
+
 /* Finds z with z - gamma f_I(t, z) = r in the stiff ranges (z comes in as a guess);
  * other entries are not touched.  STATUS_FAILED: without a failure kept, a refusal as
  * that of moment_eval() -- try a shorter step -- else the failure. */

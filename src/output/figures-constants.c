@@ -32,6 +32,7 @@ int figures_constants(const char *run, const struct figures_constants *c)
     figures_data_number(a.to, "until", c->until);
     constant_points(a.to, "low", c->low, c->dim);
     constant_points(a.to, "high", c->high, c->dim);
+    fprintf(a.to, "falls = %d\n", c->column);
     figures_data_number(a.to, "beam_x", c->beam_x);
     figures_data_number(a.to, "dx", c->dx);
     figures_data_number(a.to, "rho0", c->rho0);

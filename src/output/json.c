@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "output/aside.h"
+#include "output/utf8.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,24 +31,6 @@ int json_open(struct json **out, const char *path)
     return STATUS_DONE;
 }
 
-/* Length of the UTF-8 sequence at s, 0 when there is none. */
-static int sequence(const unsigned char *s)
-{
-    const int n = s[0] < 0x80                   ? 1
-                  : s[0] >= 0xc2 && s[0] < 0xe0 ? 2
-                  : (s[0] & 0xf0) == 0xe0       ? 3
-                  : s[0] >= 0xf0 && s[0] < 0xf5 ? 4
-                                                : 0;
-
-    for (int i = 1; i < n; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f)
-        || (s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f))
-        return 0; /* overlong, a surrogate, beyond the last character */
-    return n;
-}
-
 /* Names of files may hold any bytes: what is no UTF-8 becomes U+FFFD. */
 static void quoted(FILE *to, const char *text)
 {
@@ -55,7 +38,7 @@ static void quoted(FILE *to, const char *text)
 
     fputc('"', to);
     while (*s) {
-        const int n = sequence(s);
+        const int n = utf8_sequence(s);
         if (n == 0)
             fputs("\\ufffd", to);
         else if (*s == '"' || *s == '\\')
@@ -112,6 +95,22 @@ void json_text(struct json *j, const char *key, const char *text)
         quoted(j->file.to, text);
     else
         fputs("null", j->file.to);
+}
+
+void json_texts(struct json *j, const char *key, int n, const char *const *texts)
+{
+    start(j, key);
+    fputc('[', j->file.to);
+    j->depth++;
+    for (int i = 0; i < n; i++) {
+        fputs(i > 0 ? "," : "", j->file.to);
+        new_line(j);
+        quoted(j->file.to, texts[i]);
+    }
+    j->depth--;
+    if (n > 0)
+        new_line(j);
+    fputc(']', j->file.to);
 }
 
 void json_object(struct json *j, const char *key)

@@ -21,6 +21,8 @@ void json_number(struct json *j, const char *key, double value); /* %.17g; not f
 void json_integer(struct json *j, const char *key, long long value);
 void json_flag(struct json *j, const char *key, bool value);
 void json_text(struct json *j, const char *key, const char *text); /* NULL: null */
+/* A list of n texts, each on a line of its own. */
+void json_texts(struct json *j, const char *key, int n, const char *const *texts);
 
 void json_object(struct json *j, const char *key); /* what follows belongs to key ... */
 void json_end(struct json *j);                     /* ... until here                  */

@@ -20,14 +20,46 @@ static double extent(const struct particles *all, int axis)
     return high >= low ? high - low + all->scales->dx : NAN;
 }
 
-/* Left face of the first skin at the start [m], NAN without any. */
-static double first_skin(const struct particles *all)
+static bool is_inside(const struct scales *s, const double *x)
+{
+    for (int d = 0; d < DIM; d++)
+        if (!(x[d] > s->low[d] && x[d] < s->high[d]))
+            return false;
+    return true;
+}
+
+/* Left face of the first solid within the domain at the start, a beam or a wall [m], NAN without
+ * any. */
+static double first_solid(const struct particles *all)
 {
     double low = HUGE_VAL;
 
-    for (int i = all->from[KIND_SKIN]; i < all->from[KIND_SKIN_SLIP + 1]; i++)
-        low = fmin(low, all->x0[i][0] - all->scales->dx / 2);
+    for (int i = 0; i < all->n; i++)
+        if (all->object[all->object_of[i]].kind != KIND_FLUID && is_inside(all->scales, all->x0[i]))
+            low = fmin(low, all->x0[i][0] - all->scales->dx / 2);
     return low < HUGE_VAL ? low : NAN;
+}
+
+/* Is the fluid a block in the low corner of the domain, as wide as that across, under gravity along
+ * the last axis?  As a dam break that experiments can be held against. */
+static bool is_column(const struct particles *all)
+{
+    const struct scales *s = all->scales;
+    const int n = particles_count(all, KIND_FLUID);
+    double low[DIM], volume = 1;
+
+    for (int d = 0; d < DIM; d++) {
+        const double wide = extent(all, d);
+        low[d] = HUGE_VAL;
+        for (int i = 0; i < n; i++)
+            low[d] = fmin(low[d], all->x0[i][d]);
+        if (!(fabs(low[d] - s->low[d] - s->dx / 2) < s->dx / 4)
+            || (d > 0 && d < DIM - 1 && wide < s->high[d] - s->low[d] - s->dx / 2)
+            || (d < DIM - 1 && s->g[d] != 0))
+            return false;
+        volume *= wide;
+    }
+    return s->g[DIM - 1] < 0 && n * pow(s->dx, DIM) > 0.99 * volume;
 }
 
 struct beams {
@@ -59,7 +91,7 @@ int run_constants(const struct run *r)
         .title = plan_settings(r->plan)->title, .dim = DIM,
         .a = extent(all, 0), .n2 = extent(all, DIM - 1) / extent(all, 0),
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
-        .until = r->until, .beam_x = first_skin(all), .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
+        .until = r->until, .beam_x = first_solid(all), .column = is_column(all), .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
         .E0 = outputs_energy_initial(r->outputs), .beams = beams.names,
         .sections = beams.sections,
     };

@@ -93,6 +93,7 @@ int run_doubt_scene(const struct run *r)
     if (!plan_scales(r->plan)->fluid)
         return STATUS_DONE;
     doubt_probes(r);
+    TRY(run_doubt_hopes(r));
     doubt_skins(r);
     return STATUS_DONE;
 }

@@ -44,6 +44,9 @@ int run_report(const struct run *r, int status, const char *message, const doubl
 enum { RUN_MESSAGE = 3072 };
 void run_explain(const struct run *r, int status, char *message);
 
+/* Where the results of a run are and what came out, on standard output. */
+void run_sum_up(const struct run *r, const struct run_order *order, int status);
+
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);
 
@@ -53,6 +56,22 @@ int run_constants(const struct run *r); /* for plots, see output/figures.h    */
  * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);
 int run_doubt_end(const struct run *r);
+int run_doubt_hopes(const struct run *r); /* of the first kind, too */
+
+/* Files of a run, but for steps.csv and figures. */
+struct run_disk {
+    double rows, fields, pictures; /* of tables; files of all particles for viewers, for pictures */
+    double files, bytes;
+};
+void run_disk(const struct run *r, struct run_disk *to);
+int run_disk_agree(const struct run *r); /* STATUS_BAD_SCENE: more than the disk has */
+void run_disk_print(const struct run *r);
+
+/* CPU time of one right-hand side at r->y, the list made before: the least of some [s]. */
+int run_time_rhs(struct run *r, double *seconds);
+
+/* What each effect takes of it. */
+void run_shares_print(struct run *r, const struct run_order *order, double whole);
 
 /* Sites that fluids left to solids; writes a line for each such fluid, NULL: nowhere. */
 int run_carved(const struct run *r, FILE *to);

@@ -31,6 +31,7 @@ struct run_tally {
     long steps, limited[3];  /* by enum method_limiter                        */
     long rejected;
     double density[2];       /* least and largest of the fluid [kg/m^3]       */
+    double speed;            /* largest of the fluid [m/s]                    */
     double t;                /* reached [s]                                   */
     long doubted;            /* bodies that a warning was of, bit by bit      */
 };

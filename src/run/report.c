@@ -34,6 +34,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
 
     json_text(j, "status", status == RUN_GOES ? "running" : words[status]);
     json_text(j, "message", message);
+    json_text(j, "title", s->title);
     json_text(j, "scene", r->path);
     json_text(j, "version", PACKAGE_VERSION);
     json_integer(j, "dimension", DIM);
@@ -87,6 +88,29 @@ static void write_work(struct json *j, const struct run *r)
     json_end(j);
 }
 
+/* What numbers are to be held against. */
+static void write_scales(struct json *j, const struct run *r)
+{
+    const struct scales *s = plan_scales(r->plan);
+
+    json_number(j, "speed_expected", s->fluid ? plan_speed_expected(r->plan) : NAN);
+    json_number(j, "sound", s->fluid ? s->c0 : NAN);
+    json_number(j, "rho0", s->fluid ? s->rho0 : NAN);
+    json_number(j, "gravity", sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]));
+}
+
+static void write_warnings(struct json *j)
+{
+    const char *text[STATUS_WARNINGS];
+    int n = 0;
+
+    while (n < STATUS_WARNINGS && status_warning(n)) {
+        text[n] = status_warning(n);
+        n++;
+    }
+    json_texts(j, "warnings", n, text);
+}
+
 static void write_books(struct json *j, const struct run *r, const double *y)
 {
     char hash[HASH_TEXT];
@@ -98,11 +122,14 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     json_integer(j, "in_solids", sunk.n);
     json_integer(j, "in_solids_max", outputs_sunk(r->outputs)->n);
     json_number(j, "energy_initial", outputs_energy_initial(r->outputs));
+    json_number(j, "energy_most", outputs_energy_most(r->outputs));
     json_number(j, "energy_defect", outputs_defect(r->outputs));
     json_number(j, "energy_defect_max", outputs_defect_max(r->outputs));
     json_number(j, "momentum_defect", outputs_momentum_defect(r->outputs));
     json_number(j, "density_min", r->past.tally.density[1] > 0 ? r->past.tally.density[0] : NAN);
     json_number(j, "density_max", r->past.tally.density[1] > 0 ? r->past.tally.density[1] : NAN);
+    json_number(j, "speed_max", r->past.tally.density[1] > 0 ? r->past.tally.speed : NAN);
+    write_scales(j, r);
     json_integer(j, "peak_rss_kb", (long)(memory_peak() / 1024));
     json_text(j, "state_hash",
               hash_text(hash_bytes(HASH_START, r->y, plan_size(r->plan) * sizeof *y), hash));
@@ -119,5 +146,6 @@ int run_report(const struct run *r, int status, const char *message, const doubl
     write_sizes(j, r);
     write_work(j, r);
     write_books(j, r, y);
+    write_warnings(j);
     return json_close(&j);
 }

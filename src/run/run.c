@@ -81,7 +81,16 @@ static int write_due(struct run *r, double t)
     return STATUS_DONE;
 }
 
-static void keep_density(struct run *r, double t, const double *y)
+static double speed(const double *u)
+{
+    double squares = 0;
+
+    for (int d = 0; d < DIM; d++)
+        squares += u[d] * u[d];
+    return sqrt(squares);
+}
+
+static void keep_extremes(struct run *r, double t, const double *y)
 {
     struct view v;
     int n;
@@ -94,6 +103,7 @@ static void keep_density(struct run *r, double t, const double *y)
             r->past.tally.density[0] = rho;
         if (rho > r->past.tally.density[1])
             r->past.tally.density[1] = rho;
+        r->past.tally.speed = fmax(r->past.tally.speed, speed(v.u[KIND_FLUID] + DIM * i));
     }
 }
 
@@ -122,7 +132,7 @@ static int one_step(struct run *r, struct progress *progress)
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;
     r->past.tally.rejected = step.rejected;
-    keep_density(r, step.t, r->method->state(r->self));
+    keep_extremes(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
     return watch(r, step.t, r->method->state(r->self));
@@ -191,14 +201,27 @@ static int create_method(struct run *r)
     return STATUS_DONE;
 }
 
+/* A start that has no answer is refused before there are files. */
+static int try_start(struct run *r)
+{
+    if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
+        return STATUS_DONE;
+    return status_fail_with(STATUS_FAILED, (struct status_advice){
+        .remedy = "try a higher eos.c0 or wider eos.lowest and eos.highest, or look at what the "
+                  "scene starts with" }, "the start has no right-hand side: %s; nothing was "
+                  "written", moment_refusal(r->moment));
+}
+
 static int start(struct run *r)
 {
     TRY(checkpoint_agree(r));
+    TRY(run_disk_agree(r));
     TRY(release_start(r->moment, r->y));
+    TRY(try_start(r));
     TRY(create_method(r));
     choose_times(r);
     TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, false));
-    keep_density(r, 0, r->y);
+    keep_extremes(r, 0, r->y);
     TRY(outputs_start(r->outputs, r->moment, 0, r->y));
     return write_used(r);
 }
@@ -264,6 +287,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     if (status == STATUS_DONE && (status = run_doubt_end(&r)) != STATUS_DONE)
         snprintf(message, sizeof message, "%s", status_message());
     status = end(&r, status, message);
+    run_sum_up(&r, order, status);
     run_release(&r);
     if (message[0]) {
         status_clear();

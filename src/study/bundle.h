@@ -4,7 +4,7 @@
 
 #include "study/member.h"
 #include "study/sample.h"
-#include "study/table.h"
+#include "output/table.h"
 
 struct bundle {
     int runs, rows, columns;

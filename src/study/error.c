@@ -1,7 +1,7 @@
 /* error.c -- distances between tables of two runs. */
 #include "study/error.h"
 
-#include "study/force.h"
+#include "output/force.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
 #ifndef STUDY_ERROR_H
 #define STUDY_ERROR_H
 
-#include "study/table.h"
+#include "output/table.h"
 
 double error_positions(const struct table *run, const struct table *reference); /* [m] */
 double error_front(const struct table *run, const struct table *reference);

@@ -2,8 +2,8 @@
 #include "study/member.h"
 
 #include "base/status.h"
+#include "output/json-find.h"
 #include "study/facts.h"
-#include "study/result.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -173,7 +173,7 @@ static void read_end(const struct member_home *h, struct member *m)
     member_path(h, m, "run.json", report);
     if (m->late)
         snprintf(m->message, sizeof m->message, "stopped by the budget of %g s at t = %g s of %g s",
-                 h->budget, result_number(report, "t_end"), m->until);
+                 h->budget, json_find_number(report, "t_end"), m->until);
     else if (!m->message[0] && m->code < 0)
         snprintf(m->message, sizeof m->message, "ended by signal %d", -m->code);
     m->ended = true;

@@ -3,7 +3,7 @@
 
 #include "base/status.h"
 #include "output/figures.h"
-#include "study/result.h"
+#include "output/json-find.h"
 
 #include <math.h>
 
@@ -15,7 +15,7 @@ int picture_draw(const struct member_home *h, const struct facts *f, const struc
     char path[MEMBER_PATH];
 
     member_path(h, of_run, "run.json", path);
-    c.E0 = result_number(path, "energy_initial");
+    c.E0 = json_find_number(path, "energy_initial");
     TRY(figures_constants(h->directory, &c));
     if (figures_draw(h->directory, scripts, scripts) != STATUS_DONE) {
         status_warn("%s", status_message());

@@ -2,6 +2,7 @@
 #include "study/result.h"
 
 #include "output/aside.h"
+#include "output/json-find.h"
 #include "study/error.h"
 
 #include <math.h>
@@ -13,36 +14,13 @@ const char *const result_errors[RESULT_ERRORS] = {
     "position", "front", "tip", "impulse", "force", "probe"
 };
 
-/* Our own writer puts every key on a line of its own. */
-double result_number(const char *path, const char *key)
-{
-    FILE *from = fopen(path, "r");
-    char line[4096], quoted[80], *at, *end;
-    double value = NAN;
-
-    if (!from)
-        return NAN;
-    snprintf(quoted, sizeof quoted, "\"%s\": ", key);
-    while (fgets(line, sizeof line, from)) {
-        at = line + strspn(line, " ");
-        if (strncmp(at, quoted, strlen(quoted)) != 0)
-            continue;
-        value = strtod(at + strlen(quoted), &end);
-        if (end == at + strlen(quoted))
-            value = NAN;
-        break;
-    }
-    fclose(from);
-    return value;
-}
-
 /* Passes over pairs, with each product by the matrix of an implicit viscosity as one,
  * though it costs less. */
 static double all_passes(const char *path)
 {
-    const double products = result_number(path, "operator_products");
+    const double products = json_find_number(path, "operator_products");
 
-    return result_number(path, "pair_passes") + (isfinite(products) ? products : 0);
+    return json_find_number(path, "pair_passes") + (isfinite(products) ? products : 0);
 }
 
 void result_read(struct result *r, const char *dir)
@@ -61,7 +39,7 @@ void result_read(struct result *r, const char *dir)
 
     snprintf(path, sizeof path, "%.4000s/run.json", dir);
     for (size_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++)
-        *wanted[i].to = result_number(path, wanted[i].key);
+        *wanted[i].to = json_find_number(path, wanted[i].key);
     r->passes = all_passes(path);
     for (int i = 0; i < RESULT_ERRORS; i++)
         r->error[i] = NAN;

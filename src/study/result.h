@@ -18,9 +18,6 @@ struct result { /* NAN: not known */
 
 extern const char *const result_errors[RESULT_ERRORS]; /* "position", ... */
 
-/* Number behind "KEY": in a file that output/json.h wrote, NAN if there is none. */
-double result_number(const char *path, const char *key);
-
 /* Reads DIR/run.json; errors are NAN. */
 void result_read(struct result *r, const char *dir);
 

@@ -3,7 +3,7 @@
 
 #include "base/status.h"
 #include "study/bundle.h"
-#include "study/force.h"
+#include "output/force.h"
 #include "study/quantity.h"
 
 #include <math.h>

@@ -24,7 +24,7 @@ void sweep_outputs_free(struct sweep_outputs *o);
 
 /* Fills the values of point i from the tables of its run: of front, forces, beam and probes
  * what study/quantity.h tells, and of each object that water presses the peak of its force,
- * study/force.h.  More than SWEEP_OUTPUTS are left out. */
+ * output/force.h.  More than SWEEP_OUTPUTS are left out. */
 void sweep_outputs_read(struct sweep_outputs *o, int i, const struct member_home *h,
                         const struct member *m);
 

@@ -2,7 +2,7 @@
 #include "study/sweep-table.h"
 
 #include "base/status.h"
-#include "study/table.h"
+#include "output/table.h"
 
 #include <math.h>
 #include <string.h>

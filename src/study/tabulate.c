@@ -2,7 +2,7 @@
 #include "study/tabulate.h"
 
 #include "base/status.h"
-#include "study/table.h"
+#include "output/table.h"
 #include "study/trial.h"
 
 #include <gsl/gsl_sort.h>

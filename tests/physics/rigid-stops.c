@@ -244,6 +244,7 @@ static void overlap_at_the_start_is_refused(void **state)
     assert_int_equal(tank_try(&t, PLACE "gravity = " VECTOR("0.0", "0.0", "-9.81") ";"
                               BOX("0.07", "")), STATUS_BAD_SCENE);
     assert_non_null(strstr(status_message(), "body.it: at t = 0 it reaches 0.005 m beyond the side"));
+    tank_free(&t);
 }
 
 int main(void)

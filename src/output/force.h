@@ -1,8 +1,8 @@
 /* force.h -- forces that a table of impulses tells. */
-#ifndef STUDY_FORCE_H
-#define STUDY_FORCE_H
+#ifndef OUTPUT_FORCE_H
+#define OUTPUT_FORCE_H
 
-#include "study/table.h"
+#include "output/table.h"
 
 /* The largest force [N, 2D: N/m] on the object whose first impulse (NAME.ix) is in this column, as
  * a mean over `window' [s], or over a row of the table where rows are further apart. */

@@ -1,5 +1,5 @@
 /* force.c -- forces that a table of impulses tells. */
-#include "study/force.h"
+#include "output/force.h"
 
 #include <math.h>
 #include <string.h>

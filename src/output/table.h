@@ -1,7 +1,7 @@
 /* table.h -- numbers of a CSV file: lines that start with #, of which "# units: " has the
  * units, a line of names, rows.  And cells of such a file, for those who write one. */
-#ifndef STUDY_TABLE_H
-#define STUDY_TABLE_H
+#ifndef OUTPUT_TABLE_H
+#define OUTPUT_TABLE_H
 
 #include <stdbool.h>
 #include <stdio.h>

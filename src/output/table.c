@@ -1,5 +1,5 @@
 /* table.c -- numbers of a CSV file. */
-#include "study/table.h"
+#include "output/table.h"
 
 #include "base/status.h"
 

@@ -1,0 +1,29 @@
+/* sum-up.c -- the last words of a run: where its results are and what came out. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "output/numbers.h"
+
+#include <stdio.h>
+
+static void print_warnings(void)
+{
+    for (int i = 0; status_warning(i); i++)
+        printf("%s  %s\n", i == 0 ? "warnings:\n" : "", status_warning(i));
+}
+
+void run_sum_up(const struct run *r, const struct run_order *order, int status)
+{
+    struct numbers n;
+
+    if (order->quiet || status == STATUS_IO)
+        return;
+    numbers_read(&n, r->directory);
+    printf("%s at t = %.6g s of %.6g s, %.3g s by the clock; results are in %s/\n",
+           status == STATUS_DONE ? "done" : status == STATUS_STOPPED ? "stopped" : "failed",
+           r->past.tally.t, r->until, run_clock() - r->clock_start, r->directory);
+    numbers_print(&n, stdout);
+    print_warnings();
+    printf("next: stiffwater plot %s, or report for one page with all of it\n", r->directory);
+    fflush(stdout);
+}
