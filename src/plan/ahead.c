@@ -22,14 +22,25 @@ static bool bodies_yield(const struct plan *p)
     return true;
 }
 
+static bool skins(const struct plan *p)
+{
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].skin > 0)
+            return true;
+    return false;
+}
+
 /* What it cannot go with, and what to do; NULL: nothing. */
 static const char *reason(const struct plan *p)
 {
     if (p->row.density[KIND_FLUID] < 0)
         return "it predicts a density that evolves: take effects.continuity";
     if (p->particles->n > particles_count(p->particles, KIND_FLUID)
-        && (p->passes.press || !p->in.walls->as.wall->as_fluid || p->passes.fields > 0))
+        && (!p->in.walls->as.wall->as_fluid || p->passes.fields > 0))
         return "it is solved for in the fluid and in solids with a density of their own: set "
+               "walls = \"contact\" or \"own-density\"";
+    if (p->passes.press && skins(p))
+        return "skins of beams whose pressure is a mean do not yield to it: set "
                "walls = \"own-density\"";
     if (!bodies_yield(p))
         return "one of the bodies does not say how it yields to pressure within a time: leave it "

@@ -88,7 +88,7 @@ static int solve(struct matrix *m, const double *b, double share, double *x)
     }
     a.near = share * sqrt(square);
     assert_int_equal(bounded_solver_create(m->n, MOST, &s), STATUS_DONE);
-    if (bounded_solve(s, &a, x, residual, &report) != STATUS_DONE)
+    if (bounded_solve(s, &a, NULL, x, residual, &report) != STATUS_DONE)
         fail_msg("%d unknowns: cause %d after %d products, %g of the first residual is left",
                  m->n, report.cause, report.products, report.residual);
     bounded_solver_free(&s);
@@ -247,7 +247,7 @@ static void what_is_not_positive_is_refused(void **state)
         struct operator_report report;
         struct bounded_solver *s;
         assert_int_equal(bounded_solver_create(2, k < 2 ? 100 : 1, &s), STATUS_DONE);
-        assert_int_equal(bounded_solve(s, &op, x, residual, &report), STATUS_FAILED);
+        assert_int_equal(bounded_solve(s, &op, NULL, x, residual, &report), STATUS_FAILED);
         assert_int_equal(report.cause, cause[k]);
         assert_true(x[0] == 0.5 && x[1] == 0.25);
         bounded_solver_free(&s);
