@@ -74,6 +74,19 @@ static void doubt_light(const struct plan *p, const struct scene *scene)
     }
 }
 
+/* Sound takes no shorter steps than 1/tau then, and the solve buys nothing. */
+static void doubt_short(const struct plan *p, const struct scene *scene)
+{
+    const struct scales *s = &p->scales;
+    const double least = s->hs / (SCALES_WAVE * s->wave * s->c0);
+
+    if (plan_ahead(p) < least)
+        status_warn("%s: eos.tau = %g dx/U looks ahead by less than sound needs for a particle: sound "
+                    "still bounds the steps, and each has a solve; take eos.tau above %g, or "
+                    "eos.type = \"linear\"", scene_path(scene), plan_ahead(p) * s->speed / s->dx,
+                    least * s->speed / s->dx);
+}
+
 /* A body that moves as this pressure predicts, under another. */
 static int refuse_moved(const struct plan *p, const struct scene *scene)
 {
@@ -94,6 +107,7 @@ int plan_ahead_agree(const struct plan *p, const struct scene *scene)
         return refuse_moved(p, scene);
     if (!why) {
         doubt_light(p, scene);
+        doubt_short(p, scene);
         return STATUS_DONE;
     }
     return status_fail(STATUS_BAD_SCENE, "%s: eos.type = \"%s\": %s", scene_path(scene),
