@@ -5,8 +5,9 @@
 #
 # Marks, measured in brackets: still water 40 spacings deep, bed pressure 1 % (+0.69 % over 3 s, of
 # which +0.61 % is there with `linear', too: it is the walls'), its deviation 1.5 % (0.72 %), kinetic
-# energy 2e-6 m g H after 1 s (1.1e-6); 13 products in a right-hand side (10.5); a plate that has moved by 0.3 spacings changes the push
-# along the floor beside it by less than 5 % of 229 N/m (0.1 %; `own-density' 10 %).
+# energy 2e-6 m g H after 1 s (1.1e-6); 800 particles, 13 products in a right-hand side (10.5); a
+# plate that has moved by 0.3 spacings changes the push along the floor beside it by less than 5 %
+# of 229 N/m (0.1 %; `own-density' 10 %).
 . "$top_srcdir/tests/lib.sh"
 scenes=$top_srcdir/data/scenes
 

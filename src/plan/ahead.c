@@ -22,6 +22,14 @@ static bool bodies_yield(const struct plan *p)
     return true;
 }
 
+/* Do solids say what their pressure is one of: a density of their own, or means of these? */
+static bool walls_predict(const struct plan *p)
+{
+    const struct part_wall *wall = p->in.walls->as.wall;
+
+    return wall->as_fluid && p->passes.fields == 0 && (!wall->press || wall->press->mean);
+}
+
 static bool skins(const struct plan *p)
 {
     for (int i = 0; i < p->bodies; i++)
@@ -36,7 +44,7 @@ static const char *reason(const struct plan *p)
     if (p->row.density[KIND_FLUID] < 0)
         return "it predicts a density that evolves: take effects.continuity";
     if (p->particles->n > particles_count(p->particles, KIND_FLUID)
-        && (!p->in.walls->as.wall->as_fluid || p->passes.fields > 0))
+        && !walls_predict(p))
         return "it is solved for in the fluid and in solids with a density of their own: set "
                "walls = \"contact\" or \"own-density\"";
     if (p->passes.press && skins(p))
