@@ -19,6 +19,9 @@
  *     M/s      million particles' right-hand sides a second: by the median of RHS, and
  *              by the least
  *
+ * L is the number of lanes of the list; with an s behind, pairs are summed in single
+ * precision, with twice as many.
+ *
  * The share is that of the default method in data/scenes/dam-break.scene from 0
  * to 0.3 s: 21, 12, 7 % of right-hand sides at margins of 0.05, 0.1, 0.2 (here 20, 10, 5);
  * dam-break-3d.scene with spacing=0.037 has 24, 17, 12 % at 0.03, 0.05, 0.1. */
@@ -59,7 +62,8 @@ static void add_up(void *water)
     const struct plan *p = m->plan;
     struct workspace *w = m->work;
     const struct sum_job job = {
-        .list = m->list, .record = w->record, .table = p->table.all, .slots = p->slots,
+        .list = m->list, .record = w->record, .mass = p->table.mass, .table = p->table.all,
+        .slots = p->slots,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 
@@ -207,32 +211,38 @@ static void report(struct water *w, const struct water_def *def, double share)
     water_rates(w);
     count(w, &useful, &entries);
     const char *same = threads_agree(w, &hash);
-    printf("%dD%c%7d %7d %d %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
+    printf("%dD%c%7d %7d %d%c %.2f %.2f %3.0f%% %5.1f %5.2f |%6.1f %6.1f %5.1f %5.1f %5.1f"
            " |%6.1f %6.1f (%.1f-%.1f) %6.2f (%.2f) %6.1f  %016" PRIx64 " %s\n",
-           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width, support,
-           margin, 100 * share, useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
+           DIM, def->endless ? '*' : def->alone ? '+' : ' ', w->fluid, w->all, width,
+           def->single ? 's' : ' ', support, margin, 100 * share, useful, entries / useful, t.gather, t.laws, t.pack, t.rest,
            share * t.rebuild, t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
            1e3 / t.rhs.least, 1e3 * useful / t.rhs.median, hash, same);
-    fprintf(csv, "%d,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
-            PRIx64 ",%s\n", DIM, w->fluid, w->all, width, support, margin, share, useful,
+    fprintf(csv, "%d,%d,%d,%d,%s,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%016"
+            PRIx64 ",%s\n", DIM, w->fluid, w->all, width,
+            def->single ? "single" : "double", support, margin, share, useful,
             entries / useful, t.gather, t.laws, t.pack, t.rest, t.sort, t.rebuild,
             t.fresh, t.rhs.median, t.rhs.least, t.rhs.most, 1e3 / t.rhs.median,
             1e3 * useful / t.rhs.median, share * t.rebuild / t.rhs.median, hash, same);
     fflush(stdout);
 }
 
-static void run(const struct water_def *def, double share)
+/* In both precisions. */
+static void run(const struct water_def *of, double share)
 {
-    struct water w;
+    for (int single = 0; single < 2; single++) {
+        struct water_def def = *of;
+        struct water w;
 
-    water_make(&w, def);
-    report(&w, def, share);
-    water_free(&w);
+        def.single = single;
+        water_make(&w, &def);
+        report(&w, &def, share);
+        water_free(&w);
+    }
 }
 
 static void head(void)
 {
-    printf("%2s %7s %7s %s %4s %4s %4s %5s %5s |%6s %6s %5s %5s %5s |%6s %6s %13s %13s %6s\n",
+    printf("%2s %7s %7s %s  %4s %4s %4s %5s %5s |%6s %6s %5s %5s %5s |%6s %6s %13s %13s %6s\n",
            "", "fluid", "all", "L", "H/dx", "marg", "reb.", "nb", "rows", "gather", "laws",
            "pack", "rest", "list", "fresh", "RHS", "(least-most)", "M/s (best)", "Mpr/s");
 }
@@ -362,7 +372,7 @@ int main(int argc, char **argv)
     bench_start(argv);
     bench_head(DIM == 2 ? "whole right-hand side in 2D" : "whole right-hand side in 3D",
                engine_pick()->lanes);
-    csv = bench_csv(argv[0], "dimension,fluid,all,lanes,support,margin,share,neighbours,rows,"
+    csv = bench_csv(argv[0], "dimension,fluid,all,lanes,precision,support,margin,share,neighbours,rows,"
                     "gather,laws,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
                     "million_rhs_per_s,million_pairs_per_s,list_share,hash,threads_1_2_4");
     head();

@@ -41,9 +41,9 @@ static void write_scene(FILE *f, const struct water_def *def, double dx, double 
     fprintf(f, "dimension = %d; until = 1.0; spacing = %.17g;\n"
             "fluid = { water = { type = \"box\"; from = [0.0, %s0.0];"
             " to = [%.17g, %s1.0]; }; };\n"
-            "kernel = { support = %g; skin = %g; };\n%s\n%s\n", DIM, dx,
+            "kernel = { support = %g; skin = %g; };\n%s\n%s\nprecision = \"%s\";\n", DIM, dx,
             DIM == 2 ? "" : "0.0, ", width, y, def->support, def->margin, effects,
-            def->more ? def->more : "");
+            def->more ? def->more : "", def->single ? "single" : "double");
     write_surroundings(f, def);
 }
 

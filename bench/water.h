@@ -25,6 +25,7 @@ struct water_def {
     double width;         /* part of the box that is filled; 0: all           */
     bool alone;           /* no walls, no gravity                             */
     bool endless;         /* alone, and all directions repeat                 */
+    bool single;          /* pairs in single precision                        */
     const char *more;     /* put into the scene (NULL: nothing)               */
 };
 

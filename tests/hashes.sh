@@ -63,6 +63,7 @@ shipped_rows() {
     ship all toth-beam until=0.25
     ship all light-plate until=0.02
     ship all closed-tank until=0.05
+    ship all floating-box until=0.2
     ship all dam-break-3d spacing=0.0555 until=0.1
     ship few beam-alone until=0.01
     ship all elastica until=0.6
@@ -92,7 +93,7 @@ shipped_rows() {
 
 flat=tests/scenes/small-2d.scene
 deep=tests/scenes/small-3d.scene
-soft=beam.plate.E=1e5 # so that explicit methods come to the end, too
+soft="beam.plate.E=1e5 beam.plate.theory=linear" # so that explicit methods come to the end, too
 thick='effects.laminar-viscosity.mu=5 effects.laminar-viscosity.side=implicit'
 
 # every METHOD: where it serves, and where it refuses to
@@ -140,9 +141,10 @@ part_rows() {
         for norm in max p8 wrms; do row all "$scene" default norm=$norm until=0.03; done
         for tol in 1e-1 1e-3; do row all "$scene" default tol=$tol until=0.03; done
         for effect in artificial-stress.strength=0.2 laminar-viscosity.mu=1 \
-            stress-viscosity.mu=1 particle-shifting={}; do
+            stress-viscosity.mu=1 particle-shifting={} xsph={}; do
             row all "$scene" default "effects.$effect" until=0.02
         done
+        row few "$scene" default precision=single until=0.03
         row few "$scene" default walls=adami kernel.type=wendland-c4 until=0.01
         row few "$scene" default walls=contact kernel.type=wendland-c4 until=0.01
     done
@@ -150,11 +152,12 @@ part_rows() {
         row all data/scenes/toth-standard-sph.scene default spacing=5e-3 $key until=5e-3
     done
     row few "$flat" dv walls=contact $soft until=0.03
+    row few tests/scenes/floating-box.scene default until=0.2 body.it.angle=3.0
     row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
     row all data/scenes/gate.scene default eos.type=look-ahead spacing=0.01 until=0.15
     row all tests/scenes/lowered-box.scene default eos.type=look-ahead until=0.4
     row all "$flat" default beam.plate.theory=elastica until=0.03
-    row all "$flat" default beam.plate.theory=elastica $soft until=0.08
+    row all "$flat" default beam.plate.theory=elastica beam.plate.E=1e5 until=0.08
     row all "$flat" default $soft until=0.08
 }
 

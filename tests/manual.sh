@@ -43,6 +43,7 @@ stands()
     case $1 in
     scene) tag=$2 ;;
     kernel | domain | reference | disturbance | eos | output | mps) tag=$1.$2 ;;
+    rigid) tag=body.NAME.$2 ;;
     fluid | wall | probe | panel | beam) tag=$1.NAME.$2 ;;
     *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
     esac

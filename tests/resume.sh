@@ -61,6 +61,7 @@ ship toth-pcisph 0.02 spacing=5e-3
 ship toth-fsi 0.16 spacing=5e-3
 ship light-plate 0.02
 ship closed-tank 0.05
+ship floating-box 0.05
 ship toth-standard-sph 0.003 spacing=5e-3
 ship tank-sizes 0.01
 ship gate 0.02 spacing=0.01
@@ -109,6 +110,10 @@ again 'pressure ahead beside a wall that moves' "$scenes/gate.scene" 0.12 spacin
 again 'pressure ahead with a beam' "$flat" 0.02 eos.type=look-ahead walls=own-density
 again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tension=false \
     walls=own-density
+again 'pairs in single precision' "$flat" 0.02 precision=single
+again 'pairs in single precision, in 3D' "$deep" 0.02 precision=single
+again 'a box that sinks and stops' "$top_srcdir/tests/scenes/floating-box.scene" 0.2 body.it.density=1500.0 \
+    body.it.angle=3.0 'body.it.stops=["bottom","left"]'
 again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------

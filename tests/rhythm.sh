@@ -65,7 +65,7 @@ for method in $methods; do
     count=$((count + 1))
     near=0.05,0.02
     same dam-break 0.3 spacing=0.025
-    same toth-beam 0.16 spacing=0.01 beam.E=5e6 beam.elements=3
+    same toth-beam 0.16 spacing=0.01 beam.E=5e6 beam.elements=3 beam.theory=linear
     near=0.5,0.5,0.1
     same dam-break-3d 0.03 spacing=0.0555
 done

@@ -51,6 +51,12 @@ for base in small-2d small-3d; do
 done
 [ -z "$(ls -A)" ] || complain "check writes something"
 
+bad_key 'a word that is no precision' 'precision="half"' precision double single
+
+bad small-2d 'masses too small for single precision' \
+    's/^until = /precision = "single"; particle_mass = 1e-16; until = /' \
+    bad.scene 1e-32 'precision = "double"'
+
 # unknown keys, level by level, with the nearest known one
 bad small-2d 'key at the top' 's/^until =/untl =/' bad.scene:6 untl until
 bad small-2d 'group at the top' 's/^effects =/efects =/' bad.scene:21 efects effects
@@ -123,13 +129,13 @@ bad small-3d 'dimension 3 on paper only' 's/^dimension = 3/dimension = 2/' bad.s
 bad small-2d 'overlapping fluids' 's/to = \[0.05, 0.06\]/to = [0.06, 0.06]/' fluid.left \
     fluid.right bad.scene:12 bad.scene:13
 bad small-2d 'fluid in a wall' \
-    's/tank = { type = "frame"; };/& sill = { type = "box"; from = [0.08, 0.0]; to = [0.12, 0.02]; };/' \
+    's/tank = { type = "frame"; };/& sill = { type = "box"; from = [0.06, 0.0]; to = [0.12, 0.06]; };/' \
     fluid.right wall.sill bad.scene:16 bad.scene:13
 bad small-2d 'fluid outside the domain' 's/to = \[0.1, 0.06\]/to = [0.1, 0.12]/' bad.scene:13 \
     fluid.right domain
 bad small-2d 'fluid that is a frame' 's/right = { type = "box"; .*dye/right = { type = "frame"; dye/' \
     bad.scene:13 fluid.right 'for walls'
-bad small-2d 'beam in the water' 's/at = \[0.14, 0.0\]/at = [0.08, 0.0]/' beam.plate fluid.right
+bad small-2d 'beam in a wall' 's/at = \[0.14, 0.0\]/at = [0.14, -0.01]/' beam.plate wall.tank
 bad small-2d 'empty fluid' 's/right = { type = "box"; from = \[0.05, 0.0\]; to = \[0.1, 0.06\]/right = { type = "disc"; centre = [0.0725, 0.05]; radius = 1e-3/' \
     bad.scene:13 fluid.right
 bad small-2d 'box inside out' 's/to = \[0.1, 0.06\]/to = [0.04, 0.06]/' bad.scene:13 fluid.right

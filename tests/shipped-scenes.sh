@@ -125,6 +125,7 @@ scene still-water 0.1 3.3e-3
 scene toth-beam 0.03 7e-4
 scene light-plate 0.03 1.1e-3
 scene closed-tank 0.05 1.1e-3
+scene floating-box 0.05 1.1e-3
 scene dam-break-3d 0.03 1.1e-3 spacing=0.0555
 scene beam-alone 0.01 3.1e-5
 scene elastica 0.3 1.7e-3

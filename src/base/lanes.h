@@ -3,20 +3,53 @@
  * Files that use lanes are compiled once per width: LANES comes from the
  * build, and LANE_NAME() keeps their global names apart.  Vectors wider than
  * the machine's registers are slow (4 times), so 4 lanes are for AVX2 and 8 for
- * AVX-512 only. */
+ * AVX-512 only.
+ *
+ * Laws between particles and kernels are compiled once more with -DSINGLE, in which a
+ * `real` is a float and twice as many lanes fill a register.  There a double among
+ * lanes is written (real)x: the compiler refuses what would lose digits unseen. */
 #ifndef BASE_LANES_H
 #define BASE_LANES_H
 
 #ifndef LANES
-#error "files of hot rooms are compiled with -DLANES=2, 4 or 8"
+#error "files of hot rooms are compiled with -DLANES=2, 4, 8 or 16"
 #endif
 
-typedef double lanes __attribute__((vector_size(8 * LANES)));
-typedef long long lanes_mask __attribute__((vector_size(8 * LANES)));
+#include <float.h>
+
+#ifdef SINGLE
+typedef float real;
+typedef int real_bits;
+#define LANES_ROOT __builtin_sqrtf
+#define LANES_LEAST FLT_MIN /* positive, and a divisor */
+#else
+typedef double real;
+typedef long long real_bits;
+#define LANES_ROOT __builtin_sqrt
+#define LANES_LEAST DBL_MIN
+#endif
+
+typedef real lanes __attribute__((vector_size(sizeof(real) * LANES)));
+typedef real_bits lanes_mask __attribute__((vector_size(sizeof(real) * LANES)));
 
 #define LANE_PASTE(name, width) name##_lanes##width
 #define LANE_PASTE2(name, width) LANE_PASTE(name, width)
+#define LANE_PASTE_SINGLE(name, width) name##_single##width
+#define LANE_PASTE_SINGLE2(name, width) LANE_PASTE_SINGLE(name, width)
+
+/* LANE_SINGLE_NAME(): that of the single precision which stands beside a double one. */
+#ifdef SINGLE
+#define LANE_NAME(name) LANE_PASTE_SINGLE2(name, LANES)
+#else
 #define LANE_NAME(name) LANE_PASTE2(name, LANES)
+#if LANES == 2
+#define LANE_SINGLE_NAME(name) LANE_PASTE_SINGLE(name, 4)
+#elif LANES == 4
+#define LANE_SINGLE_NAME(name) LANE_PASTE_SINGLE(name, 8)
+#else
+#define LANE_SINGLE_NAME(name) LANE_PASTE_SINGLE(name, 16)
+#endif
+#endif
 
 /* For functions that are only fast with constant arguments: left to itself, the
  * compiler stops copying them when they grow. */
@@ -48,12 +81,12 @@ static inline lanes lanes_sqrt(lanes a)
     lanes root;
 
     for (int l = 0; l < LANES; l++)
-        root[l] = __builtin_sqrt(a[l]);
+        root[l] = LANES_ROOT(a[l]);
     return root;
 }
 
 /* The same number in every lane. */
-static inline lanes lanes_all(double a)
+static inline lanes lanes_all(real a)
 {
     return a - (lanes){0};
 }

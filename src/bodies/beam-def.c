@@ -14,7 +14,7 @@
 
 #define AT(member) .offset = offsetof(struct beam_def, member)
 
-static const char *const theories[] = { "linear", "elastica", NULL };
+static const char *const theories[] = { "auto", "linear", "elastica", NULL };
 static const char *const responses[] = { "own", "predicted", NULL };
 static const char *const planes[] = { "none", "stress", "strain", NULL };
 static const char *const inertias[] = { "consistent", "lumped", "lumped-ends", NULL };
@@ -24,7 +24,8 @@ static const char *const tips[] = { "free", "pinned", "clamped", NULL };
 const struct param beam_def_params[] = {
     { .key = "theory", .unit = "", AT(theory), .type = PARAM_WORD, .words = theories,
       .about = "linear: small deflections, a tip that bends by a fifth of the length is 4 % off; "
-               "elastica: bends and turns as far as it likes, and its skin with it" },
+               "elastica: bends and turns as far as it likes, and its skin with it; auto: linear, "
+               "and beyond a fifth the run ends" },
     { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
       .required = 1, .about = "position of the root (first node), on the axis" },
     { .key = "angle", .unit = "deg", AT(angle), .fallback = 90, .min = -360, .max = 360,

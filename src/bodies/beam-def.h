@@ -8,7 +8,7 @@
 #include "state/scales.h"
 
 struct beam_def {
-    const char *theory;        /* "linear", "elastica"                        */
+    const char *theory;        /* "auto", "linear", "elastica"                */
     double at[3];              /* root                                   [m]  */
     double angle;              /* of the axis, root to tip, from +x      [deg] */
     double length, thickness;  /* [m]                                         */

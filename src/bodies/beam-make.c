@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void beam_make_free(struct body **body)
 {
@@ -82,6 +83,7 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
 
     beam_def_axes(d, b->along, b->normal);
     b->thickness = d->thickness;
+    b->trusted = strcmp(d->theory, "linear") == 0;
     b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
     TRY(bending_create(&bending, &b->bending));

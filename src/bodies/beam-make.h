@@ -16,6 +16,7 @@ struct body {
     double rest_potential;     /* of the straight beam         [J, 2D: J/m]     */
     double thickness, speed;   /* scales of deflection and its rate [m], [m/s]  */
     double load_until;         /* [s], HUGE_VAL: never ends                     */
+    bool trusted;              /* the scene itself says theory = "linear"       */
     enum kind skin_kind;
     struct bending *bending;
     struct beam_skin *skin;

@@ -14,6 +14,7 @@
 #include "base/status.h"
 #include "bodies/beam-ahead.h"
 #include "bodies/beam-couple.h"
+#include "bodies/beam-judge.h"
 #include "bodies/beam-state.h"
 #include "bodies/bending-rates.h"
 #include "bodies/element.h"
@@ -251,6 +252,10 @@ static const struct body_coupled coupled = {
     .fastest = beam_couple_fastest, .yield = beam_couple_yield, .settle = beam_couple_settle,
 };
 
+static const struct body_watch watch = {
+    .event = beam_event, .judge = beam_judge, .held = beam_judge_held,
+};
+
 const struct body_kind bodies_beam = {
     .identity = {
         .name = "beam",
@@ -266,9 +271,9 @@ const struct body_kind bodies_beam = {
     .make = { .create = beam_make, .free = beam_make_free, .work = beam_make_work,
               .work_free = beam_make_work_free },
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
-    .load = beam_load, .event = beam_event, .energy = beam_energy, .momentum = beam_momentum,
+    .load = beam_load, .energy = beam_energy, .momentum = beam_momentum,
     .weight = beam_weight, .show = beam_show, .implicit = &implicit,
-    .joint = { .coupled = &coupled, .ahead = &ahead },
+    .joint = { .coupled = &coupled, .ahead = &ahead }, .watch = &watch,
 };
 
 static const struct body_ahead moved_ahead = {
@@ -286,7 +291,7 @@ const struct body_kind bodies_beam_predicted = {
     .make = { .create = beam_make, .free = beam_make_free, .work = beam_make_work,
               .work_free = beam_make_work_free },
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
-    .load = beam_ahead_load, .event = beam_event, .energy = beam_energy,
+    .load = beam_ahead_load, .energy = beam_energy,
     .momentum = beam_momentum, .weight = beam_weight, .show = beam_show_predicted,
-    .joint = { .coupled = &coupled, .ahead = &moved_ahead },
+    .joint = { .coupled = &coupled, .ahead = &moved_ahead }, .watch = &watch,
 };

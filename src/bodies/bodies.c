@@ -3,5 +3,6 @@
 
 const struct body_kind *const bodies_table[] = {
     &bodies_beam,
+    &bodies_rigid,
     NULL,
 };

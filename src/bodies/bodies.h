@@ -39,11 +39,21 @@ struct body_view { /* for output: displacements of chosen points */
                                   6 M/h^2 (of 1 m of width); 0: it has none [m] */
 };
 
+/* Where a rigid body is, how it moves and what pushes it; space's axes but for the spin. */
+struct body_pose {
+    double x[DIM], v[DIM];  /* of its centre [m], [m/s]                          */
+    double turn[4];         /* 2D: its angle [rad]; 3D: a quaternion of length 1, w first */
+    double spin[3];         /* 2D: the first [rad/s]; 3D: in the frame of the body */
+    double force[DIM];      /* of the fluid [N, 2D: N/m]                         */
+    double moment[3];       /* of that about the centre, 2D: the last [N m, 2D: N] */
+    double contact[DIM];    /* force of what it touches [N, 2D: N/m]             */
+};
+
 struct body_kind;
 
 struct body_identity { /* for scenes and for readers */
     const char *name, *about, *equation, *source;
-    const char *group;          /* scene group: "beam"                         */
+    const char *group;          /* scene group: "beam", "body"                 */
     size_t size;                /* of its parameter struct                     */
     const struct param *params;
 
@@ -114,6 +124,28 @@ struct body_coupled {
                    double support[DIM]);
 };
 
+/* What a run asks between its steps. */
+struct body_watch {
+    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
+    double (*event)(const struct body *b, double t);
+
+    /* Is its theory still good at y?  STATUS_FAILED, with advice: no run should go on from
+     * here; else `doubt` is what readers should hear, or "".  NULL: it is good for all y. */
+    int (*judge)(const struct body *b, const struct layout *l, double t, const double *y,
+                 char *doubt, size_t room);
+
+    /* Is point i of its skin beside a support, where it may turn into what holds the body?
+     * NULL: none is. */
+    bool (*held)(const struct body *b, int i);
+
+    /* Is x inside of it as it stands at the start?  NULL: it is no wider than its points. */
+    bool (*holds)(const struct body *b, const double *x);
+
+    /* For output; force as in show().  NULL: it is no rigid body. */
+    void (*pose)(const struct body *b, struct body_work *w, const struct layout *l,
+                 const double *y, const double (*force)[DIM], struct body_pose *out);
+};
+
 /* What it is to a pressure that looks ahead by tau, (E3), which predicts a body as it does
  * the water: by one step of backward Euler,
  *   (M + tau D + tau^2 K) a = S^T force + loads - K (q + tau v) - D v              (E4)
@@ -163,9 +195,6 @@ struct body_kind {
                  const double *y, const double (*force)[DIM], double *ydot,
                  struct body_load *out);
 
-    /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
-    double (*event)(const struct body *b, double t);
-
     /* The fastest rate of load(), which every method takes explicitly.  NULL: it never
      * limits a step. */
     void (*limit)(const struct body *b, struct limit *out);
@@ -182,6 +211,7 @@ struct body_kind {
 
     const struct body_implicit *implicit; /* NULL: it makes no plan stiff          */
     struct body_joint joint;
+    const struct body_watch *watch;       /* NULL: f never jumps, all is allowed   */
 };
 
 extern const struct body_kind *const bodies_table[]; /* NULL-ended */
@@ -189,5 +219,6 @@ extern const struct body_kind bodies_beam;           /* src/bodies/beam.c, DIM 2
 extern const struct body_kind bodies_beam_predicted; /* the same, chosen by response  */
 extern const struct body_kind bodies_elastica;       /* elastica-body.c, chosen by theory */
 extern const struct body_kind bodies_elastica_predicted; /* by theory and response       */
+extern const struct body_kind bodies_rigid;           /* rigid.c                      */
 
 #endif

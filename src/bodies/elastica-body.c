@@ -131,11 +131,6 @@ static int elastica_body_solve(const struct body *b, struct body_work *w, const 
     return STATUS_DONE;
 }
 
-static double elastica_event(const struct body *b, double t)
-{
-    return b->load_until > t ? b->load_until : HUGE_VAL;
-}
-
 /* At rest. */
 static void elastica_limit(const struct body *b, struct limit *out)
 {
@@ -256,9 +251,10 @@ const struct body_kind bodies_elastica = {
     .make = { .create = elastica_make, .free = elastica_make_free, .work = elastica_make_work,
               .work_free = elastica_make_work_free },
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
-    .move = elastica_move, .load = elastica_load, .event = elastica_event,
+    .move = elastica_move, .load = elastica_load,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
     .show = elastica_show, .implicit = &implicit, .joint.ahead = &ahead,
+    .watch = &elastica_make_watch,
 };
 
 static const struct body_ahead moved_ahead = {
@@ -276,7 +272,8 @@ const struct body_kind bodies_elastica_predicted = {
     .make = { .create = elastica_make, .free = elastica_make_free, .work = elastica_make_work,
               .work_free = elastica_make_work_free },
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
-    .move = elastica_move, .load = elastica_ahead_load, .event = elastica_event,
+    .move = elastica_move, .load = elastica_ahead_load,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
     .show = elastica_show_predicted, .joint.ahead = &moved_ahead,
+    .watch = &elastica_make_watch,
 };

@@ -169,3 +169,17 @@ int elastica_make(const void *params, const struct scales *s, const char *name, 
     *out = b;
     return code;
 }
+
+static bool is_held(const struct body *b, int i)
+{
+    const struct bending_def *d = &b->beam->def.bending;
+
+    return skin_held(&b->skin->def, d->root != BENDING_FREE, d->tip != BENDING_FREE, i);
+}
+
+static double next_jump(const struct body *b, double t)
+{
+    return b->load_until > t ? b->load_until : HUGE_VAL;
+}
+
+const struct body_watch elastica_make_watch = { .event = next_jump, .held = is_held };

@@ -44,4 +44,6 @@ void elastica_make_free(struct body **body);
 int elastica_make_work(const struct body *b, struct body_work **out);
 void elastica_make_work_free(struct body_work **work);
 
+extern const struct body_watch elastica_make_watch;
+
 #endif

@@ -18,3 +18,12 @@ void skin_site(const struct skin_def *d, int i, double *s, double *eta)
     *s = (i / d->layers + 0.5) * d->length / rows(d);
     *eta = (i % d->layers - (d->layers - 1) / 2.0) * d->spacing;
 }
+
+bool skin_held(const struct skin_def *d, bool root, bool tip, int i)
+{
+    const double reach = (0.5 * d->layers + 1) * d->spacing;
+    double s, eta;
+
+    skin_site(d, i, &s, &eta);
+    return (root && s < reach) || (tip && d->length - s < reach);
+}

@@ -6,6 +6,7 @@
 #define BODIES_SKIN_H
 
 #include "space/kinds.h"
+#include <stdbool.h>
 
 struct skin_def {
     double at[DIM], along[DIM], normal[DIM]; /* root [m]; axis, the same turned by +90 degrees */
@@ -18,5 +19,9 @@ int skin_points(const struct skin_def *d);
 
 /* Point i: s along the axis from the root, eta beside it [m]. */
 void skin_site(const struct skin_def *d, int i, double *s, double *eta);
+
+/* Is point i so near to an end that is held that it may turn into what holds the beam: no
+ * further along the axis than half the width of the skin and a spacing? */
+bool skin_held(const struct skin_def *d, bool root, bool tip, int i);
 
 #endif

@@ -28,12 +28,13 @@ static const struct param params[] = {
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)
 {
     const struct artificial_stress *s = self;
-    const lanes pull = lanes_positive(-a->p2);
+    const real nearby = (real)s->nearby, strength = (real)s->strength;
+    const lanes pull = lanes_positive(-a->p2), least = lanes_all(LANES_LEAST);
     struct sum t = *to; /* registers, not memory */
 
     for (int k = 0; k < b->n; k++) {
-        const lanes f = s->nearby * b->w[k] / b->mm[k], f2 = f * f;
-        const lanes c = s->strength * (pull + lanes_positive(-b->p2[k])) * (f2 * f2) * b->gw[k];
+        const lanes f = nearby * b->w[k] / lanes_max(b->mm[k], least), f2 = f * f;
+        const lanes c = strength * (pull + lanes_positive(-b->p2[k])) * (f2 * f2) * b->gw[k];
         for (int d = 0; d < DIM; d++)
             t.f[d] -= c * b->x[d][k];
     }

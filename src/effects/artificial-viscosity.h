@@ -20,7 +20,7 @@ LANES_INLINE void artificial_viscosity_along(const struct artificial_viscosity *
                                              const struct side *a, const struct row *b,
                                              lanes xv, struct sum *to)
 {
-    const lanes c = s->strength * (a->irho + b->irho) * (xv * b->gw_r2);
+    const lanes c = (real)s->strength * (a->irho + b->irho) * (xv * b->gw_r2);
 
     for (int d = 0; d < DIM; d++)
         to->f[d] += c * b->x[d];

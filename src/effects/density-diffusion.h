@@ -18,11 +18,11 @@ LANES_INLINE void density_diffusion_row(const void *self, const struct side *a,
                                         const struct row *b, struct sum *to)
 {
     const struct density_diffusion *s = self;
-    lanes hydrostatic = s->slope[0] * b->x[0];
+    lanes hydrostatic = (real)s->slope[0] * b->x[0];
 
     for (int d = 1; d < DIM; d++)
-        hydrostatic += s->slope[d] * b->x[d];
-    to->drho += s->strength * (a->irho + b->irho) * (a->rho - b->rho - hydrostatic)
+        hydrostatic += (real)s->slope[d] * b->x[d];
+    to->drho += (real)s->strength * (a->irho + b->irho) * (a->rho - b->rho - hydrostatic)
               * (b->gw_r2 * b->r2);
 }
 

@@ -15,8 +15,6 @@
 
 #include "base/status.h"
 
-#include <math.h>
-
 struct density_healing {
     double strength;
     double rho0;
@@ -54,7 +52,7 @@ static void densify(const void *self, const struct view *v, double *rate)
     const int n = particles_count(v->p, KIND_FLUID);
 
     for (int i = 0; i < n; i++) {
-        const double x = fmax(0, s->rho0 - rho[i]), x2 = x * x;
+        const double lack = s->rho0 - rho[i], x = lack > 0 ? lack : 0, x2 = x * x;
         rate[i] += s->rate * x * x2 / (x2 + s->square);
     }
 }

@@ -14,6 +14,7 @@ extern const struct part LANE_NAME(effects_viscosity_printed);
 extern const struct part LANE_NAME(effects_density_diffusion);
 extern const struct part LANE_NAME(effects_density_healing);
 extern const struct part LANE_NAME(effects_particle_shifting);
+extern const struct part LANE_NAME(effects_xsph);
 extern const struct part LANE_NAME(effects_gravity);
 extern const struct part LANE_NAME(effects_central_force);
 
@@ -31,6 +32,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_density_diffusion),
     &LANE_NAME(effects_density_healing),
     &LANE_NAME(effects_particle_shifting),
+    &LANE_NAME(effects_xsph),
     &LANE_NAME(effects_gravity),
     &LANE_NAME(effects_central_force),
     NULL,

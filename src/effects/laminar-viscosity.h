@@ -16,7 +16,7 @@ struct laminar_viscosity {
 LANES_INLINE lanes laminar_viscosity_coupling(const struct laminar_viscosity *s,
                                               const struct side *a, const struct row *b)
 {
-    return -2 * s->mu * (a->irho * b->irho) * (b->gw_r2 * b->r2);
+    return (real)(-2 * s->mu) * (a->irho * b->irho) * (b->gw_r2 * b->r2);
 }
 
 LANES_INLINE void laminar_viscosity_row(const void *self, const struct side *a,

@@ -29,7 +29,7 @@ LANES_INLINE lanes laplacian_viscosity_coupling(const struct laplacian_viscosity
                                                 const struct side *a, const struct block *b,
                                                 int k)
 {
-    return s->factor * (a->irho * b->irho[k]) * b->lw[k];
+    return (real)s->factor * (a->irho * b->irho[k]) * b->lw[k];
 }
 
 static void laplacian_viscosity_pairs(const void *self, const struct side *a,

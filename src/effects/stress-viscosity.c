@@ -30,7 +30,7 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     struct sum t = *to; /* registers, not memory */
 
     for (int k = 0; k < b->n; k++) {
-        const lanes c = s->strength * (a->irho * b->irho[k]) * (b->xv[k] * b->gw_r2[k]);
+        const lanes c = (real)s->strength * (a->irho * b->irho[k]) * (b->xv[k] * b->gw_r2[k]);
         for (int d = 0; d < DIM; d++)
             t.f[d] += c * b->x[d][k];
     }

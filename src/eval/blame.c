@@ -62,7 +62,8 @@ static int sum_of(const struct blame *b, int slot)
     const struct plan *p = b->m->plan;
     struct workspace *w = b->m->work;
     struct sum_job job = {
-        .list = b->m->list, .record = w->record, .table = p->table.all, .slots = p->slots,
+        .list = b->m->list, .record = w->record, .mass = p->table.mass, .table = p->table.all,
+        .slots = p->slots,
         .f = w->f, .drho = w->drho, .power = w->power,
     };
 

@@ -37,7 +37,8 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
     const struct rates_job *laws = &e->job;
     struct workspace *w = e->m->work;
     const struct sum_job job = {
-        .list = e->m->list, .record = w->record, .table = laws->table, .slots = p->slots,
+        .list = e->m->list, .record = w->record, .mass = p->table.mass, .table = laws->table,
+        .slots = p->slots,
         .later = laws->ahead, .push = (const double (*)[DIM])laws->push,
         .moduli = laws->table == p->table.velocities ? NULL : p->in.pressure->as.pressure->moduli,
         .fluid_only = p->passes.press != NULL,

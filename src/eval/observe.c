@@ -84,14 +84,29 @@ void observe_panel(const struct moment *run, int panel, struct observe_panel *ou
         out->drag = NAN;
 }
 
+static const struct moment_body *seen(const struct moment *run, int body)
+{
+    return &(run->observer ? run->observer : run)->body[body];
+}
+
+static const double (*forces_on(const struct moment *run, int body))[DIM]
+{
+    return (const double (*)[DIM])(is_given(run) ? run->body[body].force : seen(run, body)->force);
+}
+
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out)
 {
-    const struct moment_body *b = &(run->observer ? run->observer : run)->body[body];
-    const double (*force)[DIM] = (const double (*)[DIM])(is_given(run) ? run->body[body].force
-                                                                       : b->force);
+    const struct moment_body *b = seen(run, body);
 
-    b->kind->show(b->body, b->work, &run->layout, t, y, force, out);
+    b->kind->show(b->body, b->work, &run->layout, t, y, forces_on(run, body), out);
+}
+
+void observe_pose(const struct moment *run, int body, const double *y, struct body_pose *out)
+{
+    const struct moment_body *b = seen(run, body);
+
+    b->kind->watch->pose(b->body, b->work, &run->layout, y, forces_on(run, body), out);
 }
 
 int observe_escaped(struct moment *run, double t, const double *y)
@@ -147,6 +162,17 @@ int observe_runaway(struct moment *m, double t, const double *y)
                             "at %.4g m/s, %.3g times the sound speed of %g m/s (eos.fastest = %g)",
                             t, particle, v.p->object[v.p->object_of[i]].name, place, speed,
                             speed / p->scales.c0, p->scales.c0, p->in.eos.fastest);
+}
+
+int observe_judge(const struct moment *m, int body, double t, const double *y, char *doubt,
+                  size_t room)
+{
+    const struct moment_body *b = &m->body[body];
+
+    doubt[0] = '\0';
+    if (!b->kind->watch || !b->kind->watch->judge)
+        return STATUS_DONE;
+    return b->kind->watch->judge(b->body, &m->layout, t, y, doubt, room);
 }
 
 void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)

@@ -38,6 +38,8 @@ struct observe_panel {
 void observe_panel(const struct moment *run, int panel, struct observe_panel *out);
 void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out);
+/* The same of a rigid body (plan_body_rigid()). */
+void observe_pose(const struct moment *run, int body, const double *y, struct body_pose *out);
 
 /* For the message of a run that failed after the state (t, y): for which particle -- the
  * one that the last refusal named, or the one that is pushed hardest --, where, and which
@@ -47,6 +49,13 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
 /* STATUS_FAILED when no run should go on from here: fluid moves faster than eos.fastest
  * times the sound speed. */
 int observe_runaway(struct moment *run, double t, const double *y);
+
+/* STATUS_FAILED when a body has met a wall or another body, with no contact between them. */
+int observe_meeting(struct moment *run, double t, const double *y);
+
+/* What body i makes of itself: judge() of bodies/bodies.h. */
+int observe_judge(const struct moment *run, int body, double t, const double *y, char *doubt,
+                  size_t room);
 
 int observe_escaped(struct moment *run, double t, const double *y); /* fluid outside the box */
 

@@ -3,6 +3,7 @@
  * In a wall: deeper in its shape than half a spacing, where its first particles stand.  In
  * a beam: behind the outermost layer of its skin; a particle there is surrounded by points
  * of the skin, so that no half of its neighbourhood is free of them. */
+#include "eval/block.h"
 #include "eval/inside.h"
 
 #include "base/status.h"
@@ -18,33 +19,6 @@ enum { NEAR = 64 };
 static const double half = 0.5;    /* [dx] */
 static const double around = 1.5;  /* neighbours on a skin: the diagonal, too [dx] */
 static const double slack = 0.05;  /* on the layer itself is not behind it [rad] */
-
-/* A wall at this moment. */
-struct block {
-    const struct input_wall *in;
-    const struct plan_wall *wall;
-    struct walls_place place;
-    double low[DIM], high[DIM]; /* before it moved [m] */
-};
-
-static void block_make(const struct plan *p, int i, double t, struct block *b)
-{
-    b->in = &p->in.wall[i];
-    b->wall = &p->wall[i];
-    walls_motion_at(&b->wall->motion, t, &b->place);
-    shape_bounds(&b->in->set.shape, b->low, b->high);
-}
-
-static bool in_block(const struct block *b, const double *x, double depth)
-{
-    double own[DIM];
-
-    walls_motion_back(&b->wall->motion, &b->place, x, own);
-    for (int d = 0; d < DIM; d++)
-        if (own[d] < b->low[d] || own[d] > b->high[d])
-            return false;
-    return shape_depth(&b->in->set.shape, own) > depth;
-}
 
 /* Directions in which points of one skin are seen from x. */
 struct sight {
@@ -98,7 +72,7 @@ static int solid_at(const struct moment *m, const struct block *block,
     const struct plan *p = m->plan;
 
     for (int i = 0; i < p->walls; i++)
-        if (in_block(&block[i], x, half * p->scales.dx))
+        if (block_holds(&block[i], x, half * p->scales.dx))
             return p->wall[i].object;
     for (int i = 0; i < p->bodies; i++)
         if (p->body[i].object >= 0 && in_skin(m, skins, p->body[i].object, x))
@@ -141,7 +115,7 @@ void observe_sunk(struct moment *run, double t, const double *y, struct observe_
         return;
     moment_view(run, t, y, &v);
     for (int i = 0; i < p->walls; i++)
-        block_make(p, i, t, &block[i]);
+        block_make(&block[i], p, i, t);
     if (buckets_create(&skins, (const double (*)[DIM])all->x + all->from[KIND_SKIN],
                        all->n - all->from[KIND_SKIN], around * p->scales.dx) == STATUS_DONE)
         count(run, &v, block, &skins, out);

@@ -132,6 +132,7 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     free(w->rates);
     free(w->scratch.power);
     free(w->scratch.cut);
+    free(w->scratch.record);
     free(w);
     *workspace = NULL;
 }

@@ -2,8 +2,7 @@
 #ifndef FILL_FILL_PRIVATE_H
 #define FILL_FILL_PRIVATE_H
 
-#include "fill/fill.h"
-#include "fill/points.h"
+#include "fill/carve.h"
 
 /* Items sorted by kind: item k becomes object k. */
 struct filling {
@@ -11,6 +10,7 @@ struct filling {
     int items;
     struct fill_item *item; /* [items]                    */
     struct points *points;  /* [items] where they stand   */
+    struct carve *carved;   /* [items] what fluids left to solids */
 };
 
 /* Refuses spacings, fills, places and numbers that cannot be, by shapes alone. */

@@ -1,15 +1,15 @@
 /* fill.c -- turns the shapes of a scene into particles: how many, where, of which object.
  *
  * Every item is first a list of places of its own; particles are made of what is left of
- * them when fluids have been trimmed. */
+ * them when fluids have made room. */
 #include "fill/fill-private.h"
 
 #include "base/status.h"
+#include "fill/carve.h"
 #include "fill/lattice.h"
 #include "fill/layers.h"
 #include "fill/overlap.h"
 #include "state/particles-private.h"
-#include "fill/trim.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,7 +103,8 @@ static int place_object(const struct filling *f, struct particles *p, int k, int
 
     if (n > 0)
         memcpy(p->x0 + from, f->points[k].x, n * sizeof *p->x0);
-    p->object[k] = (struct object){ .kind = item->kind, .from = from, .n = n };
+    p->object[k] = (struct object){ .kind = item->kind, .from = from, .n = n,
+                                    .carved = (int)f->carved[k].n, .carver = f->carved[k].most };
     memcpy(p->object[k].name, item->name, sizeof item->name);
     for (int i = from; i < from + n; i++) {
         p->object_of[i] = k;
@@ -148,7 +149,7 @@ static int fill(const struct filling *f, double bytes_fluid, double bytes_solid,
 
     TRY(fill_check(f, bytes_fluid, bytes_solid));
     TRY(add_all(f));
-    TRY(trim_fluids(f->item, f->items, f->scales->dx, f->points));
+    TRY(carve_fluids(f->item, f->items, f->scales, f->points, f->carved));
     TRY(count_all(f, &n));
     TRY(particles_create(n, f->items, f->scales, out));
     place_all(f, *out);
@@ -165,12 +166,14 @@ int fill_particles(const struct fill_item *item, int items, const struct scales 
     *out = NULL;
     f.item = status_alloc(items, sizeof *f.item);
     f.points = status_alloc(items, sizeof *f.points);
-    if (f.item && f.points) {
+    f.carved = status_alloc(items, sizeof *f.carved);
+    if (f.item && f.points && f.carved) {
         sort_items(&f, item);
         code = fill(&f, bytes_fluid, bytes_solid, out);
     }
     for (int k = 0; f.points && k < items; k++)
         points_free(&f.points[k]);
+    free(f.carved);
     free(f.points);
     free(f.item);
     if (code)

@@ -15,6 +15,9 @@ struct fill_item {
     const struct shape *shape;  /* shape to fill, or NULL                     */
     int points;                 /* given points, when shape is NULL           */
     const double (*point)[DIM]; /* [points][DIM] [m]                          */
+    bool (*holds)(const void *body, const double *x); /* is x inside of what has these
+                                   points?  NULL: it is no wider than they are */
+    const void *body;
 };
 
 /* All particles of all items, sorted by kind; within a kind in the order of
@@ -36,9 +39,10 @@ struct fill_item {
  *
  * Refuses (BAD_SCENE): a fluid box, or a domain with a frame, whose sides are
  * no whole number of spacings (to 1e-6; says which spacings fit), a shape with
- * no site in it, fluid in layers, fluid nearer than 0.7 dx to a particle of another object or
- * inside its shape, solids inside the shape of a fluid (solids may touch
- * solids; walls that fill the same space get a warning),
+ * no site in it, fluid in layers, fluid that loses more than half of its sites to solids,
+ * fluid nearer than 0.7 dx to a particle of another fluid or inside its shape, a skin nearer
+ * than 0.7 dx to a particle of another solid or inside a wall (walls may touch
+ * walls; those that fill the same space get a warning),
  * fluid outside the domain, more particles than memory has room for (so many
  * bytes for each of the fluid, of solids) or than INT_MAX/4. */
 int fill_particles(const struct fill_item *item, int items, const struct scales *scales,

@@ -4,13 +4,15 @@
 #include "fill/overlap.h"
 
 #include "base/status.h"
-#include "fill/buckets.h"
+#include "fill/beyond.h"
 #include "state/period.h"
 #include <math.h>
 #include <stdio.h>
 
-static const double near_fluid = 0.7; /* least distance of fluid to others [dx] */
+static const double near_other = 0.7; /* least distance of fluid to fluid, skins to solids [dx] */
 static const double near_walls = 0.3; /* two walls nearer than this are in one place [dx] */
+
+static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
 struct partners {
     const struct particles *p;
@@ -26,44 +28,15 @@ static bool is_partner(const void *self, int j)
     return object != w->object && KIND_BIT(w->p->object[object].kind) & w->kinds;
 }
 
-/* Number k of the 2^DIM images of x that are nearest to the middle of the domain: over the
- * sides whose bits are set in k.  False: one of them does not repeat, or is too far away. */
-static bool image(const struct scales *s, const double *x, int k, double reach, double *to)
-{
-    for (int d = 0; d < DIM; d++) {
-        const double middle = 0.5 * (s->low[d] + s->high[d]);
-        to[d] = x[d];
-        if (!(k >> d & 1))
-            continue;
-        to[d] += x[d] < middle ? s->period[d] : -s->period[d];
-        if (!(s->period[d] > 0) || fabs(to[d] - middle) >= 0.5 * s->period[d] + reach)
-            return false;
-    }
-    return true;
-}
-
-/* The same over periodic sides and their corners, where it may also be one of its own. */
-static int find_beyond(const struct buckets *b, const struct particles *p, int i, double reach,
-                       unsigned kinds)
-{
-    const struct partners any = { p, -1, kinds };
-    double x[DIM];
-    int j = -1;
-
-    for (int k = 1; k < 1 << DIM && j < 0; k++)
-        if (image(p->scales, p->x0[i], k, reach, x))
-            j = buckets_find(b, x, reach, is_partner, &any);
-    return j;
-}
-
-/* A particle of another object and one of the kinds nearer to i than reach, or -1. */
+/* A particle of another object and one of the kinds nearer to i than reach, or -1; over
+ * periodic sides it may also be one of its own. */
 static int find_near(const struct buckets *b, const struct particles *p, int i, double reach,
                      unsigned kinds)
 {
-    const struct partners other = { p, p->object_of[i], kinds };
+    const struct partners other = { p, p->object_of[i], kinds }, any = { p, -1, kinds };
     const int j = buckets_find(b, p->x0[i], reach, is_partner, &other);
 
-    return j >= 0 ? j : find_beyond(b, p, i, reach, kinds);
+    return j >= 0 ? j : beyond_find(b, p->scales, p->x0[i], reach, is_partner, &any);
 }
 
 static void print_place(char *to, size_t room, const double *x)
@@ -86,8 +59,8 @@ static int refuse_near(const struct particles *p, const struct fill_item *item, 
                        " particles are %.3g m apart, and less than %.1f spacings (%.3g m) is too"
                        " near; move or shorten one of them so that their borders only touch",
                        a->where, a->group, a->name, b->group, b->name, b->where, place,
-                       sqrt(period_square(p->scales, p->x0[i], p->x0[j], DIM)), near_fluid,
-                       near_fluid * dx);
+                       sqrt(period_square(p->scales, p->x0[i], p->x0[j], DIM)), near_other,
+                       near_other * dx);
 }
 
 static int refuse_inside(const struct particles *p, const struct fill_item *item, int i, int k)
@@ -114,11 +87,22 @@ static void warn(const struct particles *p, const struct fill_item *item, int i,
                 place);
 }
 
+/* Kinds that one of this kind may not overlap: walls may stand in walls. */
+static unsigned rivals(enum kind kind)
+{
+    const unsigned skins = KIND_BIT(KIND_SKIN) | KIND_BIT(KIND_SKIN_SLIP);
+
+    if (kind == KIND_FLUID)
+        return KIND_BIT(KIND_FLUID);
+    return KIND_BIT(kind) & skins ? skins | walls : 0;
+}
+
 static int check_distances(const struct buckets *b, const struct particles *p,
                            const struct fill_item *item, double dx)
 {
-    for (int i = 0; i < p->from[KIND_FLUID + 1]; i++) {
-        const int j = find_near(b, p, i, near_fluid * dx, ~0u);
+    for (int i = 0; i < p->n; i++) {
+        const unsigned kinds = rivals(item[p->object_of[i]].kind);
+        const int j = kinds ? find_near(b, p, i, near_other * dx, kinds) : -1;
 
         if (j >= 0)
             return refuse_near(p, item, i, j, dx);
@@ -126,17 +110,18 @@ static int check_distances(const struct buckets *b, const struct particles *p,
     return STATUS_DONE;
 }
 
+/* Distance alone does not tell of fluids, whose lattices pass through each other, nor of
+ * walls, which are hollow. */
 static int check_insides(const struct particles *p, const struct fill_item *item)
 {
     for (int i = 0; i < p->n; i++) {
         const int own = p->object_of[i];
+        const unsigned kinds = rivals(item[own].kind);
 
-        for (int k = 0; k < p->objects; k++) {
-            const bool fluid = item[k].kind == KIND_FLUID || item[own].kind == KIND_FLUID;
-
-            if (k != own && fluid && item[k].shape && shape_contains(item[k].shape, p->x0[i]))
+        for (int k = 0; kinds && k < p->objects; k++)
+            if (k != own && KIND_BIT(item[k].kind) & kinds && item[k].shape
+                && shape_contains(item[k].shape, p->x0[i]))
                 return refuse_inside(p, item, i, k);
-        }
     }
     return STATUS_DONE;
 }
@@ -144,8 +129,6 @@ static int check_insides(const struct particles *p, const struct fill_item *item
 static void check_walls(const struct buckets *b, const struct particles *p,
                         const struct fill_item *item, double dx)
 {
-    const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
-
     for (int i = p->from[KIND_WALL]; i < p->from[KIND_WALL_SLIP + 1]; i++) {
         const int j = find_near(b, p, i, near_walls * dx, walls);
 
@@ -170,7 +153,7 @@ int overlap_check(const struct particles *p, const struct fill_item *item, doubl
     struct buckets b;
     int code;
 
-    TRY(buckets_create(&b, (const double (*)[DIM])p->x0, p->n, near_fluid * dx));
+    TRY(buckets_create(&b, (const double (*)[DIM])p->x0, p->n, near_other * dx));
     code = check(&b, p, item, dx);
     buckets_free(&b);
     return code;

@@ -4,9 +4,9 @@
 
 #include "fill/fill.h"
 
-/* Refuses fluid nearer than 0.7 dx to another object or inside its shape, and
- * anything inside the shape of a fluid; warns of walls in one place.  item[k]
- * is what object k was made from, dx [m]. */
+/* Refuses fluid nearer than 0.7 dx to another fluid or inside its shape, and skins nearer
+ * than that to another solid or inside a wall; warns of walls in one place.  Fluids have made
+ * room for solids before (carve.h).  item[k] is what object k was made from, dx [m]. */
 int overlap_check(const struct particles *p, const struct fill_item *item, double dx);
 
 #endif

@@ -33,8 +33,8 @@ static double curvature(double q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
@@ -47,13 +47,13 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
         const lanes_mask inner = (lanes_mask)(q < 0.5);
         const lanes t = lanes_positive(1 - q);
-        w[k] = scale * m[k] * (lanes_where(inner, 1 - 6 * q * q * t)
+        w[k] = (real)scale * m[k] * (lanes_where(inner, 1 - 6 * q * q * t)
                                + lanes_where(~inner, 2 * t * t * t));
     }
 }
@@ -62,8 +62,8 @@ static void value(double support, double scale, int n, const lanes *r, const lan
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];

@@ -51,8 +51,8 @@ static lanes bells(lanes q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = -9 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -9 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
@@ -62,17 +62,17 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++)
-        w[k] = scale * m[k] * lanes_positive(bells(inverse * r[k]) - EDGE);
+        w[k] = (real)scale * m[k] * lanes_positive(bells(inverse * r[k]) - (real)EDGE);
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = -9 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -9 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];

@@ -36,8 +36,8 @@ static double curvature(double q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = -6 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -6 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
@@ -48,20 +48,20 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
         const lanes t = lanes_positive(1 - q * q);
-        w[k] = scale * m[k] * (t * t * t);
+        w[k] = (real)scale * m[k] * (t * t * t);
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = -6 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -6 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k], q2 = q * q;

@@ -51,8 +51,8 @@ static lanes outer_slope(lanes s)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 3 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 3 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes s = inverse * r[k];
@@ -64,21 +64,21 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 3 / support;
+    const real inverse = 3 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes s = inverse * r[k];
         const lanes a = lanes_positive(3 - s), b = lanes_positive(2 - s);
         const lanes c = lanes_positive(1 - s);
-        w[k] = scale * m[k] * (fourth(a) * a - 6 * (fourth(b) * b) + 15 * (fourth(c) * c));
+        w[k] = (real)scale * m[k] * (fourth(a) * a - 6 * (fourth(b) * b) + 15 * (fourth(c) * c));
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 3 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 3 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes s = inverse * r[k];

@@ -37,8 +37,8 @@ static double curvature(double q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = -3 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -3 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = lanes_max(inverse * r[k], lanes_all(KERNEL_CLOSE));
@@ -49,19 +49,19 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes t = lanes_positive(1 - inverse * r[k]);
-        w[k] = scale * m[k] * (t * t * t);
+        w[k] = (real)scale * m[k] * (t * t * t);
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = 3 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = 3 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = lanes_max(inverse * r[k], lanes_all(KERNEL_CLOSE));

@@ -69,8 +69,8 @@ static lanes slope_by_q(lanes t, lanes q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = lanes_max(inverse * r[k], lanes_all(KERNEL_CLOSE));
@@ -81,22 +81,22 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 /* Lane by lane, so that the logarithm is the library's whatever their number. */
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = lanes_max(inverse * r[k], lanes_all(KERNEL_CLOSE));
         lanes of;
         for (int l = 0; l < LANES; l++)
             of[l] = shape(q[l]);
-        w[k] = lanes_where((lanes_mask)(q < 1), scale * m[k] * of);
+        w[k] = lanes_where((lanes_mask)(q < 1), (real)scale * m[k] * of);
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = scale * inverse * inverse;
 
     for (int k = 0; k < n; k++)
         l[k] = factor * m[k] * lanes_positive(1 - inverse * r[k]);

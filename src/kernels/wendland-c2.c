@@ -57,20 +57,20 @@ static void both(double support, double scale, int n, const lanes *r, const lane
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
         const lanes t = lanes_positive(1 - q);
-        w[k] = scale * m[k] * (t * t) * (t * t) * (1 + 4 * q);
+        w[k] = (real)scale * m[k] * (t * t) * (t * t) * (1 + 4 * q);
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = -20 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -20 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];

@@ -7,17 +7,17 @@
 #include "kernels/rows.h"
 
 struct wendland_c2 {
-    double inverse; /* 1/H                                [1/m]              */
-    double factor;  /* -20 sigma_D/H^(D+2)                [m^-(D+2)]         */
-    double eta2;    /* softens 1/r^2                      [m^2]              */
+    real inverse; /* 1/H                                [1/m]              */
+    real factor;  /* -20 sigma_D/H^(D+2)                [m^-(D+2)]         */
+    real eta2;    /* softens 1/r^2                      [m^2]              */
 };
 
 LANES_INLINE struct wendland_c2 wendland_c2_make(double support, double scale)
 {
     const double inverse = 1 / support;
 
-    return (struct wendland_c2){ inverse, -20 * scale * inverse * inverse,
-                                 kernel_softening(support) };
+    return (struct wendland_c2){ (real)inverse, (real)(-20 * scale * inverse * inverse),
+                                 (real)kernel_softening(support) };
 }
 
 /* m W'(r)/r, 0 beyond the support. */

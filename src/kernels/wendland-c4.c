@@ -20,7 +20,7 @@ static double shape(double q)
 {
     const double t = 1 - q;
 
-    return t * t * t * t * t * t * (1 + q * (6 + 35.0 / 3 * q));
+    return t * t * t * t * t * t * (1 + q * (6 + (real)(35.0 / 3) * q));
 }
 
 static double slope(double q)
@@ -40,8 +40,8 @@ static double curvature(double q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = STEEP * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = STEEP * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
@@ -52,20 +52,20 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
         const lanes t = lanes_positive(1 - q), t2 = t * t;
-        w[k] = scale * m[k] * (t2 * t2 * t2) * (1 + q * (6 + 35.0 / 3 * q));
+        w[k] = (real)scale * m[k] * (t2 * t2 * t2) * (1 + q * (6 + (real)(35.0 / 3) * q));
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = STEEP * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = STEEP * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];

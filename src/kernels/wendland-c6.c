@@ -41,8 +41,8 @@ static double curvature(double q)
 static void gradient(double support, double scale, int n, const lanes *r, const lanes *m,
                      lanes *g)
 {
-    const double inverse = 1 / support;
-    const double factor = -22 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -22 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
@@ -53,20 +53,20 @@ static void gradient(double support, double scale, int n, const lanes *r, const 
 
 static void value(double support, double scale, int n, const lanes *r, const lanes *m, lanes *w)
 {
-    const double inverse = 1 / support;
+    const real inverse = 1 / support;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];
         const lanes t = lanes_positive(1 - q), t2 = t * t, t4 = t2 * t2;
-        w[k] = scale * m[k] * (t4 * t4) * (1 + q * (8 + q * (25 + 32 * q)));
+        w[k] = (real)scale * m[k] * (t4 * t4) * (1 + q * (8 + q * (25 + 32 * q)));
     }
 }
 
 static void laplacian(double support, double scale, int n, const lanes *r, const lanes *m,
                       lanes *l)
 {
-    const double inverse = 1 / support;
-    const double factor = -22 * scale * inverse * inverse;
+    const real inverse = 1 / support;
+    const real factor = -22 * scale * inverse * inverse;
 
     for (int k = 0; k < n; k++) {
         const lanes q = inverse * r[k];

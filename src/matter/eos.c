@@ -93,20 +93,34 @@ double eos_energy(const struct eos *e, double rho)
     return stiffness(e) / e->rho0 * log_s * log_s * sum;
 }
 
-static void sevenths(double b, double rho0, int n, const double *restrict rho, double *restrict p)
+/* Loops that take several at once; none: the pressure below rho0 is 0. */
+static void sevenths(double b, double rho0, bool none, int n, const double *restrict rho,
+                     double *restrict p)
 {
-    for (int i = 0; i < n; i++)
-        p[i] = b * seventh((rho[i] - rho0) / rho0);
+    for (int i = 0; i < n; i++) {
+        const double d = (rho[i] - rho0) / rho0, all = b * seventh(d);
+        p[i] = none & (d < 0) ? 0 : all;
+    }
+}
+
+static void firsts(double b, double rho0, bool none, int n, const double *restrict rho,
+                   double *restrict p)
+{
+    for (int i = 0; i < n; i++) {
+        const double d = (rho[i] - rho0) / rho0, all = b * d;
+        p[i] = none & (d < 0) ? 0 : all;
+    }
 }
 
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
 {
-    if (e->gamma == 7 && !e->clamped) {
-        sevenths(stiffness(e), e->rho0, n, rho, p);
-        return;
-    }
-    for (int i = 0; i < n; i++)
-        p[i] = eos_pressure(e, rho[i]);
+    if (e->gamma == 7)
+        sevenths(stiffness(e), e->rho0, e->clamped, n, rho, p);
+    else if (e->gamma == 1)
+        firsts(stiffness(e), e->rho0, e->clamped, n, rho, p);
+    else
+        for (int i = 0; i < n; i++)
+            p[i] = eos_pressure(e, rho[i]);
 }
 
 /* rho dp/drho = gamma (p + B), of (E2). */

@@ -5,6 +5,7 @@
 #include "plan/kernels.h"
 #include "scene/scene.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -176,8 +177,26 @@ static void advise_side(const struct plan *p)
     }
 }
 
+/* Single precision holds 1e-38 to 1e38.  The smallest and the largest that pairs form are
+ * m^2 and 1/H^(D+4), by which laws get to a force; both with some room. */
+static int check_precision(const struct plan *p, const struct scene *scene)
+{
+    const double m = p->scales.mass, h = p->scales.support;
+    const double least = m * m, most = 1 / pow(h, DIM + 4);
+    const double held = 1e30;
+
+    if (strcmp(p->in.set.precision, "single") != 0 || !p->scales.fluid
+        || (least > 1 / held && least < held && most > 1 / held && most < held))
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s: precision = \"single\" holds numbers from 1e-30 to 1e30, "
+                       "and with spacing = %g m pairs form such as m^2 = %g kg^2 and 1/H^%d = %g: "
+                       "set precision = \"double\"", scene_path(scene), p->scales.dx, least, DIM + 4,
+                       most);
+}
+
 int plan_agree(const struct plan *p, const struct scene *scene)
 {
+    TRY(check_precision(p, scene));
     TRY(check_needs(p, scene));
     TRY(check_density(p, scene));
     TRY(check_walls(p, scene));

@@ -67,7 +67,8 @@ static void look_in_effects(struct asked *a)
 static void look_in_bodies(struct asked *a)
 {
     for (int i = 0; bodies_table[i]; i++)
-        look(a, "beam", bodies_table[i]->identity.name, bodies_table[i]->identity.params);
+        look(a, bodies_table[i]->identity.group, bodies_table[i]->identity.name,
+             bodies_table[i]->identity.params);
 }
 
 static void look_in_groups(struct asked *a)

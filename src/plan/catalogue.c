@@ -16,7 +16,7 @@
 
 const char *const catalogue_groups[] = {
     "kernel", "domain", "reference", "disturbance", "pcisph", "mps", "eos", "effects", "fluid",
-    "wall", "beam", "probe", "panel", "output", NULL
+    "wall", "beam", "body", "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */

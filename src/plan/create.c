@@ -169,13 +169,28 @@ static int make_contacts(struct plan *p)
     return c->kind->create(&p->scales, p->bodies, &c->self);
 }
 
+/* With pairs of half the cost a list that lasts longer pays (doc/speed.md). */
+static void choose_precision(struct plan *p, struct scene *scene)
+{
+    const bool single = strcmp(p->in.set.precision, "single") == 0;
+
+    if (single)
+        p->engine = engine_single(p->engine);
+    if (isnan(p->in.kernel.skin)) {
+        p->in.kernel.skin = single ? 0.1 : 0.05;
+        scene_computed(scene, "kernel", "skin", p->in.kernel.skin);
+    }
+}
+
 static int build(struct plan *p, struct scene *scene)
 {
     TRY(input_read(scene, p->engine, &p->in));
+    choose_precision(p, scene);
     TRY(check_something(p, scene));
     TRY(plan_scales_make(p, scene));
     TRY(kernels_make(p->engine, p->in.kernel.type, p->in.kernel.use, p->scales.support,
                      p->kernel));
+    TRY(kernels_laws(p->engine, p->kernel, p->table.kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
     TRY(plan_bodies_make(p));
     TRY(make_contacts(p));
@@ -214,6 +229,8 @@ static void destroy(struct plan **plan)
     input_free(&p->in);
     free(p->body);
     free(p->wall);
+    if (p->table.kernel[0] != p->kernel[0])
+        kernels_free(p->table.kernel);
     kernels_free(p->kernel);
     free(p->table.all);
     free(p);

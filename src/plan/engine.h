@@ -18,11 +18,21 @@ struct engine {
     const struct couple_engine *couple;
     const struct nabla_engine *nabla;
     const struct nabla_kept_engine *nabla_kept;
+
+    /* Whose laws and rows sums of pairs take, one for one as above: in the precision of pairs. */
+    const struct part *const *laws;
+    const struct kernel *const *law_kernels;
 };
 
 /* Eight lanes where the processor has AVX-512, four where it has AVX2 and FMA, else
  * two; the environment variable STIFFWATER_LANES=2 or 4 asks for so many at most.
  * Results do not depend on it. */
 const struct engine *engine_pick(void);
+
+/* The one that sums pairs in single precision, for one of engine_pick(). */
+const struct engine *engine_single(const struct engine *engine);
+
+/* A part's law as sums of pairs take it; the part is an effect of the engine. */
+const struct part_law *engine_law(const struct engine *engine, const struct part *part);
 
 #endif

@@ -15,6 +15,8 @@ const struct settings_probe *plan_probe(const struct plan *plan, int i, const ch
 bool plan_profiles(const struct plan *plan); /* has any probe a profile? */
 int plan_bodies(const struct plan *plan);
 const char *plan_body_name(const struct plan *plan, int body);
+bool plan_body_rigid(const struct plan *plan, int body); /* it has a pose, no tip */
+const char *plan_object_group(const struct plan *plan, int object); /* "fluid", "wall", "beam" */
 bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
 int plan_lanes(const struct plan *plan);
 

@@ -110,6 +110,8 @@ struct plan_tables {
                                                    all laws are                    */
     struct pairs_table *without_pressure;
     bool mixed;                /* a law belongs to both halves             */
+    struct kernel_use *kernel[PART_KERNELS]; /* in the precision of pairs; or the plan's */
+    double mass;               /* of all particles [kg, 2D: kg/m]; 0: they differ */
 };
 
 struct plan {

@@ -82,6 +82,29 @@ void kernels_free(struct kernel_use *use[PART_KERNELS])
     }
 }
 
+static const struct kernel *twin(const struct engine *engine, const struct kernel *kernel)
+{
+    int i = 0;
+
+    while (engine->kernels[i] != kernel)
+        i++;
+    return engine->law_kernels[i];
+}
+
+int kernels_laws(const struct engine *engine, struct kernel_use *const use[PART_KERNELS],
+                 struct kernel_use *laws[PART_KERNELS])
+{
+    for (int k = 0; k < PART_KERNELS; k++) {
+        laws[k] = engine->law_kernels == engine->kernels ? use[k] : NULL;
+        for (int j = 0; j < k && !laws[k]; j++)
+            if (use[j] == use[k])
+                laws[k] = laws[j];
+        if (!laws[k] && !(laws[k] = use_of(twin(engine, use[k]->kernel), use[k]->support)))
+            return STATUS_FAILED;
+    }
+    return STATUS_DONE;
+}
+
 /* What one neighbour adds to an operator on the lattice for a plane wave. */
 typedef double term(const struct kernel_use *use, double r, double along, double phase);
 

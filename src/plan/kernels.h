@@ -20,6 +20,11 @@ int kernels_make(const struct engine *engine, const char *type,
                  struct kernel_use *use[PART_KERNELS]);
 void kernels_free(struct kernel_use *use[PART_KERNELS]);
 
+/* The same with the rows that sums of pairs take: laws[] is use[] itself, or has uses of its
+ * own for pairs in another precision.  STATUS_FAILED without memory. */
+int kernels_laws(const struct engine *engine, struct kernel_use *const use[PART_KERNELS],
+                 struct kernel_use *laws[PART_KERNELS]);
+
 /* Sets wave, laplace_*, laplacian and centre of s; its dx is known. */
 void kernels_scales(const struct engine *engine, struct kernel_use *const use[PART_KERNELS],
                     struct scales *s);

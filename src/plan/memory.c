@@ -5,6 +5,7 @@
 #include "plan/solver.h"
 #include "space/nabla.h"
 #include "space/record.h"
+#include "space/single.h"
 
 #include <math.h>
 
@@ -96,6 +97,16 @@ static double faces(const struct plan *p, const struct count *c)
                     : 0;
 }
 
+/* Records of pairs in single precision. */
+static double single(const struct plan *p, const struct count *c)
+{
+    const double record = sizeof(float) * (double)single_floats(p->table.mass);
+
+    return p->engine->laws == p->engine->effects
+               ? 0
+               : record * 1.125 * c->slots * (c->fluid + c->solid);
+}
+
 /* What a wall model with a pressure of its own keeps, and what goes through it. */
 static double pressed(const struct plan *p)
 {
@@ -124,7 +135,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
         .state = 8 * c->numbers * (c->vectors + 2), /* rates of looks, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
-              + viscous(c) + ahead(c) + faces(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
+              + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
         .outputs = outputs(c),
     };

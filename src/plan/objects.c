@@ -40,6 +40,13 @@ int plan_bodies_make(struct plan *p)
     return STATUS_DONE;
 }
 
+static bool holds(const void *body, const double *x)
+{
+    const struct plan_body *b = body;
+
+    return b->kind->watch->holds(b->body, x);
+}
+
 static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DIM])
 {
     int n = 0, at = 0;
@@ -63,6 +70,10 @@ static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DI
         item[n] = (struct fill_item){ .group = b->kind->identity.group,
                                       .where = p->in.body[i].where, .points = b->skin,
                                       .point = (const double (*)[DIM])(skin + at) };
+        if (b->kind->watch && b->kind->watch->holds) {
+            item[n].holds = holds;
+            item[n].body = b;
+        }
         b->kind->skin(b->body, skin + at, &item[n].kind);
         strcpy(item[n++].name, b->name);
         at += b->skin;

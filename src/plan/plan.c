@@ -87,8 +87,8 @@ double plan_event(const struct plan *p, double t)
     double next = HUGE_VAL;
 
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].kind->event)
-            next = fmin(next, p->body[i].kind->event(p->body[i].body, t));
+        if (p->body[i].kind->watch && p->body[i].kind->watch->event)
+            next = fmin(next, p->body[i].kind->watch->event(p->body[i].body, t));
     for (int i = 0; i < p->walls; i++)
         next = fmin(next, walls_motion_event(&p->wall[i].motion, t));
     return next;
@@ -99,9 +99,24 @@ int plan_bodies(const struct plan *p)
     return p->bodies;
 }
 
+bool plan_body_rigid(const struct plan *p, int body)
+{
+    const struct body_watch *watch = p->body[body].kind->watch;
+
+    return watch && watch->pose;
+}
+
 const char *plan_body_name(const struct plan *p, int body)
 {
     return p->body[body].name;
+}
+
+const char *plan_object_group(const struct plan *p, int object)
+{
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].object == object)
+            return p->body[i].kind->identity.group;
+    return p->particles->object[object].kind == KIND_FLUID ? "fluid" : "wall";
 }
 
 bool plan_body_stiff(const struct plan *p, int body)
@@ -158,6 +173,11 @@ bool plan_profiles(const struct plan *p)
         if (p->in.probe[i].set.profile)
             return true;
     return false;
+}
+
+const char *plan_precision(const struct plan *p)
+{
+    return p->in.set.precision;
 }
 
 int plan_lanes(const struct plan *p)

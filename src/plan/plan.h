@@ -22,6 +22,7 @@ void plan_free(const struct plan **plan); /* NULL is welcome */
 long plan_size(const struct plan *plan);                    /* entries of y at t = 0 */
 const struct layout *plan_layout(const struct plan *plan);  /* of y at t = 0; lent   */
 double plan_length(const struct plan *plan); /* support radius H of the kernel [m] */
+const char *plan_precision(const struct plan *plan); /* of pairs: "double" or "single" */
 void plan_start(const struct plan *plan, double *y);        /* y at t = 0, but for a
                                    pressure that is solved for: implicit/release.h */
 

@@ -19,6 +19,7 @@ struct settings {
     const char *norm;   /* one of vector_norm_words                            */
     double substep;     /* largest one of bodies in staggered and mri [s]     */
     const char *walls;  /* wall model                                         */
+    const char *precision; /* of pairs: "double" or "single"                 */
 };
 
 struct settings_kernel {

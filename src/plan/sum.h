@@ -26,6 +26,7 @@ struct sum_rates {
 struct sum_job {
     const struct list *list;
     const double *record;              /* [listed+1][RECORD], 64-byte aligned */
+    double mass;                       /* of all particles [kg, 2D: kg/m], or 0 */
     const struct pairs_table *table;   /* [KINDS][KINDS] owner, partner       */
     int slots;                         /* columns of the book                 */
     double later;                      /* powers are those of velocities and
@@ -63,9 +64,11 @@ struct sum_field_job {
     double (*sum)[PART_SUMS];        /* [particles] of owners; others untouched */
 };
 
-/* Starts as { 0 }; memory is taken at the first call.  The caller frees both arrays at the end. */
+/* Starts as { 0 }; memory is taken at the first call.  The caller frees all arrays at the end. */
 struct sum_scratch {
     int threads, slots;
+    int places;              /* records that there is room for                */
+    float *record;           /* in single precision: space/single.h; NULL     */
     struct exact_sum *power; /* [threads][slots] of each thread               */
     struct exact_cut *cut;   /* [threads][slots] that served the last rows    */
 };
@@ -89,5 +92,10 @@ void sum_field_lanes4(const struct sum_field_job *job);
 void sum_field_lanes8(const struct sum_field_job *job);
 
 extern const struct sum_engine sum_engine_lanes2, sum_engine_lanes4, sum_engine_lanes8;
+
+/* The same with pairs in single precision: what laws give is summed in it for each owner;
+ * all else, from those sums on, is in double precision. */
+extern const struct sum_engine sum_engine_single_lanes2, sum_engine_single_lanes4,
+    sum_engine_single_lanes8;
 
 #endif

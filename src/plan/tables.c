@@ -24,7 +24,7 @@ static const unsigned *kinds_of(const struct plan_part *part)
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
                    int owner, int partner)
 {
-    const struct part_law *law = part->part->as.law;
+    const struct part_law *law = engine_law(p->engine, part->part);
     struct pairs_table *t = &table[owner * KINDS + partner];
 
     if (!(kinds_of(part)[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
@@ -34,7 +34,7 @@ static int add_law(struct plan *p, struct pairs_table *table, const struct plan_
     t->work[t->n++] = (struct pairs_work){
         .law = law->choose ? law->choose(part->self) : law->pairs,
         .self = part->self,
-        .kernel = p->kernel[law->kernel],
+        .kernel = p->table.kernel[law->kernel],
         .slot = part->slot,
         .needs = law->rows,
     };
@@ -90,6 +90,15 @@ static int make_table(struct plan *p, struct pairs_table *table, struct choice w
     return STATUS_DONE;
 }
 
+/* The mass that all particles have, or 0. */
+static double common_mass(const struct particles *p)
+{
+    for (int i = 1; i < p->n; i++)
+        if (p->m[i] != p->m[0])
+            return 0;
+    return p->n > 0 ? p->m[0] : 0;
+}
+
 int plan_tables_make(struct plan *p)
 {
     enum { ONE = KINDS * KINDS };
@@ -98,6 +107,7 @@ int plan_tables_make(struct plan *p)
     to->all = status_alloc(6 * ONE, sizeof *to->all);
     if (!to->all)
         return STATUS_FAILED;
+    to->mass = common_mass(p->particles);
     to->densities = to->all + ONE;
     to->velocities = to->all + 2 * ONE;
     to->without_pressure = to->all + 3 * ONE;

@@ -79,6 +79,7 @@ static void print_particles(const struct run *r)
     printf("particles: %d\n", all->n);
     for (int i = 0; i < all->objects; i++)
         printf("  %-32s %8d\n", all->object[i].name, all->object[i].n);
+    run_carved(r, stdout);
     if (s->fluid)
         printf("spacing %g m, support %g m, mass %g kg%s\n"
                "sound %g m/s, reference speed %g m/s\n", s->dx, s->support, s->mass,

@@ -41,6 +41,8 @@ static void list_beams(const struct run *r, struct beams *to)
 
     for (int i = 0; i < plan_bodies(r->plan); i++) {
         struct body_view view;
+        if (plan_body_rigid(r->plan, i))
+            continue;
         observe_body(r->moment, i, r->past.tally.t, r->method->state(r->self), &view);
         n += (size_t)snprintf(to->names + n, sizeof to->names - n, " %s",
                               plan_body_name(r->plan, i));

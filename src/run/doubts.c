@@ -4,17 +4,13 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
-#include "fill/buckets.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const double near_solids = 0.7;   /* nearer than this two fill one place [dx]    */
 static const double energy_share = 0.01; /* of the energy there is: a defect that matters */
 static const double energy_made = 0.5;   /* and one that makes a run a failure   */
-
-static const unsigned walls = KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
 
 /* By how much x lies outside the domain along its first `axes` axes [m]; below 0: inside.
  * Where the domain repeats there is no outside. */
@@ -54,40 +50,12 @@ static void doubt_probes(const struct run *r)
     }
 }
 
-struct solids {
-    const struct particles *p;
-    const struct buckets *near;
-    double reach; /* [m] */
-};
-
-static bool is_wall(const void *self, int j)
-{
-    const struct particles *p = self;
-
-    return KIND_BIT(p->object[p->object_of[j]].kind) & walls;
-}
-
-static void doubt_rooted(const struct run *r, const struct solids *all, const struct object *beam)
-{
-    for (int i = beam->from; i < beam->from + beam->n; i++) {
-        const double *x = all->p->x0[i];
-        const int j = buckets_find(all->near, x, all->reach, is_wall, all->p);
-        if (j < 0)
-            continue;
-        status_warn("%s: beam.%s and wall.%s fill the same space near (%g, %g) m; the fluid feels "
-                    "the particles of both, and the wall does not hold the beam",
-                    where(r, "beam", beam->name), beam->name,
-                    all->p->object[all->p->object_of[j]].name, x[0], x[1]);
-        return;
-    }
-}
-
-static void doubt_place(const struct run *r, const struct solids *all, const struct object *beam)
+static void doubt_place(const struct run *r, const struct object *beam)
 {
     const struct scales *s = plan_scales(r->plan);
 
     for (int i = beam->from; i < beam->from + beam->n; i++) {
-        const double *x = all->p->x0[i];
+        const double *x = plan_particles(r->plan)->x0[i];
         if (outside(s, x, DIM) < s->dx)
             continue;
         status_warn("%s: beam.%s reaches out of the domain near (%g, %g) m, where fluid counts as "
@@ -96,21 +64,13 @@ static void doubt_place(const struct run *r, const struct solids *all, const str
     }
 }
 
-static int doubt_skins(const struct run *r)
+static void doubt_skins(const struct run *r)
 {
     const struct particles *p = plan_particles(r->plan);
-    const double reach = near_solids * plan_scales(r->plan)->dx;
-    struct buckets near;
-    const struct solids all = { p, &near, reach };
 
-    TRY(buckets_create(&near, (const double (*)[DIM])p->x0, p->n, reach));
     for (int i = 0; i < p->objects; i++)
-        if (p->object[i].kind == KIND_SKIN || p->object[i].kind == KIND_SKIN_SLIP) {
-            doubt_rooted(r, &all, &p->object[i]);
-            doubt_place(r, &all, &p->object[i]);
-        }
-    buckets_free(&near);
-    return STATUS_DONE;
+        if (p->object[i].kind == KIND_SKIN || p->object[i].kind == KIND_SKIN_SLIP)
+            doubt_place(r, &p->object[i]);
 }
 
 /* A tolerance that no step obeys.  Solves of the implicit side do obey it. */
@@ -133,7 +93,8 @@ int run_doubt_scene(const struct run *r)
     if (!plan_scales(r->plan)->fluid)
         return STATUS_DONE;
     doubt_probes(r);
-    return doubt_skins(r);
+    doubt_skins(r);
+    return STATUS_DONE;
 }
 
 /* Has it a beam, whose vibrations this method damps? */

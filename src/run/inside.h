@@ -8,6 +8,8 @@
 #include "run/run.h"
 #include "time/method.h"
 
+#include <stdio.h>
+
 enum { RUN_PATH = 3900 };
 
 struct run {
@@ -51,6 +53,9 @@ int run_constants(const struct run *r); /* for plots, see output/figures.h    */
  * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);
 int run_doubt_end(const struct run *r);
+
+/* Sites that fluids left to solids; writes a line for each such fluid, NULL: nowhere. */
+int run_carved(const struct run *r, FILE *to);
 
 double run_clock(void);     /* [s] wall                                       */
 double run_cpu(void);       /* [s] user and system, this process              */

@@ -32,6 +32,7 @@ struct run_tally {
     long rejected;
     double density[2];       /* least and largest of the fluid [kg/m^3]       */
     double t;                /* reached [s]                                   */
+    long doubted;            /* bodies that a warning was of, bit by bit      */
 };
 
 /* What rows of tables have shown so far. */

@@ -130,3 +130,19 @@ void run_release(struct run *r)
     free(r->y);
     r->y = NULL;
 }
+
+int run_carved(const struct run *r, FILE *to)
+{
+    const struct particles *all = plan_particles(r->plan);
+    int sum = 0;
+
+    for (int i = 0; i < all->objects; i++) {
+        const struct object *o = &all->object[i];
+        sum += o->carved;
+        if (o->carved > 0 && to)
+            fprintf(to, "fluid.%s makes room: %d of its %d sites are left to solids, most of them "
+                    "to %s.%s\n", o->name, o->carved, o->carved + o->n,
+                    plan_object_group(r->plan, o->carver), all->object[o->carver].name);
+    }
+    return sum;
+}

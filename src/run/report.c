@@ -41,6 +41,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     json_text(j, "table", r->table);
     json_text(j, "norm", s->norm);
     json_number(j, "tol", s->tol);
+    json_text(j, "precision", plan_precision(r->plan));
     json_integer(j, "threads", threads());
     json_number(j, "t_end", r->past.tally.t);
 }
@@ -54,6 +55,7 @@ static void write_sizes(struct json *j, const struct run *r)
     json_integer(j, "wall", particles_count(all, KIND_WALL) + particles_count(all, KIND_WALL_SLIP));
     json_integer(j, "skin", particles_count(all, KIND_SKIN) + particles_count(all, KIND_SKIN_SLIP));
     json_end(j);
+    json_integer(j, "carved", run_carved(r, NULL));
     json_integer(j, "state_size", plan_size(r->plan));
 }
 

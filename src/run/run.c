@@ -97,6 +97,21 @@ static void keep_density(struct run *r, double t, const double *y)
     }
 }
 
+/* What should end a run, or be heard of once, after a step. */
+static int watch(struct run *r, double t, const double *y)
+{
+    char doubt[300];
+
+    for (int i = 0; i < plan_bodies(r->plan); i++) {
+        TRY(observe_judge(r->moment, i, t, y, doubt, sizeof doubt));
+        if (doubt[0] && !(r->past.tally.doubted & 1L << i))
+            status_warn("%s", doubt);
+        r->past.tally.doubted |= (long)(doubt[0] != '\0') << i;
+    }
+    TRY(observe_meeting(r->moment, t, y));
+    return observe_runaway(r->moment, t, y);
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
@@ -110,7 +125,7 @@ static int one_step(struct run *r, struct progress *progress)
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
-    return observe_runaway(r->moment, step.t, r->method->state(r->self));
+    return watch(r, step.t, r->method->state(r->self));
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -238,6 +253,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         return status;
     }
     stop_listen();
+    run_carved(&r, order->quiet ? NULL : stderr);
     progress_start(&progress, stderr, r.past.tally.t, r.until, order->quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);

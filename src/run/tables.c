@@ -3,20 +3,15 @@
 
 #include "base/status.h"
 #include "output/series.h"
+#include "run/tables-bodies.h"
 #include "run/tables-forces.h"
 #include "run/tables-water.h"
 
 #include <stdlib.h>
 
-/* In 2D everything that has mass or force is per metre of depth. */
-#if DIM == 2
-#define UNIT(whole) whole "/m"
-#else
-#define UNIT(whole) whole
-#endif
-
 struct tables {
-    struct series *book, *beam, *steps, *checkpoints;
+    struct series *book, *steps, *checkpoints;
+    struct tables_bodies *bodies;
     struct tables_forces *forces;
     struct tables_water *water; /* front, pairing, probes */
     int book_columns;
@@ -30,22 +25,6 @@ static int open_book(struct tables *o, const struct plan *plan, const char *dir,
     for (int i = 0; i < o->book_columns; i++)
         columns_add(h, o->book_column[i].unit, "%s", o->book_column[i].name);
     return columns_open(h, &o->book, dir, "book.csv");
-}
-
-static int open_beam(struct tables *o, const struct plan *plan, const char *dir, struct columns *h)
-{
-    columns_start(h);
-    for (int i = 0; i < plan_bodies(plan); i++) {
-        const char *name = plan_body_name(plan, i);
-        columns_add(h, "m", "%s.tip_x", name);
-        columns_add(h, "m", "%s.tip_y", name);
-        columns_add(h, "m", "%s.mid_x", name);
-        columns_add(h, "m", "%s.mid_y", name);
-        columns_add(h, "rad", "%s.tip_angle", name);
-        columns_add(h, UNIT("N"), "%s.root_force", name);
-        columns_add(h, UNIT("N m"), "%s.root_moment", name);
-    }
-    return columns_open(h, &o->beam, dir, "beam.csv");
 }
 
 static int open_steps(struct tables *o, const char *dir, struct columns *h)
@@ -76,7 +55,7 @@ static int open_all(struct tables *o, const struct plan *plan, const char *dir, 
     TRY(open_book(o, plan, dir, h));
     TRY(tables_water_open(&o->water, plan, dir, h, means));
     TRY(tables_forces_open(&o->forces, plan, dir, h));
-    TRY(open_beam(o, plan, dir, h));
+    TRY(tables_bodies_open(&o->bodies, plan, dir, h));
     TRY(open_checkpoints(o, plan, dir, h));
     return open_steps(o, dir, h);
 }
@@ -100,7 +79,7 @@ int tables_keep(struct tables *o, struct archive *a)
     TRY(series_keep(o->book, a, "book.csv"));
     TRY(tables_water_keep(o->water, a));
     TRY(tables_forces_keep(o->forces, a));
-    TRY(series_keep(o->beam, a, "beam.csv"));
+    TRY(tables_bodies_keep(o->bodies, a));
     TRY(series_keep(o->checkpoints, a, "checkpoints.csv"));
     return series_keep(o->steps, a, "steps.csv");
 }
@@ -113,26 +92,6 @@ static int row_book(struct tables *o, const struct book_sheet *s)
     for (int i = 0; i < o->book_columns; i++)
         v[i + 1] = book_value(s, &o->book_column[i]);
     return series_row(o->book, v);
-}
-
-static int row_beam(struct tables *o, struct moment *moment, double t, const double *y)
-{
-    double v[COLUMNS_MOST];
-    int n = 0;
-
-    v[n++] = t;
-    for (int i = 0; i < plan_bodies(moment_plan(moment)); i++) {
-        struct body_view b;
-        observe_body(moment, i, t, y, &b);
-        v[n++] = b.tip[0];
-        v[n++] = b.tip[1];
-        v[n++] = b.mid[0];
-        v[n++] = b.mid[1];
-        v[n++] = b.tip_angle;
-        v[n++] = b.root_force;
-        v[n++] = b.root_moment;
-    }
-    return o->beam ? series_row(o->beam, v) : STATUS_DONE;
 }
 
 int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y)
@@ -151,7 +110,7 @@ int tables_rows(struct tables *o, struct moment *moment, double t, const double 
     TRY(row_book(o, sheet));
     TRY(observe_forces(moment, t, y));
     TRY(tables_forces_row(o->forces, moment, t, y));
-    TRY(row_beam(o, moment, t, y));
+    TRY(tables_bodies_row(o->bodies, moment, t, y));
     return tables_water_row(o->water, moment, t, y);
 }
 
@@ -184,7 +143,7 @@ int tables_close(struct tables **tables)
     columns_close(&o->book, &status);
     tables_water_close(&o->water, &status);
     tables_forces_close(&o->forces, &status);
-    columns_close(&o->beam, &status);
+    tables_bodies_close(&o->bodies, &status);
     columns_close(&o->checkpoints, &status);
     columns_close(&o->steps, &status);
     free(o);

@@ -9,9 +9,9 @@
 #include "base/lanes.h"
 #include "space/laws.h"
 
-/* Rows of a block at most; more are sliced.  A block of 8 lanes would not stay in the
- * nearest cache with more. */
-enum { PAIRS_ROWS = LANES == 8 ? 30 : 62 };
+/* Rows of a block at most; more are sliced.  A block of 64-byte lanes would not stay in
+ * the nearest cache with more. */
+enum { PAIRS_ROWS = sizeof(lanes) == 64 ? 30 : 62 };
 
 /* The owners' own values. */
 struct side {

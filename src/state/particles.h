@@ -17,6 +17,8 @@ struct object {
     char name[64];   /* "tank", without the group                             */
     enum kind kind;
     int from, n;     /* ids from .. from+n-1                                  */
+    int carved;      /* of a fluid: sites that it left to solids              */
+    int carver;      /* object that took most of these                        */
     double a[DIM];   /* of a wall: acceleration of its centre now [m/s^2]     */
     double centre[DIM]; /* about which it turns now               [m]         */
     double slide[DIM];   /* of a wall: velocity of its surface beside that of its

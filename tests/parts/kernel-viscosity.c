@@ -35,7 +35,7 @@ static int prepare(void *self, const struct scales *scales)
 LANES_INLINE lanes coupling(const struct kernel_viscosity *s, const struct side *a,
                             const struct block *b, int i)
 {
-    return s->k / 2 * (a->irho + b->irho[i]) * b->w[i];
+    return (real)(s->k / 2) * (a->irho + b->irho[i]) * b->w[i];
 }
 
 static void pairs(const void *self, const struct side *a, const struct block *b, struct sum *to)

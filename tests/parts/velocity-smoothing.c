@@ -25,7 +25,7 @@ static void pairs(const void *self, const struct side *a, const struct block *b,
     struct sum t = *to; /* registers, not memory */
 
     for (int i = 0; i < b->n; i++) {
-        const lanes c = s->k / 2 * (a->irho + b->irho[i]) * b->w[i];
+        const lanes c = (real)(s->k / 2) * (a->irho + b->irho[i]) * b->w[i];
         for (int d = 0; d < DIM; d++)
             t.f[d] -= c * b->v[d][i];
     }

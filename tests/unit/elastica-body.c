@@ -299,8 +299,8 @@ static void loads_end_when_told(void **state)
     b.def.follower = true;
     b.def.load_until = 0.5;
     far_out(&b, 2);
-    check_close(bodies_elastica.event(b.body, 0.1), 0.5, 0, "event");
-    assert_true(bodies_elastica.event(b.body, 0.5) == HUGE_VAL);
+    check_close(bodies_elastica.watch->event(b.body, 0.1), 0.5, 0, "event");
+    assert_true(bodies_elastica.watch->event(b.body, 0.5) == HUGE_VAL);
     bench_load(&b, 0.4);
     assert_true(b.load.driven != 0);
     bench_load(&b, 0.5);

@@ -443,19 +443,6 @@ static void fluid_may_lie_on_a_slope(void **state)
     }
 }
 
-/* ... but not in it: a spacing deep is refused as ever. */
-static void fluid_in_a_slope_is_refused(void **state)
-{
-    const struct scales s = scales_of(0.02);
-    double wedge[][3] = { { 0.18, 0 }, { 1, 0 }, { 1, 0.41 } };
-    double pool[][3] = { { 0.22, 0 }, { 0.82, 0.3 }, { 0, 0.3 }, { 0, 0 } };
-    const struct shape slope = polygon(3, wedge), water = polygon(4, pool);
-    const struct fill_item item[] = { item_of("water", KIND_FLUID, &water),
-                                      item_of("slope", KIND_WALL, &slope) };
-
-    (void)state;
-    assert_refused(item, 2, &s, "wall.slope overlaps fluid.water");
-}
 #endif
 
 /* Kinds in their order, items in theirs; the table says which object each belongs to. */
@@ -513,45 +500,161 @@ static void fluid_in_fluid_is_refused(void **state)
     particles_free(&p);
 }
 
-static void fluid_in_a_solid_is_refused(void **state)
+/* The least distance of x from a particle of a solid [m]. */
+static double to_solids(const struct particles *p, const double *x)
 {
-    const struct scales s = scales_of(0.1);
-    const struct shape dam = box(0, 0, 0, 0.4, 0.2, 0.2), block = box(0.3, 0.1, 0, 0.5, 0.4, 0.2);
-    const struct shape tank = frame(&s, 2, 0);
-    const double point[1][DIM] = { { 0.22, 0.12 } }, beside[1][DIM] = { { 0.47, 0.1 } };
-    struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam), item_of("tank", KIND_WALL, &tank),
-                                item_of("block", KIND_WALL_SLIP, &block) };
+    double least = HUGE_VAL;
+
+    for (int i = p->from[KIND_FLUID + 1]; i < p->n; i++) {
+        double r2 = 0;
+        for (int d = 0; d < DIM; d++)
+            r2 += (x[d] - p->x0[i][d]) * (x[d] - p->x0[i][d]);
+        least = fmin(least, sqrt(r2));
+    }
+    return least;
+}
+
+/* Item 0 is fluid, item 1 a solid: the sites of the fluid alone that stand outside of the
+ * solid's shape and 0.75 dx or more from its particles are there, in their order, no others. */
+static void assert_carved(const struct fill_item *item, const struct scales *s)
+{
+    struct particles *alone = filled(item, 1, s), *p = filled(item, 2, s);
+    int n = 0;
+
+    for (int i = 0; i < alone->n; i++) {
+        if (to_solids(p, alone->x0[i]) < 0.75 * s->dx
+            || (item[1].shape && shape_contains(item[1].shape, alone->x0[i])))
+            continue;
+        assert_true(n < p->object[0].n);
+        assert_memory_equal(p->x0[n++], alone->x0[i], sizeof *p->x0);
+    }
+    assert_int_equal(p->object[0].n, n);
+    assert_int_equal(p->object[0].carved, alone->n - n);
+    if (n < alone->n)
+        assert_int_equal(p->object[0].carver, 1);
+    particles_free(&p);
+    particles_free(&alone);
+}
+
+/* Wherever a solid stands, on the lattice or between its sites, turned or round. */
+static void fluid_makes_room_for_a_solid(void **state)
+{
+    const struct scales s = scales_of(0.05);
+    const struct shape dam = box(0, 0, 0, 0.8, 0.6, 0.4);
 
     (void)state;
-    assert_refused(item, 3, &s, "fluid.dam overlaps wall.block");
-    item[2] = skin_of("plate", 1, point);
-    assert_refused(item, 3, &s, "fluid.dam overlaps beam.plate (a.scene:9)");
-    item[2] = skin_of("plate", 1, beside);
-    struct particles *p = filled(item, 3, &s);
+    for (double at = 0.3; at < 0.4; at += 0.007) {
+        struct shape block = box(at, at, 0.1, at + 0.23, at + 0.1, 0.2);
+        const struct shape drop = ball(at, at, 0.2, 0.15);
+        struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam),
+                                    item_of("block", KIND_WALL, &block) };
+
+        assert_carved(item, &s);
+        block.angle = 700 * (at - 0.3);
+        assert_carved(item, &s);
+        item[1] = item_of("drop", KIND_WALL_SLIP, &drop);
+        assert_carved(item, &s);
+    }
+}
+
+/* On the fluid's own lattice one spacing stays between them: as many sites go as the solid
+ * has particles. */
+static void a_solid_on_the_lattice_takes_its_own_sites(void **state)
+{
+    const struct scales s = scales_of(0.1);
+    const struct shape dam = box(0, 0, 0, 0.8, 0.6, 0.4), block = box(0.3, 0.2, 0.1, 0.5, 0.5, 0.3);
+    const struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam),
+                                      item_of("block", KIND_WALL, &block) };
+    struct particles *p = filled(item, 2, &s);
+
+    (void)state;
+    assert_int_equal(p->object[0].carved, p->object[1].n);
+    for (int i = 0; i < p->object[0].n; i++)
+        assert_true(to_solids(p, p->x0[i]) > 0.999 * s.dx);
     particles_free(&p);
 }
 
-/* Half a spacing off in every direction, a lattice passes between the other's sites. */
-static void an_overlap_between_the_sites_is_refused(void **state)
+/* In a wall that is hollow behind its layers there is no fluid either. */
+static void a_hollow_wall_holds_no_fluid(void **state)
 {
-    const struct scales s = scales_of(0.1);
-    const struct shape dam = box(0, 0, 0, 0.4, 0.3, 0.3);
-    const struct shape block = box(0.05, 0.05, 0.05, 0.35, 0.25, 0.25);
-    const double point[1][DIM] = { { 0.2, 0.1 } };
+    const struct scales s = scales_of(0.02);
+    const struct shape dam = box(0, 0, 0, 0.8, 0.6, 0.4);
+    struct shape drop = ball(0.4, 0.3, 0.2, 0.15);
     struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam),
-                                item_of("block", KIND_WALL, &block) };
+                                item_of("drop", KIND_WALL, &drop) };
 
     (void)state;
-    assert_refused(item, 2, &s, "fluid.dam overlaps wall.block (a.scene:3): a particle of fluid.");
-    item[1] = skin_of("plate", 1, point);
-    assert_refused(item, 2, &s, "beam.plate overlaps fluid.dam (a.scene:3): a particle of beam.");
+    drop.thickness = 2.5 * s.dx;
+    assert_carved(item, &s);
+}
+
+/* A point of a skin, also over a periodic side. */
+static void fluid_makes_room_for_a_skin(void **state)
+{
+    struct scales s = scales_of(0.1);
+    const struct shape dam = box(0, 0, 0, 0.4, 0.2, 0.2);
+    const double point[1][DIM] = { { 0.22, 0.12 } }, beyond[1][DIM] = { { 0.98, 0.05 } };
+    struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam), skin_of("plate", 1, point) };
+
+    (void)state;
+    assert_carved(item, &s);
+    item[1] = skin_of("plate", 1, beyond);
+    struct particles *p = filled(item, 2, &s);
+    assert_int_equal(p->object[0].carved, 0);
+    particles_free(&p);
+    s.period[0] = 1;
+    p = filled(item, 2, &s);
+    assert_int_equal(p->object[0].carved, DIM == 2 ? 1 : 0);
+    particles_free(&p);
+}
+
+static void fluid_that_is_mostly_in_solids_is_refused(void **state)
+{
+    const struct scales s = scales_of(0.1);
+    const struct shape dam = box(0, 0, 0, 0.4, 0.2, 0.2), all = box(-0.1, 0, 0, 0.5, 0.2, 0.2);
+    const struct shape half = box(0, 0, 0, 0.2, 0.2, 0.2), more = box(0.2, 0, 0, 0.3, 0.2, 0.2);
+    struct fill_item item[] = { item_of("dam", KIND_FLUID, &dam), item_of("one", KIND_WALL, &all),
+                                item_of("two", KIND_WALL_SLIP, &more) };
+
+    (void)state;
+    assert_refused(item, 2, &s, "fluid.dam lies wholly in solids");
+    assert_refused(item, 2, &s, "wall.one (a.scene:3) takes 100 %");
+    item[1].shape = &half;
+    struct particles *p = filled(item, 2, &s); /* just half is left */
+    particles_free(&p);
+    assert_refused(item, 3, &s, "fluid.dam lies more than half in solids");
+    assert_refused(item, 3, &s, "wall.one (a.scene:3) takes 50 %, wall.two (a.scene:3) takes 25 %");
+}
+
+static void a_skin_in_a_solid_is_refused(void **state)
+{
+    const struct scales s = scales_of(0.02);
+    const struct shape block = box(0.3, 0.1, 0.1, 0.5, 0.4, 0.2);
+    struct shape drop = ball(0.7, 0.5, 0.25, 0.2);
+    const double in[1][DIM] = { { 0.32, 0.12 } }, middle[1][DIM] = { { 0.7, 0.5 } };
+    const double beside[1][DIM] = { { 0.51, 0.15 } };
+    struct fill_item item[] = { item_of("block", KIND_WALL, &block), skin_of("plate", 1, beside),
+                                skin_of("flap", 1, beside) };
+
+    (void)state;
+    struct particles *p = filled(item, 2, &s);
+    particles_free(&p);
+    assert_refused(item, 3, &s, "beam.plate overlaps beam.flap (a.scene:9)");
+    item[1] = skin_of("plate", 1, in);
+    if (DIM == 3)
+        return; /* its points have no third coordinate here */
+    assert_refused(item, 2, &s, "beam.plate overlaps wall.block (a.scene:3)");
+    drop.thickness = 2.5 * s.dx;
+    item[0] = item_of("drop", KIND_WALL, &drop);
+    item[1] = skin_of("plate", 1, middle);
+    assert_refused(item, 2, &s, "beam.plate overlaps wall.drop (a.scene:3): a particle of beam.");
 }
 
 static void solids_may_touch_solids(void **state)
 {
     const struct scales s = scales_of(0.1);
     const struct shape tank = frame(&s, 2, 0), block = box(0.3, 0.03, 0.1, 0.5, 0.2, 0.2);
-    const double point[2][DIM] = { { 0.8, -0.05 }, { 0.8, 0.05 } };
+    const double point[2][DIM] = { { 0.8, 0.05 }, { 0.8, 0.15 } };
     const struct fill_item item[] = { item_of("tank", KIND_WALL, &tank), skin_of("plate", 2, point),
                                       item_of("block", KIND_WALL, &block) };
     struct particles *p = filled(item, 3, &s);
@@ -705,13 +808,16 @@ int main(void)
 #if DIM == 2
         cmocka_unit_test(a_polygon_is_filled_from_its_lowest_corner),
         cmocka_unit_test(fluid_may_lie_on_a_slope),
-        cmocka_unit_test(fluid_in_a_slope_is_refused),
-        cmocka_unit_test(walls_too_thin_get_a_warning),
+            cmocka_unit_test(walls_too_thin_get_a_warning),
 #endif
         cmocka_unit_test(particles_stand_in_creation_order),
         cmocka_unit_test(fluid_in_fluid_is_refused),
-        cmocka_unit_test(fluid_in_a_solid_is_refused),
-        cmocka_unit_test(an_overlap_between_the_sites_is_refused),
+        cmocka_unit_test(fluid_makes_room_for_a_solid),
+        cmocka_unit_test(a_solid_on_the_lattice_takes_its_own_sites),
+        cmocka_unit_test(a_hollow_wall_holds_no_fluid),
+        cmocka_unit_test(fluid_makes_room_for_a_skin),
+        cmocka_unit_test(fluid_that_is_mostly_in_solids_is_refused),
+        cmocka_unit_test(a_skin_in_a_solid_is_refused),
         cmocka_unit_test(solids_may_touch_solids),
         cmocka_unit_test(walls_in_one_place_get_a_warning),
         cmocka_unit_test(fluid_outside_the_domain_is_refused),

@@ -1,0 +1,100 @@
+/* rigid-make.c -- makes a rigid body from its parameters; takes all its memory. */
+#include "bodies/rigid-make.h"
+
+#include "base/status.h"
+#include "bodies/rigid-skin.h"
+#include "bodies/rigid-stops.h"
+#include "state/scales.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void rigid_make_free(struct body **body)
+{
+    if (*body)
+        free((*body)->arm);
+    free(*body);
+    *body = NULL;
+}
+
+/* The water before a face holds a light body as a spring does:
+ *   rate = 0.56 c0 sqrt(rho0/(dx M/A))                                              (RB4)
+ * with its mass per wetted area, measured on a column of water below a free piston. */
+static double fastest(const struct rigid_def *d, const struct scales *s)
+{
+    if (!s->fluid)
+        return 0;
+    return 0.56 * s->c0 * sqrt(s->rho0 * rigid_def_surface(d) / (s->dx * rigid_def_mass(d)));
+}
+
+/* Without water, a speed that its own motion has. */
+static void measure(struct body *b, const struct scales *s)
+{
+    double v2 = 0, spin2 = 0, g2 = 0;
+    const double reach = rigid_def_reach(&b->def);
+
+    for (int d = 0; d < DIM; d++) {
+        b->g[d] = s->g[d];
+        b->low[d] = s->low[d];
+        v2 += b->def.velocity[d] * b->def.velocity[d];
+        g2 += s->g[d] * s->g[d];
+    }
+    for (int i = 0; i < TURNING_SPINS; i++)
+        spin2 += b->def.spin[i] * b->def.spin[i];
+    b->length = s->fluid ? s->hs : reach;
+    b->speed = s->fluid ? s->speed : sqrt(v2) + sqrt(spin2) * reach + sqrt(sqrt(g2) * reach);
+    if (!(b->speed > 0))
+        b->speed = reach; /* nothing moves it: 1 1/s */
+}
+
+static int build(struct body *b, const struct scales *s)
+{
+    const int layers = b->def.layers > 0 ? b->def.layers
+                                         : s->dx > 0 ? (int)ceil(s->support / s->dx) : 0;
+
+    b->mass = rigid_def_mass(&b->def);
+    rigid_def_inertia(&b->def, b->inertia);
+    b->rate = fastest(&b->def, s);
+    measure(b, s);
+    b->points = rigid_skin(&b->def, s->dx, layers, NULL);
+    b->arm = status_alloc((unsigned long)b->points + 1, sizeof *b->arm);
+    if (!b->arm)
+        return STATUS_FAILED;
+    rigid_skin(&b->def, s->dx, layers, b->arm);
+    return rigid_stops_create(b, s);
+}
+
+int rigid_make(const void *params, const struct scales *s, const char *name, const char *path,
+               struct body **out)
+{
+    struct body *b;
+    int code;
+
+    (void)name;
+    *out = NULL;
+    TRY(rigid_def_check(params, path));
+    b = status_alloc(1, sizeof *b);
+    if (!b)
+        return STATUS_FAILED;
+    b->def = *(const struct rigid_def *)params;
+    snprintf(b->path, sizeof b->path, "%s", path);
+    code = build(b, s);
+    if (code != STATUS_DONE)
+        rigid_make_free(&b);
+    *out = b;
+    return code;
+}
+
+int rigid_make_work(const struct body *b, struct body_work **out)
+{
+    (void)b;
+    *out = status_alloc(1, sizeof **out);
+    return *out ? STATUS_DONE : STATUS_FAILED;
+}
+
+void rigid_make_work_free(struct body_work **work)
+{
+    free(*work);
+    *work = NULL;
+}

@@ -1,0 +1,40 @@
+/* touch.h -- the law of two surfaces that press and rub at one place.
+ *
+ * Smooth enough for a method with error control: the force begins at 0, friction remembers
+ * how far the surfaces were bent along each other, xi, which is state [DIM] [m].  Nothing in
+ * it is faster than touch_rate(). */
+#ifndef BODIES_TOUCH_H
+#define BODIES_TOUCH_H
+
+#include "space/kinds.h"
+
+struct touch_law {
+    double k;     /* of Hertz [N/m^(3/2), 2D: per metre of width]                */
+    double along; /* the same along the surface, k_t [N/m, 2D: N/m^2]            */
+    double eta;   /* damping, touch_damping() of the restitution                 */
+    double mu;    /* coefficient of friction; 0: none                            */
+    double tau;   /* in which what slides forgets what it was bent by [s]        */
+};
+
+struct touch_place {
+    double depth, rate;     /* of the overlap [m], and how fast it grows [m/s]     */
+    double normal[DIM];     /* out of the partner, into the body                   */
+    double velocity[DIM];   /* of the body's surface beside the partner [m/s]      */
+    double mass;            /* that a push along the normal meets there [kg]       */
+};
+
+/* A body of that mass that comes with `speed` is stopped within `depth`. */
+struct touch_law touch_law(double mass, double speed, double depth, double restitution,
+                           double mu);
+
+/* eta of (RT2) for a restitution of 0.1 to 1, found by integrating impacts. */
+double touch_damping(double restitution);
+
+/* The fastest rate of a face that meets with `speed` [1/s]. */
+double touch_rate(double speed, double depth);
+
+/* Force on the body [DIM] [N] along the normal and along the surface; rate of xi. */
+void touch(const struct touch_law *law, const struct touch_place *at, const double *xi,
+           double *press, double *rub, double *xi_rate);
+
+#endif

@@ -1,0 +1,107 @@
+/* sum-in-single.c -- sums over pairs in single precision: two groups side by side, then each
+ * of them in double precision as ever. */
+#include "plan/sum-pass.h"
+#include "plan/sum-single.h"
+
+#include "base/status.h"
+#include "space/record.h"
+#include "space/single.h"
+
+#include <stdlib.h>
+
+static const struct sum_single *const single = &LANE_SINGLE_NAME(sum_single);
+
+/* Half h of the sums as a law in double precision leaves them. */
+static void widen(int slots, const float *sum, int h, struct sum *part)
+{
+    for (int s = 0; s < slots; s++, sum += (DIM + 1) * 2 * LANES)
+        for (int l = 0; l < LANES; l++) {
+            for (int d = 0; d < DIM; d++)
+                part[s].f[d][l] = sum[(2 * d + h) * LANES + l];
+            part[s].drho[l] = sum[(2 * DIM + h) * LANES + l];
+        }
+}
+
+static void end_group(const struct sum_job *job, int g, const struct sum *part,
+                      struct chunk_power *book)
+{
+    struct visit v = visit_group(job->list, g);
+    const int owners = visit_owners(&v);
+    struct side a;
+
+    if (v.next == v.last) {
+        clear_slots(job, v.kind, v.first, owners);
+        return;
+    }
+    gather_side(job->record, v.first, v.end, job->list->listed, &a);
+    finish_group(job, v.kind, v.first, owners, &a, part, book);
+}
+
+/* Asks for what the end of a group will read and write. */
+LANES_INLINE void expect(const struct sum_job *job, int g)
+{
+    const struct visit v = visit_group(job->list, g);
+    const double *r = job->record + (size_t)v.first * RECORD;
+    const int owners = visit_owners(&v);
+
+    for (int i = 0; i < owners * RECORD; i += 8)
+        __builtin_prefetch(r + i);
+    expect_rates(job, v.kind, v.first, owners);
+}
+
+static void sum_groups(const struct sum_pass *pass, int from, int to, struct block *b,
+                       struct chunk_power *book)
+{
+    const struct sum_job *job = pass->job;
+    float sum[SUM_SLOTS * (DIM + 1) * 2 * LANES] __attribute__((aligned(64)));
+    struct sum part[SUM_SLOTS];
+
+    (void)b;
+    for (int g = from; g < to; g += 2) {
+        const bool both = g + 1 < to;
+
+        for (int h = 0; h < 1 + both; h++)
+            expect(job, g + h);
+        single->groups(job, pass->record, g, both, sum);
+        for (int h = 0; h < 1 + both; h++) {
+            widen(job->slots, sum, h, part);
+            end_group(job, g + h, part, book);
+        }
+    }
+}
+
+static int make_records(const struct list *list, double mass, struct sum_scratch *scratch)
+{
+    enum { LINE = 64, SPARE = 1000 };
+
+    const size_t floats = (size_t)single_floats(mass);
+
+    if (list->listed < scratch->places)
+        return STATUS_DONE;
+    free(scratch->record);
+    scratch->places = list->listed + 1 + list->listed / 8 + SPARE;
+    scratch->record = aligned_alloc(LINE, ((size_t)scratch->places * floats
+                                           * sizeof *scratch->record / LINE + 1) * LINE);
+    if (scratch->record)
+        return STATUS_DONE;
+    scratch->places = 0;
+    return status_fail(STATUS_FAILED, "no memory for records of %d particles in single precision",
+                       list->listed);
+}
+
+static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
+{
+    TRY(make_records(job->list, job->mass, scratch));
+    single_pack(job->list, job->record, job->mass, scratch->record);
+    return sum_pass_run(job, scratch, sum_groups);
+}
+
+static void arrange(struct pairs_table *table, bool fuse)
+{
+    single->arrange(table, fuse);
+}
+
+const struct sum_engine LANE_NAME(sum_engine_single) = {
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .arrange = arrange, .pairs = sum_pairs,
+    .field = LANE_NAME(sum_field),
+};

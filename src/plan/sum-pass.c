@@ -1,0 +1,79 @@
+/* sum-pass.c -- shares of threads in a pass of sums, and their powers put together. */
+#include "plan/sum-pass.h"
+
+#include "base/status.h"
+#include "base/threads.h"
+
+#include <stdlib.h>
+
+/* The pass, and what is done with each group. */
+struct work {
+    struct sum_pass pass;
+    sum_pass_groups *groups;
+};
+
+static void sum_chunk(const void *of, int chunk, int from, int to, struct block *b)
+{
+    const struct work *work = of;
+    const struct sum_pass *pass = &work->pass;
+    const int slots = pass->job->slots;
+    const size_t mine = (size_t)threads_me() * (size_t)slots;
+    struct exact_cut *const cut = pass->cut + mine;
+    struct chunk_power book;
+
+    (void)chunk;
+    for (int s = 0; s < slots; s++)
+        exact_rows_open(&book.rows[s], &cut[s]);
+    work->groups(pass, from, to, b, &book);
+    for (int s = 0; s < slots; s++)
+        exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
+}
+
+/* Kinds that own nothing have rates of exactly 0. */
+static void clear_idle(const struct sum_job *job)
+{
+    const struct list *list = job->list;
+
+    for (int kind = 0; kind < KINDS; kind++)
+        if (list->group_from[kind] == list->group_from[kind + 1])
+            clear_slots(job, kind, list->start[kind],
+                        list->start[kind + 1] - list->start[kind]);
+}
+
+static int make_room(struct sum_scratch *scratch, int slots)
+{
+    const int threads = threads_most();
+
+    if (threads > scratch->threads || slots != scratch->slots) {
+        free(scratch->power);
+        free(scratch->cut);
+        scratch->threads = threads;
+        scratch->slots = slots;
+        scratch->power = malloc((size_t)threads * (size_t)(slots + 1) * sizeof *scratch->power);
+        scratch->cut = calloc((size_t)threads * (size_t)(slots + 1), sizeof *scratch->cut);
+    }
+    if (!scratch->power || !scratch->cut)
+        return status_fail(STATUS_FAILED, "no memory to sum the power of %d effects", slots);
+    memset(scratch->power, 0, (size_t)scratch->threads * (size_t)slots * sizeof *scratch->power);
+    return STATUS_DONE;
+}
+
+int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pass_groups *groups)
+{
+    const int slots = job->slots;
+    struct work work;
+
+    if (slots > SUM_SLOTS)
+        return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
+                           SUM_SLOTS);
+    TRY(make_room(scratch, slots));
+    work = (struct work){ { job, scratch->power, scratch->cut, scratch->record }, groups };
+    clear_idle(job);
+    visit_chunks(job->list, VISIT_ALL, sum_chunk, &work);
+    for (int s = 0; s < slots; s++) {
+        for (int t = 1; t < scratch->threads; t++)
+            exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);
+        job->power[s] = exact_sum_value(&scratch->power[s]);
+    }
+    return STATUS_DONE;
+}

@@ -1,0 +1,154 @@
+/* sum-single.c -- laws on rows of neighbours in single precision. */
+#include "plan/sum-single.h"
+
+#include "effects/fused.h"
+#include "space/gather.h"
+#include "space/single-rows.h"
+
+#include <string.h>
+
+/* The groups at hand. */
+struct walk {
+    const struct list *list;
+    const struct list_segment *next[2], *last[2]; /* that are still to come   */
+    int nowhere[SINGLE_HALF];                     /* a row of dummies         */
+};
+
+/* Laws one after the other, each on all rows. */
+static void laws_in_turn(const struct pairs_table *table, const struct side *a,
+                         struct block *b, struct sum *sum)
+{
+    for (int i = 0; i < table->n; i++) {
+        const struct pairs_work *w = &table->work[i];
+
+        gather_kernel(w->needs, w->kernel, b);
+        w->law(w->self, a, b, &sum[w->slot]);
+    }
+}
+
+static void arrange(struct pairs_table *table, bool fuse)
+{
+    pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
+
+    table->laws = fused ? fused : laws_in_turn;
+}
+
+static struct walk start(const struct list *list, int g, bool both)
+{
+    struct walk w = { .list = list };
+
+    for (int h = 0; h < 1 + both; h++) {
+        w.next[h] = list->segment + list->segment_from[g + h];
+        w.last[h] = list->segment + list->segment_from[g + h + 1];
+    }
+    for (int l = 0; l < SINGLE_HALF; l++)
+        w.nowhere[l] = list->listed;
+    return w;
+}
+
+/* Owners of both groups; the dummy where there is none. */
+static void owners(const struct list *list, int g, bool both, int *j)
+{
+    for (int h = 0; h < 2; h++) {
+        const int at = h > 0 && !both ? list->listed : list->group_slot[g + h];
+        const int end = list->start[list->group_kind[g] + 1];
+
+        for (int l = 0; l < SINGLE_HALF; l++)
+            j[h * SINGLE_HALF + l] = at + l < end ? at + l : list->listed;
+    }
+}
+
+/* The partner whose rows come next, -1: there is none. */
+static int partner_of(const struct walk *w)
+{
+    int partner = KINDS;
+
+    for (int h = 0; h < 2; h++)
+        if (w->next[h] < w->last[h] && w->next[h]->partner < partner)
+            partner = w->next[h]->partner;
+    return partner < KINDS ? partner : -1;
+}
+
+/* Where rows of that partner stand, and how many of each half; dummies where one has none. */
+static struct single_places take(struct walk *w, int partner, int *rows)
+{
+    struct single_places from;
+
+    for (int h = 0; h < 2; h++) {
+        const bool has = w->next[h] < w->last[h] && w->next[h]->partner == partner;
+
+        rows[h] = has ? w->next[h]->rows : 0;
+        from.j[h] = has ? w->next[h]->j : w->nowhere;
+        from.step[h] = has ? SINGLE_HALF : 0;
+        w->next[h] += has;
+    }
+    return from;
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* The next rows of both halves, at most as many as there is room for. */
+static void fill(const struct walk *w, const struct single_records *all,
+                 struct single_places *from, int *rows, const struct single_side *own,
+                 unsigned needs, struct block *b)
+{
+    b->n = 0;
+    while (b->n < PAIRS_ROWS && (rows[0] > 0 || rows[1] > 0)) {
+        int n = PAIRS_ROWS - b->n;
+
+        for (int h = 0; h < 2; h++) {
+            if (rows[h] > 0) {
+                n = least(n, rows[h]);
+            } else {
+                from->j[h] = w->nowhere;
+                from->step[h] = 0;
+            }
+        }
+        single_rows_fill(all, from, n, own, needs, b, b->n);
+        b->n += n;
+        for (int h = 0; h < 2; h++) {
+            from->j[h] += from->step[h] * (size_t)n;
+            rows[h] -= n;
+        }
+    }
+}
+
+static void hand_over(int slots, const struct sum *part, float *sum)
+{
+    for (int s = 0; s < slots; s++, sum += (DIM + 1) * LANES) {
+        memcpy(sum, part[s].f, sizeof part[s].f);
+        memcpy(sum + DIM * LANES, &part[s].drho, sizeof part[s].drho);
+    }
+}
+
+static void groups(const struct sum_job *job, const float *record, int g, bool both, float *sum)
+{
+    const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
+    const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
+    struct walk w = start(job->list, g, both);
+    struct sum part[SUM_SLOTS];
+    struct single_side own;
+    struct block b;
+    int j[LANES];
+
+    owners(job->list, g, both, j);
+    single_rows_side(&all, j, &own);
+    memset(part, 0, (size_t)job->slots * sizeof *part);
+    for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
+        const struct pairs_table *table = &tables[partner];
+        struct single_places from = take(&w, partner, rows);
+
+        if (table->n == 0) /* the list also serves summed densities */
+            continue;
+        while (rows[0] > 0 || rows[1] > 0) {
+            fill(&w, &all, &from, rows, &own, table->needs, &b);
+            table->laws(table, &own.a, &b, part);
+        }
+    }
+    hand_over(job->slots, part, sum);
+}
+
+const struct sum_single LANE_NAME(sum_single) = { .arrange = arrange, .groups = groups };

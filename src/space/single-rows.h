@@ -1,0 +1,39 @@
+/* single-rows.h -- rows of neighbours in single precision, of two groups side by side. */
+#ifndef SPACE_SINGLE_ROWS_H
+#define SPACE_SINGLE_ROWS_H
+
+#include "space/pairs.h"
+#include "space/single.h"
+
+enum { SINGLE_HALF = LANES / 2 }; /* lanes of the list                       */
+
+/* The owners' own side, with their positions in counts. */
+struct single_side {
+    lanes_mask x[DIM];
+    struct side a;
+};
+
+/* Places from which n rows are taken: of each half [n][SINGLE_HALF], or, with a step of 0,
+ * the same row again and again. */
+struct single_places {
+    const int *j[2];
+    size_t step[2];
+};
+
+/* Records of all, as single_pack() left them. */
+struct single_records {
+    const float *record;
+    real count;           /* the length of a count [m]                          */
+    real mass;            /* of all particles; 0: they differ                   */
+};
+
+/* Owners in places j[LANES]; the dummy stands where there is none. */
+#define single_rows_side LANE_NAME(single_rows_side)
+void single_rows_side(const struct single_records *of, const int *j, struct single_side *own);
+
+/* Fills rows at..at+n-1 of b with what `needs` (NEED_ bits) ask for, but for kernels. */
+#define single_rows_fill LANE_NAME(single_rows_fill)
+void single_rows_fill(const struct single_records *of, const struct single_places *from, int n,
+                      const struct single_side *own, unsigned needs, struct block *b, int at);
+
+#endif
