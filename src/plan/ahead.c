@@ -47,12 +47,12 @@ static const char *reason(const struct plan *p)
         && !walls_predict(p))
         return "it is solved for in the fluid and in solids with a density of their own: set "
                "walls = \"contact\" or \"own-density\"";
-    if (p->passes.press && skins(p))
-        return "skins of beams whose pressure is a mean do not yield to it: set "
-               "walls = \"own-density\"";
     if (!bodies_yield(p))
         return "one of the bodies does not say how it yields to pressure within a time: leave it "
                "out, or take another eos.type";
+    if (p->passes.press && skins(p))
+        return "skins of beams whose pressure is a mean do not yield to it: set "
+               "walls = \"own-density\"";
     if (p->stiff)
         return "a viscosity that is implicit is solved for apart: set its side = \"explicit\"";
     if (p->drifter)
