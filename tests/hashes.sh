@@ -154,6 +154,8 @@ part_rows() {
     row few "$flat" dv walls=contact $soft until=0.03
     row few tests/scenes/floating-box.scene default until=0.2 body.it.angle=3.0
     row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
+    row all data/scenes/gate.scene default eos.type=look-ahead spacing=0.01 until=0.15
+    row all tests/scenes/lowered-box.scene default eos.type=look-ahead until=0.4
     row all "$flat" default beam.plate.theory=elastica until=0.03
     row all "$flat" default beam.plate.theory=elastica beam.plate.E=1e5 until=0.08
     row all "$flat" default $soft until=0.08

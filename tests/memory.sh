@@ -39,6 +39,7 @@ holds 1e-4 "$out/summed.scene" spacing=1e-3 eos.tension=false
 sed 's/^until/walls = "own-density"; until/; /density-healing/d; s/^eos.*/eos = { type = "look-ahead"; };/' \
     "$scenes/dam-break.scene" >"$out/ahead.scene"
 holds 1e-4 "$out/ahead.scene" spacing=1e-3
+holds 1e-4 "$out/ahead.scene" spacing=1e-3 walls=contact
 holds 4e-3 "$scenes/dam-break-3d.scene" spacing=0.037
 holds 1e-4 "$scenes/beam-alone.scene"
 holds 4e-4 "$scenes/mps-dam-break.scene" spacing=9.125e-4

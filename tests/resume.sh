@@ -106,6 +106,9 @@ again 'an elastica in water' "$flat" 0.02 beam.plate.theory=elastica beam.plate.
 again 'running means' "$flat" 0.02 probe.bed.window=6e-3 'probe.bed.to=[0.05,0.05]' \
     probe.bed.profile=true
 again 'pressure ahead in 3D' "$deep" 0.02 eos.type=look-ahead walls=own-density
+again 'pressure ahead between contact walls in 3D' "$deep" 0.02 eos.type=look-ahead
+again 'pressure ahead beside a wall that moves' "$scenes/gate.scene" 0.12 spacing=0.01 \
+    eos.type=look-ahead
 again 'pressure ahead with a beam' "$flat" 0.02 eos.type=look-ahead walls=own-density
 again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tension=false \
     walls=own-density

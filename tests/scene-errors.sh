@@ -254,7 +254,9 @@ bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' 
 
 # what a pressure that looks ahead does not go with
 ahead='s/type = "tait"/type = "look-ahead"/'
-bad small-2d 'look-ahead with walls of contact' "$ahead" look-ahead 'walls = "own-density"'
+bad small-2d 'look-ahead with walls of adami' "$ahead; \$ a\\
+walls = \"adami\";" look-ahead 'walls = "contact"'
+bad small-2d 'look-ahead with a skin between walls of contact' "$ahead" look-ahead 'walls = "own-density"'
 
 # the command line
 bad_key 'override without a key' '=3' '=3'

@@ -21,6 +21,9 @@ struct workspace {
     double *power;   /* [columns]                                             */
     double *rho;     /* [n] densities that fields or the pass of solids give, by row; NULL */
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
+    double *mean;    /* [solids] densities before their one side, for a pressure that looks
+                        ahead; NULL                                           */
+    double *law;     /* [solids] p2 by the density alone; NULL likewise       */
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */

@@ -40,7 +40,8 @@ static void narrow(struct moment *m)
 static void press(struct moment *m, double *rho, double *p2, bool all)
 {
     const struct plan_part *wall = m->plan->passes.press;
-    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2, .all = all };
+    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2, .mean = m->work->mean,
+                                     .all = all };
 
     wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
 }

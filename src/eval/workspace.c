@@ -19,6 +19,23 @@ double *workspace_lines(size_t numbers)
     return to;
 }
 
+/* Of solids that press by more than a density of their own. */
+static int take_press(const struct plan *p, struct workspace *w)
+{
+    const size_t solids = (size_t)(p->particles->n - particles_count(p->particles, KIND_FLUID));
+
+    w->p2 = workspace_lines(solids);
+    w->pressed = workspace_lines(DIM * solids);
+    w->met = status_alloc(solids + 1, sizeof *w->met);
+    w->rows = status_alloc(solids + 1, sizeof *w->rows);
+    if (!w->p2 || !w->pressed || !w->met || !w->rows)
+        return STATUS_FAILED;
+    if (plan_ahead(p) > 0 && (!(w->mean = workspace_lines(solids))
+                              || !(w->law = workspace_lines(solids))))
+        return STATUS_FAILED;
+    return p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press);
+}
+
 /* Of pairs. */
 static int take_sums(const struct plan *p, struct workspace *w)
 {
@@ -31,16 +48,8 @@ static int take_sums(const struct plan *p, struct workspace *w)
     w->f = workspace_lines(n * DIM);
     w->drho = workspace_lines(n);
     w->power = workspace_lines((size_t)p->slots + 1);
-    if (p->passes.press) {
-        const size_t solids = n - (size_t)particles_count(p->particles, KIND_FLUID);
-        w->p2 = workspace_lines(solids);
-        w->pressed = workspace_lines(DIM * solids);
-        w->met = status_alloc(solids + 1, sizeof *w->met);
-        w->rows = status_alloc(solids + 1, sizeof *w->rows);
-        if (!w->p2 || !w->pressed || !w->met || !w->rows)
-            return STATUS_FAILED;
-        TRY(p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press));
-    }
+    if (p->passes.press)
+        TRY(take_press(p, w));
     if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = workspace_lines(n)))
         return STATUS_FAILED;
     if (p->passes.fields > 0) {
@@ -108,6 +117,8 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     free(w->power);
     free(w->rho);
     free(w->p2);
+    free(w->mean);
+    free(w->law);
     free(w->pressed);
     free(w->met);
     free(w->rows);

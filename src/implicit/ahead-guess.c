@@ -39,7 +39,7 @@ void ahead_guess(struct ahead *a, double t)
         else
             a->P[s] = a->past.P[0][id] + w * (a->past.P[0][id] - a->past.P[1][id]);
         if (a->bounded)
-            a->P[s] = fmax(0, a->P[s]);
+            a->P[s] = fmax(a->walls.least ? a->walls.least[s] : 0, a->P[s]);
     }
 }
 

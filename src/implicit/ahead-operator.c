@@ -26,6 +26,15 @@ static const double *record(const struct ahead *a, int s)
     return a->m->work->record + (size_t)s * RECORD;
 }
 
+/* Of which the pressure is one. */
+static double density(const struct ahead *a, int s)
+{
+    const struct particles *all = a->m->particles;
+    const int i = a->m->list->order[s] - all->from[KIND_WALL];
+
+    return a->m->work->mean && i >= 0 ? a->m->work->mean[i] : record(a, s)[RECORD_RHO];
+}
+
 /* to = (E + tau^2 D M^-1 G) x; what is in no list stays. */
 static void apply(void *self, const double *x, double *to)
 {
@@ -35,6 +44,7 @@ static void apply(void *self, const double *x, double *to)
     const double *f = a->m->work->f, tau2 = a->tau * a->tau;
 
     memcpy(a->scalar, x, (size_t)a->listed * sizeof *x);
+    ahead_walls_spread(a, a->scalar);
     complete(a, 1, a->scalar);
     nabla->gradient(&a->kept, a->moving, a->scalar, a->m->work->f);
     memset(a->vector, 0, (size_t)a->listed * NABLA_STRIDE * sizeof *a->vector);
@@ -44,6 +54,7 @@ static void apply(void *self, const double *x, double *to)
     ahead_bodies_yield(a);
     complete(a, NABLA_STRIDE, a->vector);
     nabla->divergence(&a->kept, a->kinds, a->vector, to);
+    ahead_walls_mean(a, to);
     for (int s = 0; s < a->listed; s++)
         to[s] = a->still[s] * x[s] + tau2 * to[s];
     for (int s = a->listed; s < a->n; s++)
@@ -82,9 +93,10 @@ static void read_accelerations(struct ahead *a, const double *udot)
     complete(a, NABLA_STRIDE, a->vector);
 }
 
-/* b += factor * term. */
+/* b += factor * term, of solids that press by means the mean of it. */
 static void add(struct ahead *a, double factor)
 {
+    ahead_walls_mean(a, a->term);
     for (int s = 0; s < a->listed; s++)
         a->b[s] += factor * a->term[s];
 }
@@ -95,7 +107,7 @@ static void set_right_side(struct ahead *a, const struct eos *eos, const double 
 
     memset(a->b, 0, (size_t)a->n * sizeof *a->b);
     for (int s = 0; s < a->listed; s++)
-        a->b[s] = mass(a, s) * (record(a, s)[RECORD_RHO] - eos->rho0);
+        a->b[s] = mass(a, s) * (density(a, s) - eos->rho0);
     read_velocities(a);
     nabla->divergence(&a->kept, a->kinds, a->vector, a->term);
     add(a, a->tau);
@@ -106,7 +118,8 @@ static void set_right_side(struct ahead *a, const struct eos *eos, const double 
     add(a, a->tau * a->tau);
 }
 
-/* That of D M^-1 G: see space/nabla.h. */
+/* That of D M^-1 G: see space/nabla.h.  Of solids that press by means it is more: the mean of
+ * what each of them would have, as the square of a mean is not above that of squares. */
 static void set_diagonal(struct ahead *a)
 {
     const struct nabla_kept_engine *nabla = a->m->plan->engine->nabla_kept;
@@ -121,6 +134,7 @@ static void set_diagonal(struct ahead *a)
         a->scalar[s] = s < fluid ? 1 / mass(a, s) : 0;
     complete(a, 1, a->scalar);
     nabla->squares(&a->kept, a->kinds, a->scalar, a->term);
+    ahead_walls_mean(a, a->term);
     for (int s = 0; s < a->listed; s++) {
         double square = 0;
         for (int d = 0; d < DIM && s < fluid; d++)

@@ -25,6 +25,9 @@ static void ahead_free(void **self)
     free(a->kept.rows);
     free(a->kept.j);
     free(a->push);
+    free(a->walls.from);
+    free(a->walls.to);
+    free(a->walls.least);
     operator_solver_free(&a->solver);
     bounded_solver_free(&a->bounded);
     free(a);
@@ -52,7 +55,8 @@ static int take(struct ahead *a, const struct eos *eos)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
             return STATUS_FAILED;
     TRY(ahead_bodies_create(a->m->plan, &a->push));
-    if (eos->clamped)
+    TRY(ahead_walls_create(a, !eos->clamped));
+    if (eos->clamped || a->walls.least)
         return bounded_solver_create(a->n, PRODUCTS, &a->bounded);
     return operator_solver_create(a->n, PRODUCTS, &a->solver);
 }
@@ -143,15 +147,18 @@ static int refuse(struct ahead *a, const struct operator_report *report, double 
     return STATUS_FAILED;
 }
 
-/* The guess, and what is missing there; the norm of b. */
+/* The guess, and what is missing there; the norm of b.  What solids that press by means lack
+ * until water comes drives nothing. */
 static double begin(struct ahead *a)
 {
+    const int fluid = a->m->list->start[KIND_FLUID + 1];
     double square = 0;
 
     operator_apply(&a->operator, a->P, a->residual);
     for (int s = 0; s < a->n; s++) {
+        const double drives = s < fluid || !a->m->work->mean ? a->b[s] : fmax(0, a->b[s]);
         a->residual[s] = a->b[s] - a->residual[s];
-        square += a->b[s] * a->b[s];
+        square += drives * drives;
     }
     return sqrt(square);
 }
@@ -159,8 +166,19 @@ static double begin(struct ahead *a)
 static int solve(struct ahead *a, struct operator_report *report)
 {
     if (a->bounded)
-        return bounded_solve(a->bounded, &a->operator, a->P, a->residual, report);
+        return bounded_solve(a->bounded, &a->operator, a->walls.least, a->P, a->residual, report);
     return operator_solve(a->solver, &a->operator, a->P, a->residual, report);
+}
+
+/* Images have what their originals have. */
+static void write_records(struct ahead *a)
+{
+    const struct list *l = a->m->list;
+
+    memcpy(a->scalar, a->P, (size_t)a->listed * sizeof *a->P);
+    ahead_walls_spread(a, a->scalar);
+    for (int s = 0; s < l->listed; s++)
+        a->m->work->record[(size_t)s * RECORD + RECORD_P2] = a->scalar[l->slot[l->order[s]]];
 }
 
 static int find(void *self, struct moment *m, double t, const double *y, const double *udot)
@@ -178,6 +196,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     }
     TRY(ahead_bodies_set(a, t, y));
     ahead_assemble(a, udot);
+    ahead_walls_bound(a);
     ahead_guess(a, t);
     a->operator.near = a->residual_share * begin(a);
     if (a->operator.near > 0)
@@ -187,8 +206,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     if (a->operator.near > 0)
         m->counts.products += report.products;
     ahead_keep(a, t);
-    for (int s = 0; s < l->listed; s++)
-        m->work->record[(size_t)s * RECORD + RECORD_P2] = a->P[l->slot[l->order[s]]];
+    write_records(a);
     return STATUS_DONE;
 }
 

@@ -8,6 +8,15 @@
  * (E4).  By (D1) m rho' = D v, and the force is -G P with G the transpose of D, so the system
  * is symmetric and positive definite, at free surfaces and in closed tanks alike.
  *
+ * Solids of walls = "contact" press by means: of them pi >= 0 is unknown, that of the mean A of
+ * their densities (W6) predicted, and
+ *
+ *   P_w = q_w = sum_w' A_w'w pi_w' m_w'/m_w,   D_w = sum_w' A_ww' (m_w/m_w') D_w',
+ *   m (rho - rho0) = m_w (sum_w' A_ww' r_w' - rho0),   lower bound 0,
+ *
+ * so that G is the transpose of D still.  r holds g(o) as it stands.  The bound makes the one
+ * side, so (W6) needs no eps here.
+ *
  * Without tension (eos.tension = false) it is a complementarity problem: P >= 0, the left side
  * is not less than the right one, and is equal to it wherever P > 0. */
 #ifndef IMPLICIT_AHEAD_H
@@ -40,12 +49,23 @@ struct ahead {
     double (*push)[DIM];                    /* [skins] forces on them by all but the pressure */
     struct operator operator;
     struct operator_solver *solver;         /* NULL: with bounds         */
-    struct bounded_solver *bounded;         /* P >= 0; NULL: with tension */
+    struct bounded_solver *bounded;         /* P >= 0 of some; NULL: of none */
+    struct {
+        double *from, *to, *least; /* [solids], [solids], [n] bounds where fluid has none;
+                                      NULL without such walls                  */
+    } walls;
 };
 
 /* ahead-operator.c: right-hand side b and operator at a->m, for accelerations udot [fluid]
  * [DIM]. */
 void ahead_assemble(struct ahead *a, const double *udot);
+
+/* ahead-walls.c: of solids that press by means, memory; bounds; q from pi, and m A/m of v, both
+ * by place, in place.  They do nothing where there are no such solids. */
+int ahead_walls_create(struct ahead *a, bool tension);
+void ahead_walls_bound(struct ahead *a);
+void ahead_walls_spread(struct ahead *a, double *v);
+void ahead_walls_mean(struct ahead *a, double *v);
 
 /* ahead-bodies.c: memory for forces on all skins. */
 int ahead_bodies_create(const struct plan *p, double (**push)[DIM]);

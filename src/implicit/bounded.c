@@ -23,6 +23,7 @@ struct bounded_solver {
     double *y, *g, *p, *image;      /* [n] unknowns, gradient, direction, A times it */
     double *scale, *scratch, *step; /* [n] D^(-1/2)                              */
     double *partial;
+    const double *least;            /* [n] 0, -INFINITY; NULL: 0                  */
     const struct operator *a;
     enum operator_cause cause;
 };
@@ -51,14 +52,20 @@ static double product(struct bounded_solver *s, const double *v, double *to)
     return work;
 }
 
+/* The bound of y, which has no scale. */
+static double least_of(const struct bounded_solver *s, int i)
+{
+    return s->least ? s->least[i] : 0;
+}
+
 static double free_part(const struct bounded_solver *s, int i)
 {
-    return s->y[i] > 0 ? s->g[i] : 0;
+    return s->y[i] > least_of(s, i) ? s->g[i] : 0;
 }
 
 static double chopped_part(const struct bounded_solver *s, int i)
 {
-    return s->y[i] > 0 ? 0 : fmin(s->g[i], 0);
+    return s->y[i] > least_of(s, i) ? 0 : fmin(s->g[i], 0);
 }
 
 static double length(const struct bounded_solver *s)
@@ -90,28 +97,28 @@ static bool proportional(struct bounded_solver *s)
         s->scratch[i] = chopped_part(s, i);
     chopped = dot(s, s->scratch, s->scratch);
     for (int i = 0; i < s->n; i++)
-        s->scratch[i] = fmin(s->y[i] / length(s), free_part(s, i));
+        s->scratch[i] = fmin((s->y[i] - least_of(s, i)) / length(s), free_part(s, i));
     set_free(s, s->step);
     return chopped <= dot(s, s->scratch, s->step);
 }
 
-/* y -= by p, which is not to leave y >= 0. */
+/* y -= by p, which is not to leave the bounds. */
 static void move(struct bounded_solver *s, double by, const double *p)
 {
     for (int i = 0; i < s->n; i++) {
-        s->y[i] = fmax(0, s->y[i] - by * p[i]);
+        s->y[i] = fmax(least_of(s, i), s->y[i] - by * p[i]);
         s->g[i] -= by * s->image[i];
     }
 }
 
-/* Along the reduced gradient, to zeros where it leads beyond. */
+/* Along the reduced gradient, to bounds where it leads beyond. */
 static void expand(struct bounded_solver *s)
 {
     double change;
 
     do {
         for (int i = 0; i < s->n; i++)
-            s->step[i] = fmax(-s->y[i], -length(s) * free_part(s, i));
+            s->step[i] = fmax(least_of(s, i) - s->y[i], -length(s) * free_part(s, i));
         if (dot(s, s->step, s->step) == 0)
             return;
         change = product(s, s->step, s->image) / 2 + dot(s, s->g, s->step);
@@ -123,14 +130,14 @@ static void expand(struct bounded_solver *s)
     move(s, -1, s->step);
 }
 
-/* How far along p until the first unknown is 0. */
+/* How far along p until the first unknown is at its bound. */
 static double room(const struct bounded_solver *s)
 {
     double most = INFINITY;
 
     for (int i = 0; i < s->n; i++)
-        if (s->p[i] > 0 && s->y[i] < most * s->p[i])
-            most = s->y[i] / s->p[i];
+        if (s->p[i] > 0 && s->y[i] - least_of(s, i) < most * s->p[i])
+            most = (s->y[i] - least_of(s, i)) / s->p[i];
     return most;
 }
 
@@ -181,12 +188,13 @@ static void begin(struct bounded_solver *s, const double *x, const double *resid
     set_free(s, s->p);
 }
 
-int bounded_solve(struct bounded_solver *s, const struct operator *a, double *x,
-                  double *residual, struct operator_report *report)
+int bounded_solve(struct bounded_solver *s, const struct operator *a, const double *least,
+                  double *x, double *residual, struct operator_report *report)
 {
     double first, left;
 
     s->a = a;
+    s->least = least;
     begin(s, x, residual);
     first = left = missing(s);
     while (left > a->near && s->products < s->most && s->cause == OPERATOR_SOLVED) {

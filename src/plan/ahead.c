@@ -22,18 +22,37 @@ static bool bodies_yield(const struct plan *p)
     return true;
 }
 
+/* Do solids say what their pressure is one of: a density of their own, or means of these? */
+static bool walls_predict(const struct plan *p)
+{
+    const struct part_wall *wall = p->in.walls->as.wall;
+
+    return wall->as_fluid && p->passes.fields == 0 && (!wall->press || wall->press->mean);
+}
+
+static bool skins(const struct plan *p)
+{
+    for (int i = 0; i < p->bodies; i++)
+        if (p->body[i].skin > 0)
+            return true;
+    return false;
+}
+
 /* What it cannot go with, and what to do; NULL: nothing. */
 static const char *reason(const struct plan *p)
 {
     if (p->row.density[KIND_FLUID] < 0)
         return "it predicts a density that evolves: take effects.continuity";
     if (p->particles->n > particles_count(p->particles, KIND_FLUID)
-        && (p->passes.press || !p->in.walls->as.wall->as_fluid || p->passes.fields > 0))
+        && !walls_predict(p))
         return "it is solved for in the fluid and in solids with a density of their own: set "
-               "walls = \"own-density\"";
+               "walls = \"contact\" or \"own-density\"";
     if (!bodies_yield(p))
         return "one of the bodies does not say how it yields to pressure within a time: leave it "
                "out, or take another eos.type";
+    if (p->passes.press && skins(p))
+        return "skins of beams whose pressure is a mean do not yield to it: set "
+               "walls = \"own-density\"";
     if (p->stiff)
         return "a viscosity that is implicit is solved for apart: set its side = \"explicit\"";
     if (p->drifter)
@@ -63,6 +82,19 @@ static void doubt_light(const struct plan *p, const struct scene *scene)
     }
 }
 
+/* Sound takes no shorter steps than 1/tau then, and the solve buys nothing. */
+static void doubt_short(const struct plan *p, const struct scene *scene)
+{
+    const struct scales *s = &p->scales;
+    const double least = s->hs / (SCALES_WAVE * s->wave * s->c0);
+
+    if (plan_ahead(p) < least)
+        status_warn("%s: eos.tau = %g dx/U looks ahead by less than sound needs for a particle: sound "
+                    "still bounds the steps, and each has a solve; take eos.tau above %g, or "
+                    "eos.type = \"linear\"", scene_path(scene), plan_ahead(p) * s->speed / s->dx,
+                    least * s->speed / s->dx);
+}
+
 /* A body that moves as this pressure predicts, under another. */
 static int refuse_moved(const struct plan *p, const struct scene *scene)
 {
@@ -83,6 +115,7 @@ int plan_ahead_agree(const struct plan *p, const struct scene *scene)
         return refuse_moved(p, scene);
     if (!why) {
         doubt_light(p, scene);
+        doubt_short(p, scene);
         return STATUS_DONE;
     }
     return status_fail(STATUS_BAD_SCENE, "%s: eos.type = \"%s\": %s", scene_path(scene),

@@ -207,8 +207,8 @@ static int build(struct plan *p, struct scene *scene)
     TRY(plan_tables_make(p));
     make_list_def(p);
     TRY(plan_face_make(p, scene));
-    TRY(passes_make(p, passes_table));
     TRY(plan_ahead_agree(p, scene));
+    TRY(passes_make(p, passes_table));
     return p->solver ? p->solver->agree(p) : STATUS_DONE;
 }
 

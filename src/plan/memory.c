@@ -114,7 +114,8 @@ static double pressed(const struct plan *p)
     const double fluid = particles_count(p->particles, KIND_FLUID);
 
     return wall ? wall->part->as.wall->press->memory(wall->self) + 8 * p->particles->n
-                      + (8 * (1 + DIM) + 5) * (p->particles->n - fluid)
+                      + (8 * (1 + DIM) + 5 + (plan_ahead(p) > 0 ? 32 : 0))
+                            * (p->particles->n - fluid)
                 : 0;
 }
 

@@ -51,7 +51,8 @@ int plan_press_make(struct plan *p)
         return STATUS_FAILED;
     describe(p, solid);
     status = wall->part->as.wall->press->create(wall->self, &(struct part_places){
-        .p = p->particles, .kernel = p->kernel[PART_DENSITY], .solid = solid });
+        .p = p->particles, .kernel = p->kernel[PART_DENSITY], .solid = solid,
+        .sharp = plan_ahead(p) > 0 });
     free(solid);
     p->passes.press = wall;
     return status;

@@ -154,6 +154,7 @@ struct part_places {
     const struct particles *p;        /* at t = 0, rows are ids               */
     const struct kernel_use *kernel;  /* of densities                         */
     const struct part_solid *solid;   /* [objects]                            */
+    bool sharp;       /* their pressure is solved for: its law may have corners */
 };
 
 /* Densities of rows of y, and what becomes of them, [solids] by row, counted from the first
@@ -162,6 +163,7 @@ struct part_pressed {
     const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
     double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
     double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
+    double *mean;      /* that the law is of, before its corner; NULL [kg/m^D] */
     bool all;          /* of all solids; else of those of the last narrow()   */
 };
 
@@ -187,6 +189,11 @@ struct part_press {
     /* p says where solids are now, and which particle stands in which row. */
     void (*press)(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io);
+
+    /* Where the law is one of means of densities: means of numbers of solids, and the
+     * transpose of that; both [solids] by row, of those of the last press(), 0 elsewhere. */
+    void (*mean)(const void *self, struct part_press_work *w, const double *from, double *to);
+    void (*spread)(const void *self, struct part_press_work *w, const double *from, double *to);
 
     /* Forces between solids, at the places of the last press(), into f [solids][DIM] by row
      * [N]: of the rows whose number it returns, to row [solids], each once.  The rest of f is

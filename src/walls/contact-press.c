@@ -6,6 +6,7 @@
 #include "walls/contact-side.h"
 #include "walls/contact-start.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -184,6 +185,8 @@ int contact_press_create(void *self, const struct part_places *at)
     int status;
 
     c->kernel = at->kernel;
+    c->sharp = at->sharp;
+    c->solids = n;
     c->missing = status_alloc((unsigned long)n + 1, sizeof *c->missing);
     if (!share || !c->missing) {
         free(share);
@@ -225,7 +228,8 @@ void contact_press_start(const void *self, const struct particles *p, enum kind 
     const double *missing = c->missing + (p->from[k] - p->from[KIND_WALL]);
 
     for (int i = 0; i < particles_count(p, k); i++)
-        rho[i] = contact_side_start(&c->eos, rho[i]) - missing[i];
+        rho[i] = (c->sharp ? fmax(rho[i], c->eos.rho0) : contact_side_start(&c->eos, rho[i]))
+                 - missing[i];
 }
 
 /* --- pressure ---------------------------------------------------------------------------- */
@@ -235,11 +239,10 @@ const struct contact_slices *contact_press_look(const struct contact_press_self 
                                                 const struct particles *p, bool all)
 {
     look_around(c, p, w);
-    if (all)
-        return &w->reach.all;
-    if (c->others.groups > 1)
+    w->last = all ? &w->reach.all : &w->reach.near;
+    if (!all && c->others.groups > 1)
         contact_reach_widen(&w->reach, w->touched);
-    return &w->reach.near;
+    return w->last;
 }
 
 void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met)

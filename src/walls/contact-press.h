@@ -10,6 +10,8 @@
 
 struct contact_press_self {
     struct eos eos;
+    bool sharp;                      /* eps = 0                                   */
+    int solids;
     const struct kernel_use *kernel; /* of densities                              */
     struct contact_mean mean;
     unsigned char *kind;             /* [n of the mean]                           */
@@ -25,6 +27,7 @@ struct part_press_work {
     double *slope;   /* dg/do of the last press()                      */
     bool *touched;   /* other solids are near                          */
     int *row;        /* from the first solid                           */
+    const struct contact_slices *last; /* those of the last press()    */
     struct contact_reach reach;
     struct contact_others_work others;
 };
@@ -53,6 +56,10 @@ void contact_press_work_free(struct part_press_work **work);
 void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met);
 int contact_press_meet(const void *self, struct part_press_work *w, const struct particles *p,
                        const double *p2, double (*f)[DIM], int *row);
+void contact_press_mean(const void *self, struct part_press_work *w, const double *from,
+                        double *to);
+void contact_press_spread(const void *self, struct part_press_work *w, const double *from,
+                          double *to);
 double contact_press_memory(const void *self);
 
 #endif

@@ -23,6 +23,16 @@ static inline void contact_side(double rho0, int n, double *restrict rho, double
     }
 }
 
+/* The same with eps = 0, which a pressure that is solved for may have: d+ = max(d, 0). */
+static inline void contact_side_sharp(double rho0, int n, double *restrict rho,
+                                      double *restrict share)
+{
+    for (int k = 0; k < n; k++) {
+        share[k] = rho[k] > rho0;
+        rho[k] = rho[k] > rho0 ? rho[k] : rho0;
+    }
+}
+
 /* rho0 (1 + d) [kg/m^D] of which pi is p/rho^2 for the density rho of a pressure p: what a solid
  * is to start with, so that it holds just what it is to hold.  Of pressures below
  * 6e-6 rho0 c0^2, which d = -2 eps has, it is that d. */

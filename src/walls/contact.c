@@ -13,7 +13,8 @@
  *
  * and q_w stands for p_w/rho_w^2 in (P1).  q_w is the exact derivative of the energy stored,
  * sum m e, so the book closes to rounding; it is never negative, so nothing sucks.  The density
- * that solids show is rho0 (1 + d+). */
+ * that solids show is rho0 (1 + d+).  A pressure that looks ahead solves for pi_w >= 0, with
+ * eps = 0 (implicit/ahead.h). */
 #include "walls/contact-press.h"
 
 #include "base/lanes.h"
@@ -49,6 +50,16 @@ static void read_slice(const struct pressing *of, int slice)
     }
 }
 
+/* What the one side is taken of. */
+static void show_means(const struct pressing *of, const double *rho, const int *slice, int slices)
+{
+    for (int k = 0; k < slices; k++) {
+        const int from = slice[k] * CONTACT_ROWS;
+        for (int i = from; i < end_of(&of->c->mean, slice[k]); i++)
+            of->io->mean[of->w->row[i]] = rho[k * CONTACT_ROWS + i - from];
+    }
+}
+
 /* A few slices: what they show, and m pi/N. */
 static void press_chunk(const struct pressing *of, const int *slice, int slices)
 {
@@ -63,7 +74,9 @@ static void press_chunk(const struct pressing *of, const int *slice, int slices)
         for (int l = 0; l < CONTACT_ROWS; l++)
             rho[k * CONTACT_ROWS + l] *= mean->inverse[slice[k] * CONTACT_ROWS + l];
     }
-    contact_side(of->c->eos.rho0, n, rho, share);
+    if (of->io->mean)
+        show_means(of, rho, slice, slices);
+    (of->c->sharp ? contact_side_sharp : contact_side)(of->c->eos.rho0, n, rho, share);
     eos_pressures(&of->c->eos, n, rho, press);
     for (int k = 0; k < n; k++)
         press[k] = press[k] / (rho[k] * rho[k]) * share[k];
@@ -102,6 +115,8 @@ static void press(const void *self, struct part_press_work *w, const struct part
     for (int i = 0; i < solids; i++) { /* where no water is */
         io->shown[i] = c->eos.rho0;
         io->p2[i] = 0;
+        if (io->mean)
+            io->mean[i] = c->eos.rho0;
     }
 #pragma omp parallel for schedule(static) if (n[CONTACT_PI] > MANY)
     for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
@@ -120,6 +135,8 @@ static const struct part_press contact_press = {
     .work_free = contact_press_work_free,
     .narrow = contact_press_narrow,
     .press = press,
+    .mean = contact_press_mean,
+    .spread = contact_press_spread,
     .meet = contact_press_meet,
     .memory = contact_press_memory,
 };

@@ -281,7 +281,7 @@ static void refuses(const char *text, const char *says)
 static void says_what_it_does_not_go_with(void **state)
 {
     (void)state;
-    refuses("eos = { type = \"look-ahead\"; }; walls = \"contact\";"
+    refuses("eos = { type = \"look-ahead\"; }; walls = \"adami\";"
             "effects = { continuity = { }; pressure = { }; };", "own-density");
     refuses(EXACT "0.5; }; walls = \"own-density\"; effects = { continuity = { };"
             "pressure = { }; laminar-viscosity = { side = \"implicit\"; }; };", "explicit");

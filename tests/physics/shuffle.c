@@ -40,6 +40,8 @@ static const int every[RUNS] = { 0, 1, 7, 23 };
 
 #define MOVED "wall = { tank = { type = \"frame\"; spin = 40.0; velocity = "
 
+#define AHEAD "eos = { type = \"look-ahead\"; };"
+
 /* What goes through each kind of sum, of weights and of blocks of y. */
 static const char *const scenes[][4] = {
 #if DIM == 2
@@ -57,7 +59,10 @@ static const char *const scenes[][4] = {
     { "cell", FLOOR, "walls = \"own-density\";" TANK_EFFECTS },
     { "", MOVED "[0.1, 0.05]; }; };", "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL
       "mps = { bundle = \"enhanced\"; nu = 1e-4; };" },
+    { "", MOVED "[0.1, 0.05]; }; };", AHEAD "walls = \"contact\";" TANK_EFFECTS TANK_ONE_KERNEL },
+    { "", "", AHEAD "walls = \"own-density\";" TANK_EFFECTS TANK_ONE_KERNEL },
 #else
+    { "", MOVED "[0.1, 0.05, 0.0]; }; };", AHEAD "walls = \"contact\";" TANK_EFFECTS },
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", TANK_EFFECTS },
     { "", MOVED "[0.1, 0.05, 0.0]; }; };", "walls = \"contact\";" TANK_EFFECTS },
     { "", "", "walls = \"own-density\"; effects = { continuity = { }; pressure = { };"

@@ -70,8 +70,8 @@ static void fill(double *a, int n, unsigned *seed)
         }
 }
 
-/* From x on, to a residual of `share` of b; products. */
-static int solve(struct matrix *m, const double *b, double share, double *x)
+/* From x on, within bounds, to a residual of `share` of b; products. */
+static int solve(struct matrix *m, const double *b, const double *least, double share, double *x)
 {
     double *diagonal = test_calloc((size_t)m->n, sizeof *x), square = 0;
     double *residual = test_calloc((size_t)m->n, sizeof *x);
@@ -88,7 +88,7 @@ static int solve(struct matrix *m, const double *b, double share, double *x)
     }
     a.near = share * sqrt(square);
     assert_int_equal(bounded_solver_create(m->n, MOST, &s), STATUS_DONE);
-    if (bounded_solve(s, &a, x, residual, &report) != STATUS_DONE)
+    if (bounded_solve(s, &a, least, x, residual, &report) != STATUS_DONE)
         fail_msg("%d unknowns: cause %d after %d products, %g of the first residual is left",
                  m->n, report.cause, report.products, report.residual);
     bounded_solver_free(&s);
@@ -98,8 +98,10 @@ static int solve(struct matrix *m, const double *b, double share, double *x)
     return report.products;
 }
 
-/* Gauss on the unknowns of a face; false: some x or g is negative there. */
-static bool try_face(const struct matrix *m, const double *b, unsigned face, double *x)
+/* Gauss on the unknowns of a face; false: some x or g of those that are bounded is negative
+ * there, or one that is free is not on it. */
+static bool try_face(const struct matrix *m, const double *b, unsigned face, unsigned loose,
+                     double *x)
 {
     double a[SMALL][SMALL], g[SMALL];
     bool good = true;
@@ -121,29 +123,33 @@ static bool try_face(const struct matrix *m, const double *b, unsigned face, dou
         x[i] /= a[i][i];
     apply((void *)m, x, g);
     for (int i = 0; i < m->n; i++)
-        good = good && x[i] >= 0 && (face >> i & 1 || g[i] >= b[i]);
+        good = good && (face >> i & 1 ? loose >> i & 1 || x[i] >= 0
+                                      : !(loose >> i & 1) && g[i] >= b[i]);
     return good;
 }
 
+/* In one trial of two some unknowns are free. */
 static void small_ones_have_the_face_that_fits(void **state)
 {
-    double a[SMALL * SMALL], b[SMALL], x[SMALL], is[SMALL];
+    double a[SMALL * SMALL], b[SMALL], x[SMALL], is[SMALL], least[SMALL];
     unsigned seed = 1, faces = 0;
 
     (void)state;
     for (int trial = 0; trial < 2000; trial++) {
         struct matrix m = { .n = 1 + trial % SMALL, .a = a };
+        const unsigned loose = trial % 2 ? (unsigned)(trial / 2 * 37) % 128 : 0;
         unsigned face = 0;
         fill(a, m.n, &seed);
         for (int i = 0; i < m.n; i++) {
             b[i] = noise(&seed) * sqrt(a[i * m.n + i]);
             x[i] = trial % 3 ? fmax(0, noise(&seed)) : 0;
+            least[i] = loose >> i & 1 ? -INFINITY : 0;
         }
-        while (face < 1u << m.n && !try_face(&m, b, face, is))
+        while (face < 1u << m.n && !try_face(&m, b, face, loose, is))
             face++;
         assert_true(face < 1u << m.n);
         faces |= 1u << (face % 32);
-        solve(&m, b, 1e-13, x);
+        solve(&m, b, loose ? least : NULL, 1e-13, x);
         for (int i = 0; i < m.n; i++)
             if (!(fabs(x[i] - is[i]) <= 1e-8 * (1 + fabs(is[i]))))
                 fail_msg("trial %d, face %u: x[%d] = %.12g, should be %.12g", trial, face, i, x[i],
@@ -175,7 +181,7 @@ static void long_and_degenerate_ones_have_their_solution(void **state)
     for (int start = 0; start < 2; start++) {
         for (int i = 0; i < LONG; i++)
             x[i] = start;
-        const int products = solve(&m, b, 1e-12, x);
+        const int products = solve(&m, b, NULL, 1e-12, x);
         for (int i = 0; i < LONG; i++) {
             assert_true(x[i] >= 0);
             worst = fmax(worst, fabs(x[i] - is[i]) * weight(&m, i));
@@ -203,7 +209,7 @@ static void far_from_bounds_they_are_conjugate_gradients(void **state)
         x[i] = 30 / weight(&m, i);
     }
     apply(&m, is, b);
-    const int products = solve(&m, b, 1e-12, x);
+    const int products = solve(&m, b, NULL, 1e-12, x);
     print_message("# %d products\n", products);
     assert_in_range(products, 2, 100);
     test_free(is);
@@ -222,7 +228,7 @@ static void threads_change_no_bit(void **state)
 #ifdef _OPENMP
         omp_set_num_threads(k + 1);
 #endif
-        solve(&m, b, 1e-3, x[k]);
+        solve(&m, b, NULL, 1e-3, x[k]);
     }
     assert_memory_equal(x[0], x[1], LONG * sizeof *x[0]);
     test_free(x[0]);
@@ -247,7 +253,7 @@ static void what_is_not_positive_is_refused(void **state)
         struct operator_report report;
         struct bounded_solver *s;
         assert_int_equal(bounded_solver_create(2, k < 2 ? 100 : 1, &s), STATUS_DONE);
-        assert_int_equal(bounded_solve(s, &op, x, residual, &report), STATUS_FAILED);
+        assert_int_equal(bounded_solve(s, &op, NULL, x, residual, &report), STATUS_FAILED);
         assert_int_equal(report.cause, cause[k]);
         assert_true(x[0] == 0.5 && x[1] == 0.25);
         bounded_solver_free(&s);
