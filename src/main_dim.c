@@ -146,7 +146,7 @@ static int carry_out(const struct cli *c)
 {
     const struct run_order order = {
         .scene = c->subject, .overrides = c->overrides, .override = c->override,
-        .directory = c->directory, .threads = c->threads, .quiet = c->quiet,
+        .directory = c->directory, .threads = c->threads, .quiet = c->quiet, .force = c->force,
     };
 
     switch (c->command) {
@@ -184,5 +184,5 @@ int main(int argc, char **argv)
         status = check_printed();
     if (status != STATUS_DONE)
         fprintf(stderr, "stiffwater: %s\n", status_message());
-    return status;
+    return status_is_starved() ? STATUS_FAILED : status; /* whatever failed for want of memory */
 }

@@ -212,12 +212,6 @@ expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o file/below
 says file
 expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o /proc/results
 says /proc
-if [ -w /dev/full ]; then
-    mkdir full
-    ln -s /dev/full full/steps.csv
-    expect 4 run "$scenes/small-2d.scene" -q until=0.01 -o full
-    says steps.csv
-fi
 if [ "$(id -u)" != 0 ]; then
     mkdir locked && chmod a-w locked
     expect 4 run "$scenes/small-2d.scene" -q until=0.002 -o locked/results

@@ -77,16 +77,14 @@ static int write_index(const struct fields *f)
     return aside_close(&a);
 }
 
-static int start(struct fields *f, const char *dir, bool again)
+static int start(struct fields *f, const char *dir)
 {
     TRY(aside_join(f->folder, dir, "fields"));
     TRY(aside_join(f->index, dir, "fields.xdmf"));
-    if (!again)
-        remove(f->index); /* of an earlier run */
     return aside_directory(f->folder);
 }
 
-int fields_open(struct fields **out, const char *dir, bool again)
+int fields_open(struct fields **out, const char *dir)
 {
     struct fields *f = status_alloc(1, sizeof *f);
     int code;
@@ -94,7 +92,7 @@ int fields_open(struct fields **out, const char *dir, bool again)
     *out = f;
     if (!f)
         return STATUS_FAILED;
-    code = start(f, dir, again);
+    code = start(f, dir);
     if (code != STATUS_DONE)
         fields_close(out);
     return code;
@@ -113,7 +111,7 @@ static int make_room(struct fields *f, int moments)
     if ((n = realloc(f->n, (size_t)room * sizeof *n)))
         f->n = n;
     if (!t || !n)
-        return status_fail(STATUS_FAILED, "out of memory for the index of the fields");
+        return status_starved("%s cannot be kept", f->index);
     f->room = room;
     return STATUS_DONE;
 }

@@ -28,6 +28,7 @@ struct run {
     double clock_kept;       /* of the last checkpoint, or the start [s]      */
     long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
+    bool force;              /* as run_order has it                           */
 };
 
 /* Reads the scene, makes the plan and finds the method; writes nothing. */

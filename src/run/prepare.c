@@ -98,7 +98,8 @@ static void compute_defaults(struct run *r)
 
 int run_prepare(struct run *r, const struct run_order *order)
 {
-    *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu() };
+    *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu(),
+                       .force = order->force };
 #ifdef _OPENMP
     if (order->threads > 0)
         omp_set_num_threads(order->threads);
@@ -115,7 +116,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     r->past.tally.density[0] = HUGE_VAL;
     r->clock_kept = r->clock_start;
     r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
-    return r->y ? STATUS_DONE : STATUS_FAILED;
+    return r->y && !status_is_starved() ? STATUS_DONE : STATUS_FAILED;
 }
 
 void run_release(struct run *r)

@@ -110,7 +110,8 @@ static int one_step(struct run *r, struct progress *progress)
     keep_density(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
-    return observe_runaway(r->moment, step.t, r->method->state(r->self));
+    TRY(observe_runaway(r->moment, step.t, r->method->state(r->self)));
+    return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -176,13 +177,21 @@ static int create_method(struct run *r)
     return STATUS_DONE;
 }
 
+static int open_outputs(struct run *r, bool again)
+{
+    const struct home home = { .dir = r->directory, .scene = r->path, .force = r->force,
+                               .again = again };
+
+    return outputs_open(&r->outputs, r->plan, &home, &r->past);
+}
+
 static int start(struct run *r)
 {
     TRY(checkpoint_agree(r));
     TRY(release_start(r->moment, r->y));
     TRY(create_method(r));
     choose_times(r);
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, false));
+    TRY(open_outputs(r, false));
     keep_density(r, 0, r->y);
     TRY(outputs_start(r->outputs, r->moment, 0, r->y));
     return write_used(r);
@@ -193,7 +202,7 @@ static int start_again(struct run *r, struct archive *from)
     TRY(checkpoint_agree(r));
     TRY(checkpoint_load_state(r, from));
     TRY(create_method(r));
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, true));
+    TRY(open_outputs(r, true));
     return checkpoint_load_past(r, from);
 }
 
@@ -250,7 +259,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     status = end(&r, status, message);
     run_release(&r);
     if (message[0]) {
-        status_clear();
+        status_forgive();
         status_fail(status, "%s", message);
     }
     return status;
