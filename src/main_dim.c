@@ -182,7 +182,9 @@ int main(int argc, char **argv)
     status = carry_out(&c);
     if (status == STATUS_DONE)
         status = check_printed();
+    if (status_is_starved())
+        status = STATUS_FAILED; /* whatever went wrong for want of memory, or was left out */
     if (status != STATUS_DONE)
         fprintf(stderr, "stiffwater: %s\n", status_message());
-    return status_is_starved() ? STATUS_FAILED : status; /* whatever failed for want of memory */
+    return status;
 }

@@ -182,6 +182,7 @@ static int open_outputs(struct run *r, bool again)
     const struct home home = { .dir = r->directory, .scene = r->path, .force = r->force,
                                .again = again };
 
+    stop_listen();
     return outputs_open(&r->outputs, r->plan, &home, &r->past);
 }
 
@@ -237,6 +238,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     struct run r;
     int status;
 
+    stop_leave();
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
@@ -246,7 +248,6 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         run_release(&r);
         return status;
     }
-    stop_listen();
     progress_start(&progress, stderr, r.past.tally.t, r.until, order->quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);
