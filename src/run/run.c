@@ -97,11 +97,23 @@ static void keep_density(struct run *r, double t, const double *y)
     }
 }
 
+/* A step in space may take minutes: a signal ends it between two evaluations. */
+static int step_on(struct run *r, struct method_step *step)
+{
+    const double end = fmin(fmin(r->event, checkpoint_next(r)), r->until);
+    const int status = r->method->step(r->self, end, step);
+
+    if (status != STATUS_FAILED || !stop_urgent() || status_is_starved())
+        return status;
+    status_clear();
+    return stopped(r, "all files are complete up to there");
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
 
-    TRY(r->method->step(r->self, fmin(fmin(r->event, checkpoint_next(r)), r->until), &step));
+    TRY(step_on(r, &step));
     step.rejected += r->rejected;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
@@ -140,6 +152,7 @@ static int begin(struct run *r)
 static int go(struct run *r, struct progress *progress)
 {
     r->event = plan_event(r->plan, r->past.tally.t);
+    moment_quit(r->moment, stop_urgent);
     TRY(begin(r));
     while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));

@@ -13,12 +13,13 @@
 #include <unistd.h>
 
 static volatile sig_atomic_t asked;
-static struct timespec first; /* touched by the handler only */
+static struct timespec first; /* written by the handler only */
 static bool hangup_ignored;
 
-static bool is_again(const struct timespec *now)
+static bool is_later(const struct timespec *now, double seconds)
 {
-    return (double)(now->tv_sec - first.tv_sec) + 1e-9 * (double)(now->tv_nsec - first.tv_nsec) > 1;
+    return (double)(now->tv_sec - first.tv_sec) + 1e-9 * (double)(now->tv_nsec - first.tv_nsec)
+           > seconds;
 }
 
 static void note(int number)
@@ -29,7 +30,7 @@ static void note(int number)
     if (!asked) {
         first = now;
         asked = number;
-    } else if (is_again(&now)) {
+    } else if (is_later(&now, 1)) {
         signal(number, SIG_DFL);
         raise(number); /* waits until this handler is left */
     }
@@ -93,4 +94,14 @@ void stop_listen(void)
 int stop_asked(void)
 {
     return asked;
+}
+
+bool stop_urgent(void)
+{
+    struct timespec now;
+
+    if (!asked)
+        return false;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return is_later(&now, 0.5);
 }
