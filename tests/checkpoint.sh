@@ -178,6 +178,16 @@ expect 0 run "$scene" -q output.checkpoint=0.008 -o full --force
 says 'no checkpoint at t = 0.016 s' 'the run goes on'
 ends full
 
+# --- what a checkpoint counts is on the disk before it -------------------------------------------
+if strace -V >said 2>&1 && strace true 2>said; then
+    strace -f -y -e trace=fsync -o calls "$STIFFWATER" run "$scene" -q until=0.002 \
+        output.checkpoint=0.002 -o synced || wrong "a run that is watched"
+    for file in fields/000000.vtkhdf snapshots/0000.csv book.csv; do
+        if sed '/checkpoint\.h5/q' calls | grep -q "synced/$file"; then good "$file is on the disk"
+        else wrong "$file is on the disk before the checkpoint: $(cat calls)"; fi
+    done
+fi
+
 # --- by the clock -----------------------------------------------------------------------------
 run clock output.checkpoint=0 output.checkpoint_minutes=1e-5
 claim 'the clock asks for checkpoints' "$(number clock checkpoints_by_clock) > 2 &&

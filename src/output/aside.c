@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -79,6 +80,18 @@ int aside_close(struct aside *a)
     remove(a->temporary);
     return status_fail(STATUS_IO, "%s: cannot be written: %s", a->path,
                        strerror(error ? error : EIO));
+}
+
+int aside_sync(const char *path)
+{
+    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    const bool fine = file >= 0 && (fsync(file) == 0 || errno == EINVAL); /* EINVAL: a pipe */
+    const int error = errno;
+
+    if (file >= 0)
+        close(file);
+    return fine ? STATUS_DONE : status_fail(STATUS_IO, "%s: cannot be brought to the disk: %s",
+                                            path, strerror(error));
 }
 
 /* Names are on the disk, too. */
