@@ -5,7 +5,7 @@
 #     make fuzz                            20,000 inputs each, some minutes; the first time it builds
 #     RUNS=1000000 TARGETS=scene make fuzz
 #
-# An input that crashes, hangs for 20 s or takes 4 GB is kept as fuzz/crash-... and the like:
+# An input that crashes, hangs for 120 s or takes 4 GB is kept as fuzz/crash-... and the like:
 # `fuzz/scene-fuzz fuzz/crash-...` does it again.
 set -eu
 sources=$(cd "${top_srcdir:-.}" && pwd)
@@ -23,7 +23,7 @@ bad=0
 for target in $TARGETS; do
     mkdir -p "found/$target"
     if ASAN_OPTIONS=allocator_may_return_null=1 OMP_NUM_THREADS=1 "./$target-fuzz" -runs="$RUNS" \
-        -timeout=20 -rss_limit_mb=4096 -max_len=4096 -close_fd_mask=3 -print_final_stats=1 \
+        -timeout=120 -rss_limit_mb=4096 -max_len=4096 -close_fd_mask=3 -print_final_stats=1 \
         "found/$target" "$sources/tests/fuzz/corpus/$target" >"$target.said" 2>&1; then
         echo "fuzz: $target: $(sed -n 's/^stat::number_of_executed_units: *//p' "$target.said") inputs, no complaint"
     else
