@@ -32,6 +32,8 @@ claim 'four checkpoints' "$(number whole checkpoints) == 4 && $(number whole che
 [ "$(tail -n 4 whole/checkpoints.csv | tr '\n' ' ')" = '0,time 0.008,time 0.016,time 0.02,time ' ] ||
     wrong "checkpoints.csv: $(cat whole/checkpoints.csv)"
 
+echo 'a file of the user' >image # HDF5 looks for one of this name
+
 # --- what is damaged ------------------------------------------------------------------------
 like cut
 head -c 3000 whole/checkpoint.h5 >cut/checkpoint.h5
