@@ -40,5 +40,5 @@ int main(int argc, char **argv)
     if (status == STATUS_DONE)
         status = cli_exec(dimension, argv);
     fprintf(stderr, "stiffwater: %s\n", status_message());
-    return status;
+    return status_is_starved() ? STATUS_FAILED : status;
 }

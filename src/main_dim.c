@@ -183,7 +183,7 @@ static int carry_out(const struct cli *c)
 {
     const struct run_order order = {
         .scene = c->subject, .overrides = c->overrides, .override = c->override,
-        .directory = c->directory, .threads = c->threads, .quiet = c->quiet,
+        .directory = c->directory, .threads = c->threads, .quiet = c->quiet, .force = c->force,
     };
 
     switch (c->command) {
@@ -221,6 +221,8 @@ int main(int argc, char **argv)
     status = carry_out(&c);
     if (status == STATUS_DONE)
         status = check_printed();
+    if (status_is_starved())
+        status = STATUS_FAILED; /* whatever went wrong for want of memory, or was left out */
     if (status != STATUS_DONE)
         fprintf(stderr, "stiffwater: %s\n", status_message());
     return status;

@@ -32,6 +32,8 @@ claim 'four checkpoints' "$(number whole checkpoints) == 4 && $(number whole che
 [ "$(tail -n 4 whole/checkpoints.csv | tr '\n' ' ')" = '0,time 0.008,time 0.016,time 0.02,time ' ] ||
     wrong "checkpoints.csv: $(cat whole/checkpoints.csv)"
 
+echo 'a file of the user' >image # HDF5 looks for one of this name
+
 # --- what is damaged ------------------------------------------------------------------------
 like cut
 head -c 3000 whole/checkpoint.h5 >cut/checkpoint.h5
@@ -80,6 +82,47 @@ says "checkpoint's scene"
 cp small/scene.used swapped/scene.used
 expect 4 resume swapped -q
 says 'swapped/' 'at the checkpoint'
+# change DIRECTORY OLD NEW: these letters, as many, in its checkpoints, whose hashes are made anew
+change() {
+    rm -rf "$1-before"
+    for file in "$1/checkpoint.h5" "$1/checkpoint-before.h5"; do
+        python3 - "$file" "$2" "$3" <<'END' || wrong "$file cannot be changed"
+import sys
+path, old, new = sys.argv[1], sys.argv[2].encode(), sys.argv[3].encode()
+whole = open(path, "rb").read()
+rest = whole[512:].replace(old, new)
+assert len(old) == len(new) and rest != whole[512:]
+hash = 0xcbf29ce484222325
+for byte in rest:
+    hash = (hash ^ byte) * 0x100000001b3 % 2**64
+head = b"stiffwater checkpoint 1\nbytes %d\nhash %016x\n" % (len(rest), hash)
+open(path, "wb").write(head.ljust(512, b"\0") + rest)
+END
+    done
+    cp -r "$1" "$1-before"
+}
+
+# refuses DIRECTORY: resume, which changes no file
+refuses() {
+    expect 4 resume "$1" -q
+    diff -r "$1" "$1-before" >differ || wrong "a refused resume changes files: $(cat differ)"
+}
+
+if command -v python3 >/dev/null; then
+    version=$(value whole version)
+    like older
+    change older "$version" "$(echo "$version" | tr 0-9 1-90)"
+    refuses older
+    says "older: version $(echo "$version" | tr 0-9 1-90) wrote the checkpoint, this is $version"
+    like blocks
+    change blocks ': 240 of ' ': 241 of '
+    refuses blocks
+    says "blocks: the checkpoint's layout" 'y has other blocks'
+    like method
+    change method "$(value whole method)" "$(value whole method | tr a-y b-z)"
+    refuses method
+    says "method: the checkpoint's method" 'another build of this version'
+fi
 expect 2 resume whole -q tol=0.1
 says tol=0.1 'only until=T'
 expect 2 resume whole -q until=0.01
@@ -133,16 +176,18 @@ fi
 
 # --- where no checkpoint can be written -------------------------------------------------------
 mkdir -p full/checkpoint.h5.part
-expect 0 run "$scene" -q output.checkpoint=0.008 -o full
+expect 0 run "$scene" -q output.checkpoint=0.008 -o full --force
 says 'no checkpoint at t = 0.016 s' 'the run goes on'
 ends full
-if [ -w /dev/full ]; then
-    mkdir once
-    ln -s /dev/full once/checkpoint.h5.part
-    expect 0 run "$scene" -q output.checkpoint=0.008 -o once
-    says 'no checkpoint at t = 0 s' 'No space left on device'
-    expect 0 resume once -q
-    ends once
+
+# --- what a checkpoint counts is on the disk before it -------------------------------------------
+if strace -V >said 2>&1 && strace true 2>said; then
+    strace -f -y -e trace=fsync -o calls "$STIFFWATER" run "$scene" -q until=0.002 \
+        output.checkpoint=0.002 -o synced || wrong "a run that is watched"
+    for file in fields/000000.vtkhdf snapshots/0000.csv book.csv; do
+        if sed '/checkpoint\.h5/q' calls | grep -q "synced/$file"; then good "$file is on the disk"
+        else wrong "$file is on the disk before the checkpoint: $(cat calls)"; fi
+    done
 fi
 
 # --- by the clock -----------------------------------------------------------------------------

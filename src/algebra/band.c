@@ -131,6 +131,8 @@ int band_factor_create(int n, int half, struct band_factor **out)
     f->lu = status_alloc((unsigned long)n * (unsigned long)(3 * f->half + 1), sizeof *f->lu);
     if (n > 0)
         f->row = gsl_vector_uint_calloc((size_t)n);
+    if (n > 0 && !f->row)
+        status_starved("%d places of a banded matrix cannot be had", n);
     if (!f->llt || !f->lu || (n > 0 && !f->row)) {
         band_factor_free(&f);
         return STATUS_FAILED;

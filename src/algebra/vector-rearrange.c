@@ -118,8 +118,7 @@ int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block)
     int status = STATUS_DONE;
 
     if (!make_room(f, blocks, block, &s))
-        status = status_fail(STATUS_FAILED, "out of memory: %ld numbers cannot change places",
-                             f->n);
+        status = status_starved("%ld numbers cannot change places", f->n);
     if (status == STATUS_DONE)
         status = check(f, blocks, block, &s);
     for (int k = 0; k < blocks && status == STATUS_DONE; k++)

@@ -2,6 +2,7 @@
 #include "algebra/vector-private.h"
 
 #include "base/status.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,16 +49,21 @@ static bool fill(N_Vector v, struct vector_family *f)
     return true;
 }
 
+/* SUNDIALS reads a clone before it looks whether there is one (N_VClone of 6.4.1), so that there
+ * is no way back.  It clones when a method is made, and in the first step. */
+static void end_starved(N_Vector v)
+{
+    status_starved("one more vector of %ld numbers cannot be had", (long)length(v));
+    fprintf(stderr, "stiffwater: %s\n", status_message());
+    exit(STATUS_FAILED);
+}
+
 static N_Vector clone(N_Vector v)
 {
     N_Vector w = N_VNewEmpty(v->sunctx);
 
-    if (!w)
-        return NULL;
-    if (N_VCopyOps(v, w) != 0 || !fill(w, vector_content(v)->family)) {
-        destroy(w);
-        return NULL;
-    }
+    if (!w || N_VCopyOps(v, w) != 0 || !fill(w, vector_content(v)->family))
+        end_starved(v);
     return w;
 }
 
@@ -109,8 +115,7 @@ N_Vector vector_create(long n, enum vector_norm norm, SUNContext context)
         set_operations(v);
     if (v && fill(v, f))
         return v;
-    status_fail(STATUS_FAILED, "out of memory: a vector of %ld numbers cannot be had; use "
-                               "fewer particles (a larger spacing)", n);
+    status_starved("a vector of %ld numbers cannot be had", n);
     if (v)
         destroy(v);
     if (f)

@@ -90,7 +90,7 @@ static int make_room(struct archive *a)
         return STATUS_DONE;
     more = realloc(a->entry, (size_t)room * sizeof *more);
     if (!more)
-        return status_fail(STATUS_FAILED, "out of memory for a checkpoint");
+        return status_starved("a checkpoint cannot be kept");
     a->entry = more;
     a->room = room;
     return STATUS_DONE;

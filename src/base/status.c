@@ -14,6 +14,7 @@ enum { WHAT = 4096, ADVICE = 1024 };
 static struct {
     char what[WHAT], cause[ADVICE], remedy[ADVICE]; /* what happened; "" or advice */
     char message[WHAT + 2 * ADVICE + 4];            /* all of them                 */
+    bool starved;                                   /* of memory                   */
 } kept;
 static char *warned[STATUS_WARNINGS]; /* to be told again */
 static bool hushed;
@@ -65,12 +66,13 @@ static void add(struct status_advice advice)
     compose();
 }
 
-static void keep(struct status_advice advice, const char *format, va_list arguments)
+static bool keep(struct status_advice advice, const char *format, va_list arguments)
 {
     if (atomic_flag_test_and_set(&taken))
-        return;
+        return false;
     print_cut(kept.what, sizeof kept.what, format, arguments);
     add(advice);
+    return true;
 }
 
 int status_fail(int code, const char *format, ...)
@@ -91,6 +93,36 @@ int status_fail_with(int code, struct status_advice advice, const char *format, 
     keep(advice, format, arguments);
     va_end(arguments);
     return code;
+}
+
+static int keep_starved(struct status_advice advice, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    if (keep(advice, format, arguments))
+        kept.starved = true;
+    va_end(arguments);
+    return STATUS_FAILED;
+}
+
+int status_starved(const char *format, ...)
+{
+    static const struct status_advice fewer = {
+        .remedy = "use fewer particles (a larger spacing) or a machine with more memory" };
+    char text[WHAT] = "out of memory: ";
+    const size_t n = strlen(text);
+    va_list arguments;
+
+    va_start(arguments, format);
+    mark_cut(text + n, sizeof text - n, vsnprintf(text + n, sizeof text - n, format, arguments));
+    va_end(arguments);
+    return keep_starved(fewer, "%s", text);
+}
+
+bool status_is_starved(void)
+{
+    return kept.starved;
 }
 
 void status_advise(struct status_advice advice)
@@ -114,10 +146,17 @@ const char *status_message(void)
     return kept.message;
 }
 
-void status_clear(void)
+void status_forgive(void)
 {
     kept.what[0] = kept.cause[0] = kept.remedy[0] = kept.message[0] = '\0';
+    kept.starved = false;
     atomic_flag_clear(&taken);
+}
+
+void status_clear(void)
+{
+    if (!kept.starved)
+        status_forgive();
 }
 
 void status_warn(const char *format, ...)
@@ -155,9 +194,14 @@ void *status_alloc(unsigned long count, unsigned long size)
     if (size == 0 || count <= SIZE_MAX / size)
         memory = calloc(count > 0 ? count : 1, size > 0 ? size : 1);
     if (!memory)
-        status_fail_with(STATUS_FAILED,
-                         (struct status_advice){ .remedy = "use fewer particles (a larger "
-                                                 "spacing) or a machine with more memory" },
-                         "out of memory: %lu pieces of %lu bytes cannot be had", count, size);
+        status_starved("%lu pieces of %lu bytes cannot be had", count, size);
     return memory;
+}
+
+int status_reserve(unsigned long bytes, const char *what)
+{
+    void *memory = malloc(bytes);
+
+    free(memory);
+    return memory ? STATUS_DONE : status_starved("%lu bytes for %s cannot be had", bytes, what);
 }

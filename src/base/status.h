@@ -55,8 +55,14 @@ bool status_has_remedy(void);
  * there is none); valid until the next one. */
 const char *status_message(void);
 
-/* Forgets the last failure: for callers that handled it. */
+/* Memory that could not be had: STATUS_FAILED, "out of memory: " and the text, with what to
+ * change.  No shorter step mends that, so status_clear() does not forget it. */
+int status_starved(const char *format, ...) __attribute__((format(printf, 1, 2)));
+bool status_is_starved(void);
+
+/* Forgets the last failure: for callers that handled it; any, also one of memory. */
 void status_clear(void);
+void status_forgive(void);
 
 /* Control characters of text become "?", so that what is quoted does not command the terminal;
  * messages are such.  Returns text. */
@@ -75,5 +81,9 @@ void status_hush(bool on);
 
 /* malloc(count * size), zeroed; NULL and a failure kept when there is none. */
 void *status_alloc(unsigned long count, unsigned long size);
+
+/* Could so many bytes be had now?  For what libraries will ask for that crash without it;
+ * STATUS_FAILED says what they are for. */
+int status_reserve(unsigned long bytes, const char *what);
 
 #endif

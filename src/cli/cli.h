@@ -18,7 +18,7 @@ struct cli {
     const char *override[CLI_OVERRIDES];  /* "KEY=VALUE", those of options last */
     const char *directory;                /* -o; NULL: chosen from the scene  */
     int threads;                          /* 0: as the environment says       */
-    bool quiet;
+    bool quiet, force;
 
     const char *methods, *tols, *reference; /* of compare, as struct compare_order has them */
     int sweeps;

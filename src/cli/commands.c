@@ -9,6 +9,8 @@ static const struct argp_option run_options[] = {
     { "tol", 't', "X", 0, "Error allowed in a step", 0 },
     { "until", 'u', "T", 0, "Time at which the run ends [s]", 0 },
     { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "force", 'f', NULL, 0, "Take a directory with files that are no run's; they stay, unless they "
+      "bear the names of a run's files", 0 },
     { "quiet", 'q', NULL, 0, "No progress line", 0 },
     { 0 },
 };

@@ -155,6 +155,7 @@ static error_t take(int key, char *arg, struct argp_state *argp)
     case 'u': add_override(argp, "until", arg); break;
     case 'n': s->cli->threads = positive(argp, "threads", arg); break;
     case 'q': s->cli->quiet = true; break;
+    case 'f': s->cli->force = true; break;
     case ARGP_KEY_ARG: take_word(argp, arg); break;
     case ARGP_KEY_END: check_whole(argp); break;
     default: return take_comparison(key, arg, argp);
@@ -228,6 +229,9 @@ void cli_parse(int argc, char **argv, struct cli *c)
     argp.args_doc = s.command->args;
     argp.doc = s.command->doc;
     argv[1] = name;
-    argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &s);
+    if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &s) != 0) {
+        fputs("stiffwater: out of memory: the command line cannot be read\n", stderr);
+        exit(STATUS_FAILED);
+    }
     argv[1] = (char *)s.command->name;
 }

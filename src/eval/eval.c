@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,8 +63,17 @@ static int two_vectors(struct moment *m, const struct ask *ask, double t, const 
     return STATUS_DONE;
 }
 
+void moment_quit(struct moment *m, bool (*quit)(void))
+{
+    m->quit = quit;
+}
+
 int moment_eval(struct moment *m, struct ask ask, double t, const double *y, double *ydot)
 {
+    if (m->quit && m->quit()) {
+        snprintf(m->refusal, sizeof m->refusal, "a signal asked to stop");
+        return STATUS_FAILED;
+    }
     return ask.apart ? two_vectors(m, &ask, t, y, ydot) : one_vector(m, &ask, t, y, ydot);
 }
 

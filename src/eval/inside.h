@@ -70,6 +70,7 @@ struct moment {
     void *ahead;                       /* what implicit_ahead works in; of the run's; NULL */
     struct face *face;                 /* eval/face.h; NULL                   */
     struct moment_given *given;        /* eval/given.h; of the run's; NULL    */
+    bool (*quit)(void);                /* NULL: nothing ends it               */
     char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];
     struct moment_counts counts;

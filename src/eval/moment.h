@@ -58,6 +58,9 @@ void moment_free(struct moment **moment); /* NULL is welcome */
  * gone, the observer is as before its first look.  What a run has counted stays. */
 void moment_restart(struct moment *moment);
 
+/* From now on an evaluation that begins when quit() says so has no answer. */
+void moment_quit(struct moment *moment, bool (*quit)(void));
+
 const struct plan *moment_plan(const struct moment *moment);
 
 /* Sizes belong to the segment that the moment is in. */

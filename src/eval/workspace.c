@@ -15,7 +15,7 @@ double *workspace_lines(size_t numbers)
     if (to)
         memset(to, 0, bytes);
     else
-        status_fail(STATUS_FAILED, "no memory for %zu MB of work arrays", bytes >> 20);
+        status_starved("%zu kB of work arrays cannot be had", bytes >> 10);
     return to;
 }
 

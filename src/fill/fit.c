@@ -78,18 +78,31 @@ static void print_spacing(char *to, size_t room, double side, double dx)
     snprintf(to, room, "%.10g/%ld = %.12g m", side, lrint(side / dx), dx);
 }
 
+/* Where no spacing fits all sides, this side has to change: its length, down or up. */
+static int refuse_lengths(const struct fill_item *item, int d, double dx)
+{
+    const double side = side_of(item, d), below = fmax(floor(side / dx), 1);
+
+    return status_fail(STATUS_BAD_SCENE, "%s: %s.%s: %s %s of %.10g m is %.6g spacings of %.10g m"
+                       " and must be a whole number of them; no spacing from %.4g m to %.4g m would"
+                       " fit the sides of every fluid box and of the framed domain: make it %.10g m"
+                       " or %.10g m long", item->where, item->group, item->name,
+                       is_domain(item) ? "the domain's" : "its", side_name[d], side, side / dx, dx,
+                       dx / 2, 2 * dx, below * dx, (below + 1) * dx);
+}
+
 static int refuse(const struct sides *s, const struct fill_item *item, int d, double dx)
 {
     const double side = side_of(item, d);
     const double coarser = nearest(s, dx, -1), finer = nearest(s, dx, 1);
     char text[2][96] = { "", "" };
 
+    if (!(coarser > 0) && !(finer > 0))
+        return refuse_lengths(item, d, dx);
     if (coarser > 0)
         print_spacing(text[0], sizeof text[0], side, coarser);
     if (finer > 0)
         print_spacing(text[1], sizeof text[1], side, finer);
-    if (!(coarser > 0) && !(finer > 0))
-        snprintf(text[1], sizeof text[1], "no spacing from %.4g m to %.4g m", dx / 2, 2 * dx);
     return status_fail(STATUS_BAD_SCENE, "%s: %s.%s: %s %s of %.10g m is %.6g spacings of %.10g m"
                        " and must be a whole number of them; %s%s%s would fit the sides of every"
                        " fluid box and of the framed domain", item->where, item->group, item->name,

@@ -192,7 +192,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     if (fit(a, l) != STATUS_DONE) {
         snprintf(m->refusal, sizeof m->refusal, "no memory to solve for the pressure at t = %g s",
                  t);
-        return STATUS_FAILED;
+        return status_starved("the pressure at t = %g s cannot be solved for", t);
     }
     TRY(ahead_bodies_set(a, t, y));
     ahead_assemble(a, udot);

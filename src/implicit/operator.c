@@ -245,7 +245,7 @@ int operator_solver_create(int size, int most, struct operator_solver **out)
     s->correction = N_VClone(s->b);
     s->gradients = SUNLinSol_PCG(s->b, SUN_PREC_LEFT, most, s->context);
     if (!s->correction || !s->gradients)
-        return status_fail(STATUS_FAILED, "no memory to solve for %d unknowns", size);
+        return status_starved("%d unknowns cannot be solved for", size);
     return STATUS_DONE;
 }
 

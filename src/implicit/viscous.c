@@ -55,8 +55,7 @@ int viscous_fit(struct viscous *u)
     if (want > u->room) {
         double *c = realloc(u->job.c, (want + want / 4) * sizeof *c);
         if (!c)
-            return status_fail(STATUS_FAILED, "no memory for the coefficients of %s",
-                               u->part->path);
+            return status_starved("the coefficients of %s cannot be kept", u->part->path);
         u->job.c = c;
         u->room = want + want / 4;
     }

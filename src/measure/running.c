@@ -73,8 +73,8 @@ static int make_room(struct running *r, long n)
     if ((value = realloc(r->value, (size_t)(room * r->columns + 1) * sizeof *value)))
         r->value = value;
     if (!t || !value)
-        return status_fail(STATUS_FAILED, "out of memory for running means of %d probes over %g s",
-                           r->columns, r->longest);
+        return status_starved("running means of %d probes over %g s cannot be kept", r->columns,
+                              r->longest);
     r->room = room;
     return STATUS_DONE;
 }

@@ -53,9 +53,14 @@ static bool write_entry(hid_t file, const struct archive_entry *e)
 
 static void *make_image(const struct archive *a, size_t *size)
 {
-    const hid_t file = image_open();
-    bool fine = file >= 0;
+    size_t bytes = 0;
+    hid_t file;
+    bool fine;
 
+    for (int i = 0; i < archive_entries(a); i++)
+        bytes += archive_bytes(archive_entry(a, i));
+    file = image_open(bytes);
+    fine = file >= 0;
     for (int i = 0; fine && i < archive_entries(a); i++)
         fine = write_entry(file, archive_entry(a, i));
     return image_close(file, fine, size);
@@ -70,8 +75,7 @@ int archive_file_write(const struct archive *a, const char *path, const char *be
     int status;
 
     if (!image)
-        return status_fail(STATUS_FAILED, "%s: HDF5 cannot make it, most likely for want of "
-                           "memory", path);
+        return image_refused(path);
     make_header(header, image, size);
     status = aside_open(&to, path);
     if (status == STATUS_DONE) {

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -44,11 +45,15 @@ int aside_directory(const char *path)
 int aside_open(struct aside *a, const char *path)
 {
     const int n = snprintf(a->path, sizeof a->path, "%s", path);
+    int file;
 
     if (n < 0 || n >= ASIDE_PATH - 16)
         return status_fail(STATUS_IO, "%.200s...: this path is too long", path);
     snprintf(a->temporary, sizeof a->temporary, "%.*s.part", n, path);
-    a->to = fopen(a->temporary, "w");
+    file = open(a->temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    a->to = file >= 0 ? fdopen(file, "w") : NULL;
+    if (!a->to && file >= 0)
+        close(file);
     if (!a->to)
         return status_fail(STATUS_IO, "%s: cannot be opened for writing: %s", a->temporary,
                            strerror(errno));
@@ -75,6 +80,18 @@ int aside_close(struct aside *a)
     remove(a->temporary);
     return status_fail(STATUS_IO, "%s: cannot be written: %s", a->path,
                        strerror(error ? error : EIO));
+}
+
+int aside_sync(const char *path)
+{
+    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    const bool fine = file >= 0 && (fsync(file) == 0 || errno == EINVAL); /* EINVAL: a pipe */
+    const int error = errno;
+
+    if (file >= 0)
+        close(file);
+    return fine ? STATUS_DONE : status_fail(STATUS_IO, "%s: cannot be brought to the disk: %s",
+                                            path, strerror(error));
 }
 
 /* Names are on the disk, too. */

@@ -23,6 +23,9 @@ int aside_close(struct aside *a);
  * the place of the old one, which stays beside it as `before` (in the same directory). */
 int aside_close_safely(struct aside *a, const char *before);
 
+/* Waits until a file, or the names in a directory, are on the disk. */
+int aside_sync(const char *path);
+
 /* Takes what was written away; the old file stays. */
 void aside_drop(struct aside *a);
 

@@ -174,9 +174,11 @@ static int write_groups(hid_t file, const struct cloud_frame *c, const struct wo
            && write_group(file, "VTKHDF/PointData", values, c->t);
 }
 
+enum { POINT = 160 }; /* bytes of a particle in it */
+
 static void *make_image(const struct cloud_frame *c, const struct work *w, size_t *size)
 {
-    const hid_t file = image_open();
+    const hid_t file = image_open((size_t)c->n * POINT);
 
     return image_close(file, is_fine(file) && write_groups(file, c, w), size);
 }
@@ -186,10 +188,7 @@ static int write_image(const char *path, const void *image, size_t size)
     struct aside a;
 
     if (!image)
-        return status_fail(STATUS_FAILED,
-                           "%s: HDF5 cannot make it, most likely for want of "
-                           "memory; write fields with fewer particles or not at all",
-                           path);
+        return image_refused(path);
     TRY(aside_open(&a, path));
     fwrite(image, 1, size, a.to);
     return aside_close(&a);

@@ -11,6 +11,7 @@
 struct fields {
     char folder[ASIDE_PATH], index[ASIDE_PATH];
     int moments, room;
+    int safe;   /* moments whose files are on the disk */
     double *t;  /* [room] [s]        */
     long *n;    /* [room] particles  */
 };
@@ -77,16 +78,14 @@ static int write_index(const struct fields *f)
     return aside_close(&a);
 }
 
-static int start(struct fields *f, const char *dir, bool again)
+static int start(struct fields *f, const char *dir)
 {
     TRY(aside_join(f->folder, dir, "fields"));
     TRY(aside_join(f->index, dir, "fields.xdmf"));
-    if (!again)
-        remove(f->index); /* of an earlier run */
     return aside_directory(f->folder);
 }
 
-int fields_open(struct fields **out, const char *dir, bool again)
+int fields_open(struct fields **out, const char *dir)
 {
     struct fields *f = status_alloc(1, sizeof *f);
     int code;
@@ -94,7 +93,7 @@ int fields_open(struct fields **out, const char *dir, bool again)
     *out = f;
     if (!f)
         return STATUS_FAILED;
-    code = start(f, dir, again);
+    code = start(f, dir);
     if (code != STATUS_DONE)
         fields_close(out);
     return code;
@@ -113,7 +112,7 @@ static int make_room(struct fields *f, int moments)
     if ((n = realloc(f->n, (size_t)room * sizeof *n)))
         f->n = n;
     if (!t || !n)
-        return status_fail(STATUS_FAILED, "out of memory for the index of the fields");
+        return status_starved("%s cannot be kept", f->index);
     f->room = room;
     return STATUS_DONE;
 }
@@ -126,10 +125,32 @@ static int remember(struct fields *f, const struct cloud_frame *frame)
     return STATUS_DONE;
 }
 
+static int file_of(const struct fields *f, int number, char *path)
+{
+    char name[32];
+
+    snprintf(name, sizeof name, "%06d.vtkhdf", number);
+    return aside_join(path, f->folder, name);
+}
+
+/* A checkpoint promises the files that it counts. */
+static int make_safe(struct fields *f)
+{
+    char path[ASIDE_PATH];
+
+    for (; f->safe < f->moments; f->safe++) {
+        TRY(file_of(f, f->safe, path));
+        TRY(aside_sync(path));
+    }
+    return aside_sync(f->folder);
+}
+
 int fields_keep(struct fields *f, struct archive *a)
 {
     if (!f)
         return STATUS_DONE;
+    if (!archive_fills(a))
+        TRY(make_safe(f));
     TRY(archive_integer(a, "fields", &f->moments));
     TRY(make_room(f, f->moments));
     TRY(archive_numbers(a, "fields.t", f->t, f->moments));
@@ -141,10 +162,9 @@ int fields_keep(struct fields *f, struct archive *a)
 
 int fields_write(struct fields *f, const struct cloud_frame *frame)
 {
-    char name[32], path[ASIDE_PATH];
+    char path[ASIDE_PATH];
 
-    snprintf(name, sizeof name, "%06d.vtkhdf", f->moments);
-    TRY(aside_join(path, f->folder, name));
+    TRY(file_of(f, f->moments, path));
     TRY(fields_file_write(path, frame));
     TRY(remember(f, frame));
     return write_index(f);

@@ -19,9 +19,8 @@
 
 struct fields;
 
-/* Makes DIR/fields; takes away the index of an earlier run.  again: goes on with the files
- * that are there, after fields_keep(). */
-int fields_open(struct fields **out, const char *dir, bool again);
+/* Makes DIR/fields.  A run that goes on with the files that are there calls fields_keep(). */
+int fields_open(struct fields **out, const char *dir);
 
 /* Which moments there are; loading cuts the index back to them.  NULL is welcome. */
 int fields_keep(struct fields *f, struct archive *a);

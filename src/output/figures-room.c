@@ -136,6 +136,19 @@ static void take_old(const struct figures_room *r, const struct figures_record *
     }
 }
 
+void figures_room_clear(const char *run)
+{
+    static const struct figures_record none;
+    struct figures_record *old = status_alloc(1, sizeof *old);
+    struct figures_room r = { .at = "" };
+
+    if (old && aside_join(r.figures, run, "figures") == STATUS_DONE) {
+        figures_record_read(old, r.figures);
+        take_old(&r, old, &none);
+    }
+    free(old);
+}
+
 static int hang_all(const struct figures_room *r, struct dirent **entry, int n,
                     struct figures_record *old, struct figures_record *now)
 {

@@ -19,6 +19,9 @@ struct figures_room {
 /* Makes both directories. */
 int figures_room_make(struct figures_room *r, const char *run);
 
+/* Takes away the figures in RUN/figures that we drew and that are as we left them. */
+void figures_room_clear(const char *run);
+
 /* Copies DIR/NAME into the room; NAME of RUN/figures as data, output/figures-data.h. */
 int figures_room_bring(const struct figures_room *r, const char *dir, const char *name);
 int figures_room_bring_data(const struct figures_room *r, const char *name);

@@ -3,16 +3,58 @@
 
 #include "base/status.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
-hid_t image_open(void)
+static bool broken; /* what a failure left behind in HDF5 is not to be trusted */
+static bool writes; /* HDF5 is at work                                         */
+
+/* HDF5 1.10 calls exit(-1) where it cannot go on. */
+static void last_words(void)
 {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    hid_t file;
+    static const char words[] = "stiffwater: HDF5 ended the program, which it does when it gets "
+                                "no memory; use fewer particles (a larger spacing) or a machine "
+                                "with more memory\n";
 
+    if (writes)
+        _exit(write(STDERR_FILENO, words, strlen(words)) < 0 ? STATUS_IO : STATUS_FAILED);
+}
+
+/* HDF5 opens no image whose name is that of a file, so this is one that no file can have. */
+static const char nowhere[] = "/dev/null/image";
+
+enum { OWN = 8 << 20 }; /* what HDF5 itself takes, an upper bound [bytes] */
+
+/* HDF5 1.10 does not look at all it asks for: without memory it crashes or ends the program, also
+ * in what it does at exit.  The file, its growth and our copy of it are 3 times its bytes. */
+static bool begin(size_t bytes)
+{
+    static bool begun;
+
+    if (broken || status_reserve(3 * bytes + OWN, "a file of HDF5") != STATUS_DONE)
+        return false;
+    writes = true;
+    if (!begun) {
+        atexit(last_words);
+        H5dont_atexit();
+        begun = true;
+        broken = H5open() < 0;
+    }
+    return !broken;
+}
+
+hid_t image_open(size_t bytes)
+{
+    hid_t access, file;
+
+    if (!begin(bytes))
+        return -1;
+    access = H5Pcreate(H5P_FILE_ACCESS);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     H5Pset_fapl_core(access, (size_t)1 << 22, 0);
-    file = H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    file = H5Fcreate(nowhere, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
     return file;
 }
@@ -38,18 +80,28 @@ void *image_close(hid_t file, bool fine, size_t *size)
         image = take(file, size);
     if (file >= 0)
         H5Fclose(file);
+    broken = broken || !image;
+    writes = false;
     return image;
+}
+
+int image_refused(const char *path)
+{
+    return status_starved("HDF5 cannot make %s", path);
 }
 
 hid_t image_read(const void *bytes, size_t size)
 {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    hid_t file = -1;
+    hid_t access, file = -1;
 
+    if (!begin(size))
+        return -1;
+    access = H5Pcreate(H5P_FILE_ACCESS);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     if (H5Pset_fapl_core(access, (size_t)1 << 22, 0) >= 0
         && H5Pset_file_image(access, (void *)(uintptr_t)bytes, size) >= 0) /* copies them */
-        file = H5Fopen("image", H5F_ACC_RDONLY, access);
+        file = H5Fopen(nowhere, H5F_ACC_RDONLY, access);
     H5Pclose(access);
+    writes = false;
     return file;
 }

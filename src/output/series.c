@@ -74,8 +74,7 @@ static int reserve(struct series *s, size_t n)
         const size_t room = 2 * (s->used + n);
         char *text = realloc(s->text, room);
         if (!text)
-            return status_fail(STATUS_FAILED, "%s: out of memory for a row of %d columns", s->path,
-                               s->columns);
+            return status_starved("%s: a row of %d columns cannot be kept", s->path, s->columns);
         s->text = text;
         s->room = room;
     }
@@ -126,14 +125,24 @@ static bool is_due(const struct series *s)
            >= 1;
 }
 
-int series_text_row(struct series *s, const double *value, const char *const *text)
+static int add_row(struct series *s, const double *value, const char *const *text)
 {
     for (int i = 0; i < s->columns; i++) {
         if (i > 0)
             TRY(add(s, ","));
         TRY(text && text[i] ? add_text(s, text[i]) : add_number(s, i, value[i]));
     }
-    TRY(add(s, "\n"));
+    return add(s, "\n");
+}
+
+int series_text_row(struct series *s, const double *value, const char *const *text)
+{
+    const size_t whole = s->used;
+    const int status = add_row(s, value, text);
+
+    if (status != STATUS_DONE)
+        s->used = whole; /* without memory: no half a line */
+    TRY(status);
     return is_due(s) ? series_flush(s) : STATUS_DONE;
 }
 
@@ -158,7 +167,7 @@ static int open_file(struct series **out, const char *path, int columns, int fla
         return STATUS_FAILED;
     s->columns = columns;
     snprintf(s->path, sizeof s->path, "%s", path);
-    s->file = open(path, O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666);
+    s->file = open(path, O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW | flags, 0666);
     return s->file < 0 ? trouble(s) : STATUS_DONE;
 }
 

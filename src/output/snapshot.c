@@ -8,7 +8,7 @@
 
 struct snapshot {
     char dir[ASIDE_PATH];
-    int written;
+    int written, safe; /* safe: on the disk */
     struct series *index;
 };
 
@@ -40,10 +40,31 @@ int snapshot_open(struct snapshot **out, const char *dir, bool again)
     return code;
 }
 
+static int file_of(const struct snapshot *s, int number, char name[48], char *path)
+{
+    snprintf(name, 48, "snapshots/%04d.csv", number);
+    return aside_join(path, s->dir, name);
+}
+
+/* A checkpoint promises the files that it counts. */
+static int make_safe(struct snapshot *s)
+{
+    char name[48], path[ASIDE_PATH];
+
+    for (; s->safe < s->written; s->safe++) {
+        TRY(file_of(s, s->safe, name, path));
+        TRY(aside_sync(path));
+    }
+    TRY(aside_join(path, s->dir, "snapshots"));
+    return aside_sync(path);
+}
+
 int snapshot_keep(struct snapshot *s, struct archive *a)
 {
     if (!s)
         return STATUS_DONE;
+    if (!archive_fills(a))
+        TRY(make_safe(s));
     TRY(archive_integer(a, "snapshots", &s->written));
     return series_keep(s->index, a, "snapshots.csv");
 }
@@ -76,8 +97,7 @@ int snapshot_write(struct snapshot *s, const struct cloud_frame *frame)
 {
     char name[48], path[ASIDE_PATH];
 
-    snprintf(name, sizeof name, "snapshots/%04d.csv", s->written);
-    TRY(aside_join(path, s->dir, name));
+    TRY(file_of(s, s->written, name, path));
     TRY(write_cloud(path, frame));
     s->written++;
     TRY(series_text_row(s->index, &frame->t, (const char *[]){ NULL, name }));

@@ -3,11 +3,17 @@
 #include "plan/solver.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 const char *plan_drifts(const struct plan *p)
 {
-    return p->drifter ? "an effect of this scene moves positions beside their velocities" : NULL;
+    static char why[160];
+
+    if (!p->drifter)
+        return NULL;
+    snprintf(why, sizeof why, "%.100s moves positions beside their velocities", p->drifter->path);
+    return why;
 }
 
 const char *plan_halves(const struct plan *p)

@@ -85,8 +85,7 @@ static int make_records(const struct list *list, double mass, struct sum_scratch
     if (scratch->record)
         return STATUS_DONE;
     scratch->places = 0;
-    return status_fail(STATUS_FAILED, "no memory for records of %d particles in single precision",
-                       list->listed);
+    return status_starved("no records of %d particles in single precision", list->listed);
 }
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)

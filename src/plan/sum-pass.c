@@ -53,7 +53,7 @@ static int make_room(struct sum_scratch *scratch, int slots)
         scratch->cut = calloc((size_t)threads * (size_t)(slots + 1), sizeof *scratch->cut);
     }
     if (!scratch->power || !scratch->cut)
-        return status_fail(STATUS_FAILED, "no memory to sum the power of %d effects", slots);
+        return status_starved("the power of %d effects cannot be summed", slots);
     memset(scratch->power, 0, (size_t)scratch->threads * (size_t)slots * sizeof *scratch->power);
     return STATUS_DONE;
 }

@@ -68,8 +68,10 @@ static char *describe_layout(const struct run *r)
         return NULL;
     for (int i = 0; i < l->rows; i++)
         fprintf(to, "%s: %d of %d\n", l->row[i].name, l->row[i].n, l->row[i].components);
-    fclose(to);
-    return text;
+    if (fclose(to) == 0)
+        return text;
+    free(text);
+    return NULL;
 }
 
 /* Saving: y of the method goes by id; loading: into r->y, which goes by id, too. */
@@ -95,7 +97,7 @@ static int sign(struct run *r, struct archive *a)
 {
     char version[] = PACKAGE_VERSION, scene[HASH_TEXT], *layout = describe_layout(r);
     int status = layout ? archive_text(a, "layout", layout, 0)
-                        : status_fail(STATUS_FAILED, "out of memory for a checkpoint");
+                        : status_starved("a checkpoint cannot be made");
 
     free(layout);
     TRY(status);
@@ -126,7 +128,7 @@ static int save(struct run *r)
     if (status == STATUS_DONE && saved_write(r->directory, a) != STATUS_DONE) {
         status_warn("no checkpoint at t = %g s: %s; the run goes on, the checkpoint before stays",
                     r->past.tally.t, status_message());
-        status_clear();
+        status_forgive();
     }
     archive_free(&a);
     return status;
@@ -198,7 +200,7 @@ int checkpoint_load_state(struct run *r, struct archive *a)
     char *layout = describe_layout(r);
     int status = layout ? agree(a, r->directory, "layout", layout, "y has other blocks: another "
                                 "build of this version wrote it; go on with that one")
-                        : status_fail(STATUS_FAILED, "out of memory for a checkpoint");
+                        : status_starved("a checkpoint cannot be made");
 
     free(layout);
     TRY(status);

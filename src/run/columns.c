@@ -31,7 +31,7 @@ int columns_open(const struct columns *c, struct series **out, const char *dir, 
     char path[ASIDE_PATH];
 
     if (c->n == 1)
-        return columns_none(dir, file);
+        return STATUS_DONE;
     if (c->n > COLUMNS_MOST)
         return status_fail(STATUS_BAD_SCENE, "%s would have %d columns, more than %d: use fewer "
                            "walls, beams or probes", file, c->n, COLUMNS_MOST);
@@ -42,15 +42,6 @@ int columns_open(const struct columns *c, struct series **out, const char *dir, 
     TRY(aside_join(path, dir, file));
     return c->again ? series_open_again(out, path, c->n)
                     : series_open(out, path, c->n, name, unit);
-}
-
-int columns_none(const char *dir, const char *file)
-{
-    char path[ASIDE_PATH];
-
-    TRY(aside_join(path, dir, file));
-    remove(path);
-    return STATUS_DONE;
 }
 
 void columns_close(struct series **s, int *status)

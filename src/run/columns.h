@@ -26,8 +26,4 @@ int columns_open(const struct columns *c, struct series **out, const char *dir, 
 /* Closes what columns_open() opened; *status becomes the first error. */
 void columns_close(struct series **s, int *status);
 
-/* Removes DIR/FILE: what an earlier run left would be taken for one of this run, which
- * has none (yet). */
-int columns_none(const char *dir, const char *file);
-
 #endif

@@ -146,13 +146,14 @@ static int doubt_energy(const struct run *r)
 static void doubt_solids(const struct run *r)
 {
     const struct observe_sunk *s = outputs_sunk(r->outputs);
+    const bool contact = strcmp(plan_settings(r->plan)->walls, "contact") == 0;
 
     if (s->n > 0)
         status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
                     "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
-                    "and levels means nothing: take walls = \"contact\", eos.tension = false, "
-                    "a higher eos.c0, a smaller tol or thicker walls", s->n, s->t, s->particle,
-                    s->solid, s->place);
+                    "and levels means nothing: take %seos.tension = false, a higher eos.c0, a "
+                    "smaller tol or thicker walls", s->n, s->t, s->particle, s->solid, s->place,
+                    contact ? "" : "walls = \"contact\", ");
 }
 
 int run_doubt_end(const struct run *r)

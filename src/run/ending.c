@@ -39,13 +39,14 @@ static void advise(const struct run *r)
 void run_explain(const struct run *r, int status, char *message)
 {
     char why[RUN_MESSAGE / 3] = "";
+    const bool calculated = status == STATUS_FAILED && !status_is_starved();
 
-    if (status == STATUS_FAILED) {
+    if (calculated) {
         doubt_step(r);
         advise(r);
     }
     snprintf(message, RUN_MESSAGE, "%.*s", RUN_MESSAGE / 2, status_message());
-    if (status == STATUS_FAILED)
+    if (calculated)
         observe_blame(r->moment, r->past.tally.t, r->method->state(r->self), why, sizeof why);
     if (why[0])
         snprintf(message + strlen(message), RUN_MESSAGE - strlen(message), ". Cause: %s", why);

@@ -30,6 +30,7 @@ struct run {
     double clock_kept;       /* of the last checkpoint, or the start [s]      */
     long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
+    bool force;              /* as run_order has it                           */
 };
 
 /* Reads the scene, makes the plan and finds the method; writes nothing. */
@@ -46,6 +47,11 @@ void run_explain(const struct run *r, int status, char *message);
 
 /* Where the results of a run are and what came out, on standard output. */
 void run_sum_up(const struct run *r, const struct run_order *order, int status);
+
+/* After the step to (t, y): least and largest of the fluid, into r->past; then what should end
+ * the run, or be heard of once. */
+void run_keep_extremes(struct run *r, double t, const double *y);
+int run_watch(struct run *r, double t, const double *y);
 
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);

@@ -45,7 +45,7 @@ static int open_particles(struct outputs *o, const struct plan *plan, const char
         return STATUS_FAILED;
     for (int k = 0; k < KINDS; k++)
         memset(o->kind + all->from[k], k, particles_count(all, k));
-    TRY(fields_open(&o->fields, dir, again));
+    TRY(fields_open(&o->fields, dir));
     return snapshot_open(&o->snapshot, dir, again);
 }
 
@@ -61,27 +61,26 @@ static int lock_directory(struct outputs *o, const char *dir)
     return STATUS_DONE;
 }
 
-static int open_all(struct outputs *o, const struct plan *plan, const char *dir,
-                    struct running **means, bool again)
+static int open_all(struct outputs *o, const struct plan *plan, const struct home *home,
+                    struct running **means)
 {
-    TRY(lock_directory(o, dir));
-    if (!again) {
-        TRY(saved_refuse(dir));
-        TRY(columns_none(dir, "run.json")); /* it is to say how this run goes */
-    }
-    TRY(tables_open(&o->tables, plan, dir, means, again));
-    return open_particles(o, plan, dir, again);
+    TRY(lock_directory(o, home->dir));
+    if (!home->again)
+        TRY(saved_refuse(home->dir));
+    TRY(home_take(home));
+    TRY(tables_open(&o->tables, plan, home->dir, means, home->again));
+    return open_particles(o, plan, home->dir, home->again);
 }
 
-int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_past *past, bool again)
+int outputs_open(struct outputs **out, const struct plan *plan, const struct home *home,
+                 struct run_past *past)
 {
     *out = status_alloc(1, sizeof **out);
     if (!*out)
         return STATUS_FAILED;
     (*out)->lock = -1;
     (*out)->balance = &past->balance;
-    return open_all(*out, plan, dir, &past->means, again);
+    return open_all(*out, plan, home, &past->means);
 }
 
 int outputs_keep(struct outputs *o, struct archive *a)

@@ -2,16 +2,17 @@
 #ifndef RUN_OUTPUTS_H
 #define RUN_OUTPUTS_H
 
+#include "run/home.h"
 #include "run/past.h"
 #include "time/method.h"
 
 struct outputs;
 
-/* Makes DIR (and its files with their header lines).  What rows show, and readings of
- * probes that have running means, are kept in *past.  again: goes on with the files that are
- * there, after outputs_keep(). */
-int outputs_open(struct outputs **out, const struct plan *plan, const char *dir,
-                 struct run_past *past, bool again);
+/* Makes the home's directory (and its files with their header lines).  What rows show, and readings of
+ * probes that have running means, are kept in *past.  home->again: goes on with the files that
+ * are there, after outputs_keep(). */
+int outputs_open(struct outputs **out, const struct plan *plan, const struct home *home,
+                 struct run_past *past);
 
 /* What there is of files; loading cuts them back to it. */
 int outputs_keep(struct outputs *o, struct archive *a);

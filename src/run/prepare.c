@@ -31,6 +31,8 @@ double run_cpu(void)
          + 1e-6 * (u.ru_utime.tv_usec + u.ru_stime.tv_usec);
 }
 
+enum { SERVING = 4 }; /* methods that a refusal offers */
+
 /* "path/dam-break.scene" becomes "dam-break". */
 static int choose_directory(struct run *r, const struct run_order *order)
 {
@@ -64,6 +66,30 @@ static int refuse_method(const struct run *r)
     return status_fail(STATUS_BAD_SCENE, "%s: %s", node ? scene_where(node) : "default", why);
 }
 
+/* The first methods of the table that would serve. */
+static void list_serving(const struct run *r, char *to, size_t room)
+{
+    size_t n = 0;
+    int found = 0;
+
+    *to = '\0';
+    for (int i = 0; method_table[i] && found < SERVING && n < room; i++)
+        if (!method_table[i]->serves || !method_table[i]->serves(r->plan))
+            n += (size_t)snprintf(to + n, room - n, "%s%s", found++ > 0 ? ", " : "",
+                                  method_table[i]->name);
+}
+
+static int refuse_scene(const struct run *r, const char *name, const char *reason)
+{
+    const struct scene_node *node = scene_child(scene_root(r->scene), "method");
+    char serving[160];
+
+    list_serving(r, serving, sizeof serving);
+    return status_fail(STATUS_BAD_SCENE, "%s: method %s cannot serve this scene: %s; %s%s",
+                       node ? scene_where(node) : scene_path(r->scene), name, reason,
+                       *serving ? "methods that do: " : "no method does", serving);
+}
+
 static int find_method(struct run *r)
 {
     const struct settings *s = plan_settings(r->plan);
@@ -78,8 +104,7 @@ static int find_method(struct run *r)
         return refuse_method(r);
     reason = r->method->serves ? r->method->serves(r->plan) : NULL;
     if (reason)
-        return status_fail(STATUS_BAD_SCENE, "method %s cannot serve this scene: %s", name,
-                           reason);
+        return refuse_scene(r, name, reason);
     return STATUS_DONE;
 }
 
@@ -98,7 +123,8 @@ static void compute_defaults(struct run *r)
 
 int run_prepare(struct run *r, const struct run_order *order)
 {
-    *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu() };
+    *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu(),
+                       .force = order->force };
 #ifdef _OPENMP
     if (order->threads > 0)
         omp_set_num_threads(order->threads);
@@ -115,7 +141,7 @@ int run_prepare(struct run *r, const struct run_order *order)
     r->past.tally.density[0] = HUGE_VAL;
     r->clock_kept = r->clock_start;
     r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
-    return r->y ? STATUS_DONE : STATUS_FAILED;
+    return r->y && !status_is_starved() ? STATUS_DONE : STATUS_FAILED;
 }
 
 void run_release(struct run *r)

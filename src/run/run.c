@@ -81,61 +81,33 @@ static int write_due(struct run *r, double t)
     return STATUS_DONE;
 }
 
-static double speed(const double *u)
+/* A step in space may take minutes: a signal ends it between two evaluations. */
+static int step_on(struct run *r, struct method_step *step)
 {
-    double squares = 0;
+    const double end = fmin(fmin(r->event, checkpoint_next(r)), r->until);
+    const int status = r->method->step(r->self, end, step);
 
-    for (int d = 0; d < DIM; d++)
-        squares += u[d] * u[d];
-    return sqrt(squares);
-}
-
-static void keep_extremes(struct run *r, double t, const double *y)
-{
-    struct view v;
-    int n;
-
-    observe_fluid(r->moment, t, y, &v);
-    n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
-    for (int i = 0; i < n; i++) {
-        const double rho = v.rho[KIND_FLUID][i];
-        if (rho < r->past.tally.density[0])
-            r->past.tally.density[0] = rho;
-        if (rho > r->past.tally.density[1])
-            r->past.tally.density[1] = rho;
-        r->past.tally.speed = fmax(r->past.tally.speed, speed(v.u[KIND_FLUID] + DIM * i));
-    }
-}
-
-/* What should end a run, or be heard of once, after a step. */
-static int watch(struct run *r, double t, const double *y)
-{
-    char doubt[300];
-
-    for (int i = 0; i < plan_bodies(r->plan); i++) {
-        TRY(observe_judge(r->moment, i, t, y, doubt, sizeof doubt));
-        if (doubt[0] && !(r->past.tally.doubted & 1L << i))
-            status_warn("%s", doubt);
-        r->past.tally.doubted |= (long)(doubt[0] != '\0') << i;
-    }
-    TRY(observe_meeting(r->moment, t, y));
-    return observe_runaway(r->moment, t, y);
+    if (status != STATUS_FAILED || !stop_urgent() || status_is_starved())
+        return status;
+    status_clear();
+    return stopped(r, "all files are complete up to there");
 }
 
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
 
-    TRY(r->method->step(r->self, fmin(fmin(r->event, checkpoint_next(r)), r->until), &step));
+    TRY(step_on(r, &step));
     step.rejected += r->rejected;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;
     r->past.tally.rejected = step.rejected;
-    keep_extremes(r, step.t, r->method->state(r->self));
+    run_keep_extremes(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
     TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
-    return watch(r, step.t, r->method->state(r->self));
+    TRY(run_watch(r, step.t, r->method->state(r->self)));
+    return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
 }
 
 /* Where f jumps a segment ends, and the method starts anew. */
@@ -164,6 +136,7 @@ static int begin(struct run *r)
 static int go(struct run *r, struct progress *progress)
 {
     r->event = plan_event(r->plan, r->past.tally.t);
+    moment_quit(r->moment, stop_urgent);
     TRY(begin(r));
     while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));
@@ -212,6 +185,15 @@ static int try_start(struct run *r)
                   "written", moment_refusal(r->moment));
 }
 
+static int open_outputs(struct run *r, bool again)
+{
+    const struct home home = { .dir = r->directory, .scene = r->path, .force = r->force,
+                               .again = again };
+
+    stop_listen();
+    return outputs_open(&r->outputs, r->plan, &home, &r->past);
+}
+
 static int start(struct run *r)
 {
     TRY(checkpoint_agree(r));
@@ -220,8 +202,8 @@ static int start(struct run *r)
     TRY(try_start(r));
     TRY(create_method(r));
     choose_times(r);
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, false));
-    keep_extremes(r, 0, r->y);
+    TRY(open_outputs(r, false));
+    run_keep_extremes(r, 0, r->y);
     TRY(outputs_start(r->outputs, r->moment, 0, r->y));
     return write_used(r);
 }
@@ -231,7 +213,7 @@ static int start_again(struct run *r, struct archive *from)
     TRY(checkpoint_agree(r));
     TRY(checkpoint_load_state(r, from));
     TRY(create_method(r));
-    TRY(outputs_open(&r->outputs, r->plan, r->directory, &r->past, true));
+    TRY(open_outputs(r, true));
     return checkpoint_load_past(r, from);
 }
 
@@ -266,6 +248,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     struct run r;
     int status;
 
+    stop_leave();
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
@@ -275,7 +258,6 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         run_release(&r);
         return status;
     }
-    stop_listen();
     run_carved(&r, order->quiet ? NULL : stderr);
     progress_start(&progress, stderr, r.past.tally.t, r.until, order->quiet);
     status = go(&r, &progress);
@@ -290,7 +272,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     run_sum_up(&r, order, status);
     run_release(&r);
     if (message[0]) {
-        status_clear();
+        status_forgive();
         status_fail(status, "%s", message);
     }
     return status;

@@ -11,6 +11,7 @@ struct run_order {
     const char *directory;       /* NULL: the scene's name without ".scene"   */
     int threads;                 /* 0: as the environment says                */
     bool quiet;
+    bool force;                  /* takes a directory with files of others */
 };
 
 /* Simulates.  Returns the exit status; the message is in status_message(). */

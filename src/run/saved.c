@@ -82,13 +82,11 @@ int saved_refuse(const char *dir)
     TRY(aside_join(before, dir, previous));
     if (access(path, F_OK) != 0 && access(before, F_OK) != 0)
         return STATUS_DONE;
-    if (!has_ended(dir))
-        return status_fail(STATUS_IO, "%s: a run was interrupted there and can go on: `stiffwater "
+    if (has_ended(dir))
+        return STATUS_DONE;
+    return status_fail(STATUS_IO, "%s: a run was interrupted there and can go on: `stiffwater "
                            "resume %s`; to begin anew, remove %s and %s there, or choose another "
                            "directory (-o)", dir, dir, newest, previous);
-    remove(path);
-    remove(before);
-    return STATUS_DONE;
 }
 
 int saved_scene(const char *dir, char hash[HASH_TEXT])

@@ -14,7 +14,7 @@ int saved_write(const char *dir, const struct archive *a);
 int saved_read(const char *dir, struct archive **out);
 
 /* For a run that begins: refuses a directory with the checkpoint of a run that did not come to
- * its end; checkpoints of one that did are taken away. */
+ * its end. */
 int saved_refuse(const char *dir);
 
 /* Hash of DIR/scene.used. */

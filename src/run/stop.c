@@ -4,18 +4,22 @@
  * wish comes twice: what follows within a second is the same wish. */
 #include "run/stop.h"
 
+#include "base/status.h"
+
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <time.h>
+#include <unistd.h>
 
 static volatile sig_atomic_t asked;
-static struct timespec first; /* touched by the handler only */
+static struct timespec first; /* written by the handler only */
 static bool hangup_ignored;
 
-static bool is_again(const struct timespec *now)
+static bool is_later(const struct timespec *now, double seconds)
 {
-    return (double)(now->tv_sec - first.tv_sec) + 1e-9 * (double)(now->tv_nsec - first.tv_nsec) > 1;
+    return (double)(now->tv_sec - first.tv_sec) + 1e-9 * (double)(now->tv_nsec - first.tv_nsec)
+           > seconds;
 }
 
 static void note(int number)
@@ -26,7 +30,7 @@ static void note(int number)
     if (!asked) {
         first = now;
         asked = number;
-    } else if (is_again(&now)) {
+    } else if (is_later(&now, 1)) {
         signal(number, SIG_DFL);
         raise(number); /* waits until this handler is left */
     }
@@ -43,6 +47,16 @@ static void ask_hangup(void)
 __attribute__((section(".preinit_array"), used)) static void (*const before_libraries)(void)
     = ask_hangup;
 
+/* Nothing has been written yet. */
+static void leave(int number)
+{
+    static const char words[] = "stiffwater: stopped by a signal before the first file was "
+                                "written\n";
+
+    (void)number;
+    _exit(write(STDERR_FILENO, words, sizeof words - 1) < 0 ? STATUS_IO : STATUS_STOPPED);
+}
+
 /* A run under nohup(1) outlives its terminal. */
 static void hear_hangup(const struct sigaction *action)
 {
@@ -52,9 +66,9 @@ static void hear_hangup(const struct sigaction *action)
         sigaction(SIGHUP, action, NULL);
 }
 
-void stop_listen(void)
+static void hear(void (*handler)(int number))
 {
-    struct sigaction action = { .sa_handler = note, .sa_flags = SA_RESTART };
+    struct sigaction action = { .sa_handler = handler, .sa_flags = SA_RESTART };
 
     sigemptyset(&action.sa_mask);
     sigaddset(&action.sa_mask, SIGINT);
@@ -63,6 +77,16 @@ void stop_listen(void)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     hear_hangup(&action);
+}
+
+void stop_leave(void)
+{
+    hear(leave);
+}
+
+void stop_listen(void)
+{
+    hear(note);
     signal(SIGPIPE, SIG_IGN); /* an unread progress line is no reason to end */
     signal(SIGXFSZ, SIG_IGN); /* write() says it, and the run ends in order       */
 }
@@ -70,4 +94,14 @@ void stop_listen(void)
 int stop_asked(void)
 {
     return asked;
+}
+
+bool stop_urgent(void)
+{
+    struct timespec now;
+
+    if (!asked)
+        return false;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return is_later(&now, 0.5);
 }

@@ -23,10 +23,10 @@ static int open_front(struct tables_water *o, const struct plan *plan, const cha
     const struct scales *s = plan_scales(plan);
 
     if (particles_count(plan_particles(plan), KIND_FLUID) == 0)
-        return columns_none(dir, "front.csv");
+        return STATUS_DONE;
     TRY(crowd_create(plan_particles(plan), &o->crowd));
     if (s->period[0] > 0 || s->period[DIM - 1] > 0) /* no foremost, no highest */
-        return columns_none(dir, "front.csv");
+        return STATUS_DONE;
     columns_start(h);
     columns_add(h, "m", "x");
     columns_add(h, "m", "height");
@@ -47,7 +47,7 @@ static int open_pairing(struct tables_water *o, const struct plan *plan, const c
                         struct columns *h)
 {
     if (!o->crowd)
-        return columns_none(dir, "pairing.csv");
+        return STATUS_DONE;
     TRY(pairing_create(plan_particles(plan), &o->pairing));
     columns_start(h);
     columns_add(h, "", "pairing");

@@ -43,7 +43,7 @@ static int open_checkpoints(struct tables *o, const struct plan *plan, const cha
     const struct settings_output *set = plan_output(plan);
 
     if (!(set->checkpoint > 0 || set->checkpoint_minutes > 0))
-        return columns_none(dir, "checkpoints.csv");
+        return STATUS_DONE;
     columns_start(h);
     columns_add(h, "", "because");
     return columns_open(h, &o->checkpoints, dir, "checkpoints.csv");

@@ -133,7 +133,7 @@ static const char *keep(struct scene_pool *pool, FILE *stream, char **text)
 
 static int out_of_memory(void)
 {
-    return status_fail(STATUS_FAILED, "out of memory while noting the scene's values");
+    return status_starved("values of the scene cannot be noted");
 }
 
 int scene_value_note(const struct scene_wish *wish, const char *path)

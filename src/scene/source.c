@@ -75,6 +75,8 @@ static int load(struct scene_parse *parse, struct source *source, char **bytes)
         return unreadable(source, strerror(errno));
     TRY(check_kind(source));
     file = fopen(source->path, "r");
+    if (!file && errno == ENOMEM)
+        return status_starved("%s cannot be read", source->path);
     if (!file)
         return unreadable(source, strerror(errno));
     status = fstat(fileno(file), &source->id) == 0 ? check_kind(source)

@@ -23,8 +23,8 @@ bool list_grow(void **array, size_t *room, size_t want, size_t size)
 
 int list_no_memory(const struct list *list)
 {
-    return status_fail(STATUS_FAILED, "no memory for the pair list of %d particles: they are "
-                       "too many for this machine, or have drawn together in one place", list->n);
+    return status_starved("the pair list of %d particles cannot be had: they are too many for "
+                          "this machine, or have drawn together in one place", list->n);
 }
 
 /* Positions, order and places; a group is of four, mostly, and has a segment or two,

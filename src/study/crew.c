@@ -93,7 +93,7 @@ static int make_child(struct work *w, int i)
     w->child[i].said = strdup(said);
     w->child[i].words = member_words(w->crew->home, member(w, i), w->settings[i]);
     if (!w->child[i].said || !w->child[i].words)
-        return status_fail(STATUS_FAILED, "out of memory");
+        return status_starved("the order of a run cannot be kept");
     return STATUS_DONE;
 }
 
@@ -107,7 +107,7 @@ static int take(struct work *w, int number)
         return STATUS_DONE;
     w->settings[i] = w->crew->settings(w->crew->self, number);
     if (!w->settings[i])
-        return status_fail(STATUS_FAILED, "out of memory");
+        return status_starved("the order of a run cannot be kept");
     w->number[w->n++] = number;
     if (!member_reuse(w->crew->home, m, w->settings[i]))
         return make_child(w, i);

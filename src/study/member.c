@@ -205,7 +205,7 @@ int member_end(const struct member_home *h, struct member *m, const char *settin
     struct aside a;
 
     if (!text)
-        return status_fail(STATUS_FAILED, "out of memory");
+        return status_starved("the order of a run cannot be kept");
     member_path(h, m, "order", path);
     if (aside_open(&a, path) != STATUS_DONE) {
         free(text);

@@ -3,11 +3,14 @@
 #include "time/arkode.h"
 
 #include "base/status.h"
+#include "time/failure.h"
+#include "time/failure.h"
 #include <stdlib.h>
 
 static int refuse_setup(const struct arkode *a, const char *what)
 {
-    return status_fail(STATUS_FAILED, "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
+    return status_fail_with(STATUS_FAILED, FAILURE_SETUP,
+                       "method %s: SUNDIALS %d.%d.%d refuses %s (%s)",
                        a->row->method.name, SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR,
                        SUNDIALS_VERSION_PATCH, what, sundials_complaint());
 }
@@ -73,7 +76,9 @@ static int set_up(struct arkode *a)
 
     a->ark = ARKStepCreate(arkode_explicit, a->imex ? arkode_implicit : NULL, now->t, now->y,
                            a->context);
-    if (!a->ark || sundials_listen(a->ark) != 0 || ARKodeSetUserData(a->ark, a) != 0
+    if (!a->ark)
+        return failure_memory(a->row->method.name, a->n);
+    if ( sundials_listen(a->ark) != 0 || ARKodeSetUserData(a->ark, a) != 0
         || ARKodeSetInterpolantType(a->ark, SUNDIALS_INTERPOLANT) != 0
         || ARKodeSetInterpolantDegree(a->ark, 0) != 0
         || ARKodeWFtolerances(a->ark, weights) != 0)

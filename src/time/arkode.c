@@ -56,6 +56,8 @@ static int collapse(struct arkode *a, int flag)
     const struct choice *c = &a->choice[0];
     char where[96] = "";
 
+    if (flag == ARK_MEM_FAIL)
+        return failure_memory(a->row->method.name, a->n);
     choice_where(c, a->moment, where);
     return status_fail_with(STATUS_FAILED, (struct status_advice){ .remedy = FAILURE_REMEDY },
                             "%s collapsed at t = %.9g s, below a step of %.3g s: %s; %s%s",

@@ -77,6 +77,8 @@ static int collapse(const struct cvode *c, int flag)
     const long entry = vector_largest(c->y);
     sunrealtype h = 0;
 
+    if (flag == CV_MEM_FAIL)
+        return failure_memory(name(c), c->n);
     if (flag == CV_FIRST_RHSFUNC_ERR)
         return failure_start(name(c), c->t, c->rates.refusal);
     CVodeGetCurrentStep(c->cvode, &h);

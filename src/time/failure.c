@@ -26,8 +26,5 @@ int failure_not_finite(const char *name, double t, const char *entry)
 
 int failure_memory(const char *name, long n)
 {
-    return status_fail_with(STATUS_FAILED,
-                            (struct status_advice){
-                                .remedy = "use fewer particles (a larger spacing)" },
-                            "out of memory: %s needs many vectors of %ld numbers", name, n);
+    return status_starved("%s needs many vectors of %ld numbers", name, n);
 }

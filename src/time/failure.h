@@ -8,6 +8,10 @@
     "a smaller spacing, a higher sound speed"
 #define FAILURE_REMEDY_METHODS FAILURE_REMEDY ", or another method (imex3, cks43)"
 
+/* The settings that SUNDIALS gets are always the same: it takes them, if it has memory. */
+#define FAILURE_SETUP \
+    ((struct status_advice){ .cause = "That is most likely for want of memory" })
+
 /* Each keeps a failure and returns STATUS_FAILED.  No right-hand side where steps begin; */
 int failure_start(const char *name, double t, const char *refusal);
 

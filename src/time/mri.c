@@ -8,8 +8,10 @@
 #include "time/mri.h"
 
 #include "base/status.h"
+#include "time/failure.h"
 #include "state/scales.h"
 #include "time/alone.h"
+#include "time/failure.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,7 +88,7 @@ static double length(struct fixed *x)
 
 static int refuse(const char *what)
 {
-    return status_fail(STATUS_FAILED, "method mri: SUNDIALS %d.%d.%d refuses %s (%s)",
+    return status_fail_with(STATUS_FAILED, FAILURE_SETUP, "method mri: SUNDIALS %d.%d.%d refuses %s (%s)",
                        SUNDIALS_VERSION_MAJOR, SUNDIALS_VERSION_MINOR, SUNDIALS_VERSION_PATCH,
                        what, sundials_complaint());
 }

@@ -34,7 +34,7 @@ static int fill(struct track *k, const struct param_points *pairs)
     k->value = status_alloc((unsigned long)k->n, sizeof *k->value);
     k->curve = gsl_interp_alloc(type, (size_t)k->n);
     if (!k->t || !k->value || !k->curve)
-        return status_fail(STATUS_FAILED, "no memory for a motion of %d pairs", k->n);
+        return status_starved("a motion of %d pairs cannot be kept", k->n);
     for (int i = 0; i < k->n; i++) {
         k->t[i] = pairs->x[i][0];
         k->value[i] = pairs->x[i][1];

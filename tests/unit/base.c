@@ -15,7 +15,7 @@
 static int clean(void **state)
 {
     (void)state;
-    status_clear();
+    status_forgive();
     return 0;
 }
 
@@ -147,6 +147,31 @@ static void memory_that_cannot_be_had_is_a_failure_with_its_size(void **state)
     assert_true(status_has_remedy());
 }
 
+static void want_of_memory_is_forgiven_but_not_cleared(void **state)
+{
+    (void)state;
+    assert_int_equal(status_starved("%d rows cannot be kept", 7), STATUS_FAILED);
+    assert_true(status_is_starved());
+    status_clear();
+    assert_true(status_is_starved());
+    assert_non_null(strstr(status_message(), "out of memory: 7 rows cannot be kept; use fewer"));
+    status_forgive();
+    assert_false(status_is_starved());
+    assert_string_equal(status_message(), "");
+    status_fail(STATUS_IO, "a disk");
+    status_starved("too late");
+    assert_false(status_is_starved());
+    assert_string_equal(status_message(), "a disk");
+}
+
+static void a_reserve_is_had_or_told(void **state)
+{
+    (void)state;
+    assert_int_equal(status_reserve(1000, "a file"), STATUS_DONE);
+    assert_int_equal(status_reserve(ULONG_MAX / 2, "a file"), STATUS_FAILED);
+    assert_non_null(strstr(status_message(), "bytes for a file"));
+}
+
 /* What a call of status_warn() leaves on standard error. */
 static void warning(char *line, int room)
 {
@@ -190,6 +215,8 @@ int main(void)
         cmocka_unit_test_setup(try_hands_the_code_up_and_stops, clean),
         cmocka_unit_test_setup(memory_is_zeroed_and_never_null_for_nothing, clean),
         cmocka_unit_test_setup(memory_that_cannot_be_had_is_a_failure_with_its_size, clean),
+        cmocka_unit_test_setup(want_of_memory_is_forgiven_but_not_cleared, clean),
+        cmocka_unit_test_setup(a_reserve_is_had_or_told, clean),
         cmocka_unit_test_setup(a_warning_names_the_program_and_is_no_failure, clean),
     };
 

@@ -37,7 +37,7 @@ int output_write_sample(const char *where, int dim)
 {
     struct fields *f;
 
-    TRY(fields_open(&f, where, false));
+    TRY(fields_open(&f, where));
     for (int k = 0; k < MOMENTS; k++) {
         const struct cloud_frame frame = sample(dim, k);
         TRY(fields_write(f, &frame));
@@ -125,7 +125,7 @@ static int fields_fill_up(void)
     struct fields *f;
 
     signal(SIGXFSZ, SIG_IGN);
-    if (fields_open(&f, output_dir, false) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
+    if (fields_open(&f, output_dir) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
         return 99;
     most.rlim_cur = most.rlim_max = 5000;
     if (setrlimit(RLIMIT_FSIZE, &most) != 0)

@@ -1,0 +1,21 @@
+/* home.h -- whose a run's directory is: DIR/.stiffwater says so, with version and scene.
+ *
+ * A run writes into a directory that is new, empty, or that of an earlier run, whose files are
+ * taken away first, so that no series mixes two runs.  Files with other names stay.  Symbolic
+ * links are never followed. */
+#ifndef RUN_HOME_H
+#define RUN_HOME_H
+
+#include <stdbool.h>
+
+struct home {
+    const char *dir, *scene; /* its scene's path                                  */
+    bool force;              /* files that are no run's do not matter             */
+    bool again;              /* the run goes on: nothing is taken away            */
+};
+
+/* STATUS_IO, and nothing has changed: there are files and no run's mark, or links with names of
+ * a run's files.  force: such files stay, unless they have names of a run's files. */
+int home_take(const struct home *h);
+
+#endif

@@ -1,0 +1,47 @@
+/* watch.c -- what a run looks at after each step: extremes of the fluid, bodies that bend too far
+ * or meet, particles that run away. */
+#include "run/inside.h"
+
+#include "base/status.h"
+
+#include <math.h>
+
+static double speed(const double *u)
+{
+    double squares = 0;
+
+    for (int d = 0; d < DIM; d++)
+        squares += u[d] * u[d];
+    return sqrt(squares);
+}
+
+void run_keep_extremes(struct run *r, double t, const double *y)
+{
+    struct view v;
+    int n;
+
+    observe_fluid(r->moment, t, y, &v);
+    n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
+    for (int i = 0; i < n; i++) {
+        const double rho = v.rho[KIND_FLUID][i];
+        if (rho < r->past.tally.density[0])
+            r->past.tally.density[0] = rho;
+        if (rho > r->past.tally.density[1])
+            r->past.tally.density[1] = rho;
+        r->past.tally.speed = fmax(r->past.tally.speed, speed(v.u[KIND_FLUID] + DIM * i));
+    }
+}
+
+int run_watch(struct run *r, double t, const double *y)
+{
+    char doubt[300];
+
+    for (int i = 0; i < plan_bodies(r->plan); i++) {
+        TRY(observe_judge(r->moment, i, t, y, doubt, sizeof doubt));
+        if (doubt[0] && !(r->past.tally.doubted & 1L << i))
+            status_warn("%s", doubt);
+        r->past.tally.doubted |= (long)(doubt[0] != '\0') << i;
+    }
+    TRY(observe_meeting(r->moment, t, y));
+    return observe_runaway(r->moment, t, y);
+}
