@@ -159,9 +159,18 @@ void status_clear(void)
         status_forgive();
 }
 
+static void keep_warning(const char *line)
+{
+    for (int i = 0; i < STATUS_WARNINGS; i++)
+        if (!warned[i]) {
+            warned[i] = strdup(line);
+            return;
+        }
+}
+
 void status_warn(const char *format, ...)
 {
-    char line[4096];
+    char line[STATUS_LINE];
     va_list arguments;
 
     if (hushed)
@@ -170,11 +179,15 @@ void status_warn(const char *format, ...)
     print_cut(line, sizeof line, format, arguments);
     va_end(arguments);
     fprintf(stderr, "stiffwater: warning: %s\n", line);
-    for (int i = 0; i < STATUS_WARNINGS; i++)
-        if (!warned[i]) {
-            warned[i] = strdup(line);
+    keep_warning(line);
+}
+
+void status_recall(const char *warning)
+{
+    for (int i = 0; i < STATUS_WARNINGS && warned[i]; i++)
+        if (strcmp(warned[i], warning) == 0)
             return;
-        }
+    keep_warning(warning);
 }
 
 void status_hush(bool on)

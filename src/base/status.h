@@ -72,8 +72,11 @@ const char *status_plain(char *text);
 void status_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* The warnings so far, the first STATUS_WARNINGS of them: i = 0, 1, ...; NULL: no more. */
-enum { STATUS_WARNINGS = 20 };
+enum { STATUS_WARNINGS = 20, STATUS_LINE = 4096 };
 const char *status_warning(int i);
+
+/* One of an earlier part of a run: kept, unless it is there already, and not printed. */
+void status_recall(const char *warning);
 
 /* Warnings are neither printed nor kept while this is on: for a look at a scene that nobody asked
  * for. */

@@ -74,9 +74,29 @@ static int keep_balance(struct run_balance *b, const struct plan *plan, struct a
     return keep_sunk(&b->sunk, plan, a);
 }
 
+/* They are the program's, for run.json: those of before an interruption, too. */
+static int keep_warnings(struct archive *a)
+{
+    char name[ARCHIVE_NAME], text[STATUS_LINE];
+    long n = 0;
+
+    while (!archive_fills(a) && n < STATUS_WARNINGS && status_warning((int)n))
+        n++;
+    TRY(archive_integers(a, "warnings", &n, 1));
+    for (int i = 0; i < n; i++) {
+        snprintf(name, sizeof name, "warning-%d", i);
+        snprintf(text, sizeof text, "%s", archive_fills(a) ? "" : status_warning(i));
+        TRY(archive_text(a, name, text, sizeof text));
+        if (archive_fills(a) && !archive_tries(a))
+            status_recall(text);
+    }
+    return STATUS_DONE;
+}
+
 int run_past_keep(struct run_past *p, const struct plan *plan, struct archive *a)
 {
     TRY(keep_tally(&p->tally, a));
+    TRY(keep_warnings(a));
     TRY(keep_balance(&p->balance, plan, a));
     TRY(archive_numbers(a, "outputs.every", p->every, RUN_DUES));
     TRY(archive_integers(a, "outputs.due", p->due, RUN_DUES));
