@@ -21,7 +21,8 @@ static const char mark[] = ".stiffwater";
 
 /* What a run writes, but for series; doc/output.md. */
 static const char *const files[] = {
-    "run.json", "scene.used", "book.csv", "front.csv", "forces.csv", "beam.csv", "panels.csv",
+    "run.json", "scene.used", "book.csv", "front.csv", "forces.csv", "beam.csv", "bodies.csv",
+    "panels.csv", "report.html", "movie.webm", "movie.gif",
     "probes.csv", "profiles.csv", "pairing.csv", "steps.csv", "checkpoints.csv", "checkpoint.h5",
     "checkpoint-before.h5", "fields.xdmf", "snapshots.csv",
 };
