@@ -22,8 +22,8 @@ still() {
 check well
 still well
 prints well 'output: about' 'shares of a right-hand side, measured' 'effects.pressure'
-claim 'a share is one' "$(sed -n 's/^  effects.pressure *\([0-9]*\) %/\1/p' well.said) > 2 &&
-    $(sed -n 's/^  effects.pressure *\([0-9]*\) %/\1/p' well.said) < 90"
+share=$(sed -n 's/^  effects.pressure *\(below\)* *\([0-9]*\) %/\2/p' well.said)
+claim 'a share is one' "$share >= 2 && $share < 90"
 check floor wall.tank=off
 prints floor 'no wall lies below'
 check flying wall.tank=off 'gravity=[0,0]'

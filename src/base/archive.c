@@ -164,7 +164,7 @@ int archive_integer(struct archive *a, const char *name, int *value)
 
 int archive_flag(struct archive *a, const char *name, bool *value)
 {
-    long wide = *value;
+    long wide = archive_fills(a) ? 0 : *value; /* what is filled may hold anything */
 
     TRY(keep(a, name, ARCHIVE_INTEGERS, &wide, 1));
     *value = wide != 0;
