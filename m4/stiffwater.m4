@@ -217,6 +217,55 @@ AC_DEFUN([SW_SUNDIALS_TRY], [
     [$1], [$2])
 ])
 
+# SW_MPI
+# The programs for many machines are built where Open MPI and Zoltan are.  Another MPI is no use:
+# Debian's Zoltan is built with Open MPI, and two of them in one program run whole copies of it.
+AC_DEFUN([SW_MPI], [
+  AC_ARG_WITH([mpi],
+    [AS_HELP_STRING([--with-mpi], [programs for many machines, with Open MPI and Zoltan
+      @<:@where both are found@:>@])],
+    [], [with_mpi=maybe])
+  have_mpi=no
+  AS_IF([test "$with_mpi" != no], [
+    PKG_CHECK_MODULES([OMPI], [ompi-c], [sw_mpi_lacks=], [sw_mpi_lacks="Open MPI"])
+    AS_IF([test -z "$sw_mpi_lacks"], [SW_ZOLTAN])
+    AS_IF([test -z "$sw_mpi_lacks"], [have_mpi=yes],
+      [SW_MPI_LACKS])])
+  AM_CONDITIONAL([HAVE_MPI], [test $have_mpi = yes])
+  AC_PATH_PROGS([MPIRUN], [mpirun.openmpi mpirun], [no])
+])
+
+AC_DEFUN([SW_MPI_LACKS], [
+  sw_mpi_says="$sw_mpi_lacks is missing, which programs for many machines need.
+  On Debian: apt-get install libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev"
+  PKG_CHECK_EXISTS([mpich], [sw_mpi_says="$sw_mpi_says
+  (MPICH is there, but will not do: Zoltan is built with Open MPI.)"])
+  AS_IF([test "$with_mpi" = yes], [AC_MSG_ERROR([$sw_mpi_says])])
+])
+
+# Debian has its header in trilinos/ and the library under a name of its own.
+AC_DEFUN([SW_ZOLTAN], [
+  AC_MSG_CHECKING([for Zoltan with Open MPI])
+  sw_mpi_lacks="Zoltan (for Open MPI)"
+  for sw_zoltan in trilinos_zoltan zoltan; do
+    AS_IF([test -n "$sw_mpi_lacks"], [
+      ZOLTAN_CFLAGS="-isystem /usr/include/trilinos" ZOLTAN_LIBS=-l$sw_zoltan
+      SW_TRY_LINK([$OMPI_CFLAGS $ZOLTAN_CFLAGS], [$ZOLTAN_LIBS $OMPI_LIBS],
+        [#include <mpi.h>
+        #include <zoltan.h>
+        #ifndef OPEN_MPI
+        #error another MPI
+        #endif],
+        [float version;
+        MPI_Init(0, 0);
+        return Zoltan_Initialize(0, 0, &version);],
+        [sw_mpi_lacks=])])
+  done
+  AS_IF([test -z "$sw_mpi_lacks"], [AC_MSG_RESULT([$ZOLTAN_LIBS])], [AC_MSG_RESULT([no])])
+  AC_SUBST([ZOLTAN_CFLAGS])
+  AC_SUBST([ZOLTAN_LIBS])
+])
+
 # SW_SUMMARY
 # What was found, and what to type next.
 AC_DEFUN([SW_SUMMARY], [
@@ -225,6 +274,8 @@ AC_DEFUN([SW_SUMMARY], [
         [sw_lanes="2, 4 where the machine has AVX2, 8 where it has AVX-512"])
   AS_IF([test -z "$OPENMP_CFLAGS"], [sw_openmp="no (one core only)"], [sw_openmp="yes"])
   AS_IF([test $sundials_mpi = yes], [sw_mpi=" (with MPI)"], [sw_mpi=])
+  AS_IF([test $have_mpi = yes], [sw_ranks="Open MPI, Zoltan"],
+    [sw_ranks="no (Open MPI and Zoltan are needed)"])
   AS_IF([test $have_cmocka = no], [sw_tests="no cmocka: make check will not build"],
     [sw_tests="yes"])
   AS_IF([test "$GNUPLOT" = no], [sw_gnuplot="no (no figures until it is installed)"],
@@ -239,6 +290,7 @@ Stiffwater $PACKAGE_VERSION
   lanes       $sw_lanes
   OpenMP      $sw_openmp
   sanitizer   $enable_sanitizer
+  many ranks  $sw_ranks
   tests       $sw_tests
   gnuplot     $sw_gnuplot
   prefix      $prefix

@@ -85,7 +85,7 @@ do for [k = 1:sweeps] {
     numbers = 0
     others_at = ''
     stats table using (spots = add(spots, strcol(c)), others_at = add(others_at, elsewhere(k)), \
-        numbers = numbers + (column(c) == column(c)), 0) skip 2 nooutput name 'all'
+        numbers = numbers + valid(c), 0) skip 2 nooutput name 'all'
     if (words(spots) > 1 && numbers == all_records && strstrt(word(names, c), '/') == 0) {
         set xrange [*:*]    # stats leaves out what the last legend did
         set yrange [*:*]

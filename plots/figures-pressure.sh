@@ -1,14 +1,15 @@
 #!/bin/sh
 # figures-pressure.sh -- ways to a pressure on the same axes: dam break and still water with an equation
 # of state, standard SPH, look-ahead, PCISPH and MPS, at several spacings: DIR/pressure-ways.png; and
-# what a stiffer fluid costs with and without looking ahead: DIR/pressure-stiffness.png.
+# what a stiffer fluid costs with and without looking ahead: DIR/pressure-stiffness.png; and
+# products of its solves up to 100,352 particles: DIR/pressure-products.png.
 # doc/pressure.md tells what they show.
 #
 # Run by `make figures`, or by hand in a build tree:
 #
 #     top_srcdir=PATH sh .../figures-pressure.sh DIR
 #
-# Tables stay in DIR/pressure/, and so do runs; one that is done is not done again.  Six CPU minutes.
+# Tables stay in DIR/pressure/, and so do runs; one that is done is not done again.  Ten CPU minutes.
 #
 # dam.csv has a row a run: way, spacing [m], particles of water, sums over pairs, CPU seconds, and
 #   finest      rms distance of the front from that of the way's finest run, over the way it went
@@ -19,13 +20,17 @@
 # still.csv: way, spacing, particles, sums, CPU seconds, and of the pressure at the bed from 0.25 to
 # 1 s its mean and standard deviation over rho g h, h the gauge's depth; kinetic energy over m g H.
 # stiff.csv: pressure, c0 [m/s], particles, right-hand sides, products, CPU seconds of the dam break to 0.3 s.
+# products.csv: pressure, spacing [m], particles, steps, right-hand sides, products, CPU seconds of the
+# dam break and of still water to 0.03 s.
 set -e
 
 top=$(cd "${top_srcdir:-.}" && pwd)
 stiffwater=${STIFFWATER:-$(cd "${top_builddir:-.}" && pwd)/stiffwater}
 scenes=$top/data/scenes
 mkdir -p "$1/pressure"
-cp "$top/plots/style.gp" "$top/plots/pressure-ways.gp" "$top/plots/pressure-stiffness.gp" "$1/pressure"
+for plot in style pressure-ways pressure-stiffness pressure-products; do
+    cp "$top/plots/$plot.gp" "$1/pressure"
+done
 cd "$1/pressure"
 echo '# nothing: these figures belong to no single run' > constants.gp
 
@@ -181,3 +186,21 @@ stiff()
     done
 } > stiff.csv
 gnuplot -d pressure-stiffness.gp
+
+# --- products of a solve against particles ---------------------------------------------------------
+# size NAME SCENE SPACING
+size()
+{
+    run=size-$1-$3
+    go "$run" "$scenes/$2.scene" look-ahead "$3" 0.03
+    echo "$1 $3 $(number "$run" fluid) $(number "$run" steps) $(number "$run" rhs_explicit)" \
+        "$(number "$run" operator_products) $(number "$run" cpu_s)"
+}
+{
+    echo 'pressure spacing particles steps rhs products cpu'
+    for dx in 3.3333333333333333e-3 2e-3 1e-3 6.25e-4 4.46428571428571428e-4; do
+        size look-ahead dam-break $dx
+    done
+    for dx in 5e-3 2.5e-3 1.25e-3; do size still still-water $dx; done
+} > products.csv
+gnuplot -d pressure-products.gp

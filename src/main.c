@@ -1,6 +1,7 @@
 /* main.c -- `stiffwater`: reads which dimension a scene has and hands over to
  * the program of that dimension. */
 #include "base/status.h"
+#include "base/waiting.h"
 #include "cli/cli.h"
 
 #include <stdio.h>
@@ -27,8 +28,11 @@ int main(int argc, char **argv)
     struct cli c;
     int dimension = 2, status = STATUS_DONE;
 
-    setenv("OMP_WAIT_POLICY", "passive", 0); /* read when the next program loads */
     cli_parse(argc, argv, &c);
+    if (c.command == CLI_RUN || c.command == CLI_RESUME)
+        waiting_choose(c.threads);
+    else
+        waiting_sleep();
     if (c.command == CLI_RUN || c.command == CLI_CHECK || c.command == CLI_COMPARE
         || c.command == CLI_SPREAD || c.command == CLI_SWEEP) {
         status = cli_keep_pipe(c.subject);
@@ -38,7 +42,7 @@ int main(int argc, char **argv)
     if (c.command == CLI_RESUME)
         status = dimension_of_run(&c, &dimension);
     if (status == STATUS_DONE)
-        status = cli_exec(dimension, argv);
+        status = c.ranks > 1 ? cli_exec_ranks(&c, dimension, argv) : cli_exec(dimension, argv);
     fprintf(stderr, "stiffwater: %s\n", status_message());
     return status_is_starved() ? STATUS_FAILED : status;
 }

@@ -1,4 +1,5 @@
-/* main_dim.c -- `stiffwater-2d` and `stiffwater-3d`: carry out a command. */
+/* main_dim.c -- `stiffwater-2d` and `stiffwater-3d`, and `stiffwater-2d-mpi` and
+ * `stiffwater-3d-mpi`: carry out a command. */
 #include "base/status.h"
 #include "cli/cli.h"
 #include "output/figures.h"
@@ -6,6 +7,7 @@
 #include "output/report.h"
 #include "plan/catalogue-keys.h"
 #include "plan/catalogue.h"
+#include "ranks/ranks.h"
 #include "run/run.h"
 #include "study/compare.h"
 #include "study/spread.h"
@@ -134,7 +136,7 @@ static int compare(const struct cli *c)
         .tols = c->tols ? c->tols : "1e-2,1e-3,1e-4", .sweeps = c->sweeps, .sweep = c->sweep,
         .reference = c->reference, .early = c->early, .growth = c->growth, .repeat = c->repeat,
         .jobs = c->jobs, .threads = c->threads, .budget = c->budget, .quiet = c->quiet,
-        .scripts = scripts,
+        .force = c->force, .scripts = scripts,
     };
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
@@ -149,7 +151,8 @@ static int spread(const struct cli *c)
         .directory = c->directory, .runs = c->spread.runs, .seed = c->spread.seed,
         .size = c->spread.size, .share = c->spread.share,
         .window = { c->spread.window[0], c->spread.window[1] }, .jobs = c->jobs,
-        .threads = c->threads, .budget = c->budget, .quiet = c->quiet, .scripts = scripts,
+        .threads = c->threads, .budget = c->budget, .quiet = c->quiet, .force = c->force,
+        .scripts = scripts,
     };
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
@@ -162,7 +165,7 @@ static int sweep(const struct cli *c)
     const struct sweep_order order = {
         .scene = c->subject, .words = c->overrides, .word = c->override,
         .directory = c->directory, .jobs = c->jobs, .threads = c->threads, .budget = c->budget,
-        .quiet = c->quiet, .scripts = scripts,
+        .quiet = c->quiet, .force = c->force, .scripts = scripts,
     };
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
@@ -211,19 +214,41 @@ static int check_printed(void)
     return status_fail(STATUS_IO, "standard output cannot be written: %s", strerror(errno));
 }
 
+/* What can be carried out on so many ranks. */
+static int agree_ranks(const struct cli *c)
+{
+    if (ranks_count() == 1 || c->command == CLI_RUN)
+        return STATUS_DONE;
+    return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
+        .remedy = "start the program without mpirun" },
+        "%d ranks share `run' and no other command", ranks_count());
+}
+
+/* All ranks have the same status; the first of them says why. */
+static int finish(int status)
+{
+    status = ranks_agree(status);
+    if (status != STATUS_DONE && ranks_me() == 0)
+        fprintf(stderr, "stiffwater: %s\n", status_message());
+    ranks_end();
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     struct cli c;
     int status;
 
     gsl_set_error_handler_off(); /* its default handler aborts the program */
+    status = ranks_begin(&argc, &argv);
     cli_parse(argc, argv, &c);
-    status = carry_out(&c);
+    if (status == STATUS_DONE)
+        status = agree_ranks(&c);
+    if (status == STATUS_DONE)
+        status = carry_out(&c);
     if (status == STATUS_DONE)
         status = check_printed();
     if (status_is_starved())
         status = STATUS_FAILED; /* whatever went wrong for want of memory, or was left out */
-    if (status != STATUS_DONE)
-        fprintf(stderr, "stiffwater: %s\n", status_message());
-    return status;
+    return finish(status);
 }

@@ -11,12 +11,13 @@
 #include "cli/roff.h"
 #include "kernels/kernel.h"
 #include "plan/catalogue.h"
+#include "plan/settings-contact.h"
 #include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "fill/flow.h"
 #include "time/method.h"
-#include "walls/walls.h"
+#include "state/motion.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -45,7 +46,8 @@ static const struct group {
     { "fluid.NAME", "fluid.NAME.", "A region filled with fluid",
       { shape_params, settings_fluid_params, flow_params } },
     { "wall.NAME", "wall.NAME.", "A region filled with wall",
-      { shape_params, settings_wall_params, walls_motion_params } },
+      { shape_params, settings_wall_params, motion_params } },
+    { "contact.NAME", "contact.NAME.", "How two solids touch", { settings_contact_params } },
     { "probe.NAME", "probe.NAME.", "A place to measure at", { settings_probe_params } },
     { "panel.NAME", "panel.NAME.", "A part of a wall or beam whose force is told",
       { settings_panel_params } },
@@ -141,6 +143,11 @@ static void show_bodies(void)
         snprintf(prefix, sizeof prefix, "%s.NAME.", b->group);
         show_thing("", b->name, b->about, b->equation, b->source);
         show_keys(b->name, prefix, b->params);
+        for (const struct body_group *g = b->groups; g && g->name; g++) {
+            char key[2 * LINE];
+            snprintf(key, sizeof key, "%s%s.%s", prefix, g->name, g->most > 1 ? "NAME." : "");
+            show_keys(key, key, g->params);
+        }
     }
 }
 

@@ -37,7 +37,7 @@ for table in effects kernels eos walls bodies; do
 done
 for name in $(awk '$1 !~ /\.\.\.$/ { print $1 }' table.methods); do
     case $name in # these take no beam, and say which methods do
-    adams | gsl-* | mps)
+    adams | gsl-* | mps | mri-rigid)
         expect 2 check "$scenes/small-2d.scene" --method "$name"
         says beam imex3
         continue ;;

@@ -303,4 +303,41 @@ done
 kill -KILL "$child" 2>/dev/null
 grep -q '"status": "stopped"' orphan/runs/leapfrog@0.000001/run.json || complain "it did not end in order"
 
+# --- repeats run in turns, and what is missing of them is made up for -------------------------
+# shellcheck disable=SC2086
+expect 0 $dam -u 0.01 --methods cks43,dv --tols 1e-1 --repeat 3 -o turns
+turns=$(cd turns/runs && ls -d --sort=time --time-style=full-iso -r */scene.used | grep -v '^reference\|^check' |
+    sed 's/-1e-1//; s,/.*,,' | tr '\n' ' ')
+tried=$((tried + 1))
+[ "$turns" = 'cks43 dv cks43-2 dv-2 cks43-3 dv-3 ' ] || complain "repeats run as $turns"
+median()
+{
+    for run in turns/runs/dv-1e-1 turns/runs/dv-1e-1-2 turns/runs/dv-1e-1-3; do
+        sed -n 's/.*"cpu_s": \([^,]*\),*/\1/p' $run/run.json
+    done | sort -g | sed -n 2p
+}
+holds "(a / b - 1) ^ 2 < 1e-10" "$(field turns dv 1e-1 cpu_s)" "$(median)"
+rm turns/runs/dv-1e-1-2/order
+(cd turns && find runs -name run.json -exec ls --full-time {} + | sort >../before)
+# shellcheck disable=SC2086
+expect 0 $dam -u 0.01 --methods cks43,dv --tols 1e-1 --repeat 3 -o turns
+(cd turns && find runs -name run.json -exec ls --full-time {} + | sort >../after)
+tried=$((tried + 1))
+[ "$(comm -13 before after | sed 's/.* //')" = runs/dv-1e-1-2/run.json ] ||
+    complain "other runs than the one that is missing: $(comm -13 before after)"
+holds "(a / b - 1) ^ 2 < 1e-10" "$(field turns dv 1e-1 cpu_s)" "$(median)"
+
+# --- pressures of all kinds ------------------------------------------------------------------
+# shellcheck disable=SC2086 # scene and keys are words
+expect 0 $dam --until 0.05 walls=own-density --methods cks43,pcisph,mps --tols 1e-2 \
+    --sweep eos.type=tait,look-ahead -o pressures
+for eos in tait look-ahead; do
+    row pressures cks43 1e-2 status done "eos.type=$eos"
+    for method in pcisph mps; do row pressures $method nan status done "eos.type=$eos"; done
+done
+! grep -q 'could not draw' said || complain "$what: a figure that cannot be drawn"
+drawn pressures step-lengths work-precision work-precision-energy work-precision-force \
+    work-precision-front work-precision-impulse work-precision-position
+holds 'a < b' "$(field pressures cks43 1e-2 error_front eos.type=tait)" \
+    "$(field pressures mps nan error_front eos.type=tait)"
 finish

@@ -64,6 +64,17 @@ shipped_rows() {
     ship all light-plate until=0.02
     ship all closed-tank until=0.05
     ship all floating-box until=0.2
+    ship all block-stack until=0.3
+    ship all block-heap until=0.4
+    ship few rolling-disc until=0.3
+    ship all floating-disc until=0.1
+    ship all moored-box until=0.1
+    ship few pendulum-gate until=0.1
+    ship all sinking-block until=0.02
+    ship all seed-003-blocks until=0.02
+    ship all flood-one-cube spacing=0.05 until=0.01
+    ship all flood-three-cubes spacing=0.05 until=0.01
+    ship all flood-six-cubes spacing=0.05 until=0.01
     ship all dam-break-3d spacing=0.0555 until=0.1
     ship few beam-alone until=0.01
     ship all elastica until=0.6
@@ -115,6 +126,7 @@ method_rows() {
     done
     row few "$flat" imex3 until=0.04
     row few "$flat" mri until=0.01
+    row few tests/scenes/block-falls.scene mri-rigid body.block.softness=0.003 until=0.25
     row few "$flat" bdf until=0.01
     row few "$flat" imex3 $thick until=0.01
     row few "$flat" staggered@0.25 until=0.01
@@ -141,7 +153,7 @@ part_rows() {
         for norm in max p8 wrms; do row all "$scene" default norm=$norm until=0.03; done
         for tol in 1e-1 1e-3; do row all "$scene" default tol=$tol until=0.03; done
         for effect in artificial-stress.strength=0.2 laminar-viscosity.mu=1 \
-            stress-viscosity.mu=1 particle-shifting={} xsph={}; do
+            stress-viscosity.mu=1 particle-shifting={} xsph={} shepard-filter.steps=10; do
             row all "$scene" default "effects.$effect" until=0.02
         done
         row few "$scene" default precision=single until=0.03
@@ -153,9 +165,11 @@ part_rows() {
     done
     row few "$flat" dv walls=contact $soft until=0.03
     row few tests/scenes/floating-box.scene default until=0.2 body.it.angle=3.0
+    row few tests/scenes/driven-flap.scene default until=0.1
     row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
     row all data/scenes/gate.scene default eos.type=look-ahead spacing=0.01 until=0.15
     row all tests/scenes/lowered-box.scene default eos.type=look-ahead until=0.4
+    row all tests/scenes/small-2d.scene default eos.type=look-ahead beam.plate.response=predicted until=0.03
     row all "$flat" default beam.plate.theory=elastica until=0.03
     row all "$flat" default beam.plate.theory=elastica beam.plate.E=1e5 until=0.08
     row all "$flat" default $soft until=0.08

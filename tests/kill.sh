@@ -3,22 +3,26 @@
 # after its last checkpoint, leaves whole files, and ends with the bits of one that was left alone.
 #
 #     KILLS=50 SEED=7 sh tests/kill.sh      so many kills (default: 5), at moments of this seed
+#     KILLS=1000 UNTIL=6 SPAN=0.3 sh tests/kill.sh
+#                      in a run of 6 s (default: 0.2), each within 0.3 s of the clock from its start
+#                      (default: as long as all of them need to be most of the run)
 . "${top_srcdir:-.}/tests/lib.sh"
 KILLS=${KILLS:-5}
 SEED=${SEED:-$$}
 scene=$top_srcdir/tests/scenes/small-2d.scene
-keys='until=0.2 output.interval=1e-3 output.fields=0.01 output.snapshots=5 output.checkpoint=2e-3
-    beam.plate.E=1e6 beam.plate.theory=linear'
+keys="until=${UNTIL:-0.2} output.interval=1e-3 output.fields=0.01 output.snapshots=5 output.checkpoint=2e-3
+    beam.plate.E=1e6 beam.plate.theory=linear"
 echo "kill: $KILLS kills, SEED=$SEED"
 
 begun=$(date +%s.%N)
 "$STIFFWATER" run "$scene" -q $keys -o "$out/whole"
 ended=$(date +%s.%N)
 
-# moment NUMBER: so that all of them together are most of the whole run [s]
+# moment NUMBER: by default all of them together are most of the whole run [s]
 moment() {
     awk -v seed="$SEED" -v n="$1" -v all="$(awk "BEGIN { print $ended - $begun }")" 'BEGIN {
-        srand(seed); for (i = 0; i < n; i++) x = rand(); print x * all * 1.8 / '"$KILLS"' }'
+        srand(seed); for (i = 0; i < n; i++) x = rand()
+        print x * ('"${SPAN:-0}"' ? '"${SPAN:-0}"' : all * 1.8 / '"$KILLS"') }'
 }
 
 # kept DIRECTORY: time of the checkpoint from which a run would go on, "none" without one; asked

@@ -95,6 +95,19 @@ one()
     esac
 }
 
+# parallel NAME DIMENSION WORDS SOURCE...: a program of MPI, which a script starts
+parallel()
+{
+    name=$1 dimension=$2 words=$3
+    shift 3
+    canonical=$(echo "$name" | tr -c 'a-zA-Z0-9\n' _)
+    echo "mpi_tests += $name"
+    echo "${canonical}_SOURCES =" "$@" '$(mpi_sources)'
+    echo "${canonical}_CPPFLAGS = \$(dim${dimension}_cppflags) \$(mpi_cppflags)"
+    # shellcheck disable=SC2086 # words
+    echo "${canonical}_LDADD = $(brought "$dimension" $words)\$(dim${dimension}_test_libs) \$(mpi_libs)"
+}
+
 # program NAME DIMENSIONS [WORD...]
 program()
 {
@@ -111,7 +124,8 @@ program()
         plain=$name
         one "${plain}2" 2 "$flags" "$words" "$@"
         one "${plain}3" 3 "$flags" "$words" "$@" ;;
-    *) refuse "$name: dimensions are -, 2, 3 or 23, not $dimensions" ;;
+    mpi2 | mpi3) parallel "$name" "${dimensions#mpi}" "$words" "$@" ;;
+    *) refuse "$name: dimensions are -, 2, 3, 23, mpi2 or mpi3, not $dimensions" ;;
     esac
 }
 
@@ -130,6 +144,7 @@ script()
 write()
 {
     echo '# tests.am -- made by tests/register.sh of tests/tests.list: change that one.'
+    for file in tests/scenes/*.scene; do echo "EXTRA_DIST += $file"; done
     while read -r name what more; do
         case $name in
         '' | '#'*) ;;

@@ -64,6 +64,17 @@ ship toth-fsi 0.16 spacing=5e-3
 ship light-plate 0.02
 ship closed-tank 0.05
 ship floating-box 0.05
+ship block-stack 0.3
+ship block-heap 0.3
+ship rolling-disc 0.3
+ship floating-disc 0.03
+ship moored-box 0.05
+ship pendulum-gate 0.05
+ship sinking-block 0.01
+ship seed-003-blocks 0.02
+ship flood-one-cube 0.01 spacing=0.05
+ship flood-three-cubes 0.01 spacing=0.05
+ship flood-six-cubes 0.01 spacing=0.05
 ship toth-standard-sph 0.003 spacing=5e-3
 ship tank-sizes 0.01
 ship gate 0.02 spacing=0.01
@@ -110,12 +121,19 @@ again 'pressure ahead between contact walls in 3D' "$deep" 0.02 eos.type=look-ah
 again 'pressure ahead beside a wall that moves' "$scenes/gate.scene" 0.12 spacing=0.01 \
     eos.type=look-ahead
 again 'pressure ahead with a beam' "$flat" 0.02 eos.type=look-ahead walls=own-density
+again 'pressure ahead with a beam between contact walls' "$flat" 0.02 eos.type=look-ahead \
+    beam.plate.response=predicted
 again 'pressure ahead without tension' "$flat" 0.02 eos.type=look-ahead eos.tension=false \
     walls=own-density
+again 'filtered densities' "$flat" 0.02 effects.shepard-filter.steps=5
+again 'filtered densities in 3D' "$deep" 0.02 effects.shepard-filter.steps=5
 again 'pairs in single precision' "$flat" 0.02 precision=single
 again 'pairs in single precision, in 3D' "$deep" 0.02 precision=single
 again 'a box that sinks and stops' "$top_srcdir/tests/scenes/floating-box.scene" 0.2 body.it.density=1500.0 \
     body.it.angle=3.0 'body.it.stops=["bottom","left"]'
+again 'bodies with joints, driven, on springs' "$top_srcdir/tests/scenes/driven-flap.scene" 0.1
+again 'a block that steps by itself' "$top_srcdir/tests/scenes/block-falls.scene" 0.3 method=mri-rigid \
+    body.block.softness=0.003
 again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------

@@ -57,6 +57,33 @@ bad small-2d 'masses too small for single precision' \
     's/^until = /precision = "single"; particle_mass = 1e-16; until = /' \
     bad.scene 1e-32 'precision = "double"'
 
+# --- joints, motion and springs of rigid bodies
+bad driven-flap 'a hinge and a slider' 's/bead = {/& hinge = { at = [0.0, 0.0]; };/' \
+    body.bead 'a hinge and a slider' 'leave one out'
+bad driven-flap 'a direction of no length' 's/along = .1.0, 1.0./along = [0.0, 0.0]/' \
+    body.bead.slider 'along has length 0' 'along = [0, 1]'
+bad driven-flap 'a velocity across a slider' 's/bead = {/& velocity = [1.0, 0.0];/' \
+    body.bead 'velocity leaves the line' along
+bad driven-flap 'a turn on a slider' 's/bead = {/& spin = 1.0;/' body.bead 'leave spin out'
+bad driven-flap 'a velocity beside a hinge' 's/flap = {/& velocity = [1.0, 0.0];/' body.flap 'set spin'
+bad driven-flap 'an axis in the plane' 's/hinge = {/& axis = [1.0, 0.0];/' body.flap.hinge 'leave axis out'
+bad driven-flap 'held beside a motion' 's/plunger = {/& held = ["x"];/' body.plunger 'leave it out'
+bad driven-flap 'a velocity beside a motion' 's/plunger = {/& velocity = [1.0, 0.0];/' \
+    body.plunger motion.velocity
+bad driven-flap 'a speed that jumps' 's/ .0.05, 0.0.,//' body.plunger.motion 'jumps by' 'phase = -90'
+bad driven-flap 'a motion that does not begin at 0' 's/.0.0, 0.0., .0.05, 0.0./[0.0, 0.1], [0.05, 0.1]/' \
+    body.plunger.motion 'must be 0 at t = 0'
+bad driven-flap 'a motion of nothing' 's/motion = { direction.*/motion = { }; };/' \
+    body.plunger.motion 'nothing moves it'
+bad driven-flap 'an unknown key of a motion' 's/phase = -90/phse = -90/' body.flap.motion.phase
+bad driven-flap 'a spring of nothing' 's/stiffness = 100.0/stiffness = 0.0/' body.flap.spring.line \
+    'neither stiffness nor damping'
+bad driven-flap 'a spring without a direction' 's/to = .0.3, 0.0.;/to = [0.3, 0.2]; rest = 0.1;/' \
+    body.flap.spring.line 'one point' 'rest = 0'
+bad driven-flap 'a spring without a name' 's/spring = { line = \(.*\); }; };/spring = \1; };/' \
+    bad.scene 'named groups are expected here'
+bad driven-flap 'a spring that is a number' 's/spring = { line = .*/spring = 3; };/' body.flap.spring
+
 # unknown keys, level by level, with the nearest known one
 bad small-2d 'key at the top' 's/^until =/untl =/' bad.scene:6 untl until
 bad small-2d 'group at the top' 's/^effects =/efects =/' bad.scene:21 efects effects
@@ -256,7 +283,7 @@ bad_key 'the same by the command line' 'fluid.right.flow_rate=3' 'command line' 
 ahead='s/type = "tait"/type = "look-ahead"/'
 bad small-2d 'look-ahead with walls of adami' "$ahead; \$ a\\
 walls = \"adami\";" look-ahead 'walls = "contact"'
-bad small-2d 'look-ahead with a skin between walls of contact' "$ahead" look-ahead 'walls = "own-density"'
+bad small-2d 'look-ahead with a beam of its own way between walls of contact' "$ahead" look-ahead 'response = "predicted"'
 
 # the command line
 bad_key 'override without a key' '=3' '=3'
@@ -265,6 +292,7 @@ bad_key 'override out of range' 'until=-1' until -1 'command line'
 bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
 bad_key 'override of an unknown body' 'body.mass=3' body 'command line'
 bad_key 'override of an object that is not there' 'fluid.middle.dye=1' fluid.middle
+bad_key 'a value that is needed is off' 'beam.plate.E=off' beam.plate.E missing Pa
 
 # files
 "$STIFFWATER" run ../there-is-none.scene -o out >../said 2>&1

@@ -2,6 +2,8 @@
  * the same pass. */
 #include "algebra/vector-private.h"
 
+#include "ranks/ranks.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -111,6 +113,19 @@ static double finish(enum vector_norm norm, const double *partial, long count, l
     return norm == VECTOR_NORM_P8 ? pow(sum / (double)n, 0.125) : sqrt(sum / (double)n);
 }
 
+/* The largest of all ranks, and where: an infinite one is beyond all others. */
+static void hear_others(struct vector_store *s)
+{
+    struct {
+        double norm;
+        long largest;
+    } most = { s->norm, s->largest };
+
+    ranks_first(-fmin(s->norm, DBL_MAX), s->largest, &most, sizeof most);
+    s->norm = most.norm;
+    s->largest = most.largest;
+}
+
 /* Keeps what the norm of a vector is, from the shares of its blocks. */
 static void conclude(const struct vector_content *v, const struct vector_store *weight,
                      const double *partial)
@@ -127,6 +142,7 @@ static void conclude(const struct vector_content *v, const struct vector_store *
                                     vector_block_size(f->n, lead));
     if (f->order)
         s->largest = f->order[s->largest];
+    hear_others(s);
     s->by = weight->written;
 }
 
@@ -220,7 +236,7 @@ long vector_largest(N_Vector v)
 }
 
 /* No finite norm has an entry that is not. */
-long vector_bad(N_Vector v)
+static long bad_here(N_Vector v)
 {
     const double *x = vector_read(v);
     const struct vector_store *s = vector_content(v)->store;
@@ -233,4 +249,11 @@ long vector_bad(N_Vector v)
     while (fabs(x[f->order[i]]) <= DBL_MAX)
         i++;
     return f->order[i];
+}
+
+long vector_bad(N_Vector v)
+{
+    long bad = bad_here(v);
+
+    return ranks_first(bad < 0 ? HUGE_VAL : 0, bad, &bad, sizeof bad) < 0 ? -1 : bad;
 }

@@ -71,6 +71,13 @@ const struct param beam_def_params[] = {
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
       .about = "true: viscosity does not act on the skin" },
+    { .key = "contact", .unit = "", AT(contact), .type = PARAM_FLAG,
+      .about = "true: its skin touches rigid bodies, and walls that are boxes, discs, spheres or frames, "
+               "and they it; false: when it meets one the run ends" },
+    { .key = "restitution", .unit = "", AT(restitution), .fallback = 0.6, .min = 0.1, .max = 1,
+      .about = "with contact: speed after an impact by that before it; with a body the root of the product" },
+    { .key = "friction", .unit = "", AT(friction), .fallback = 0.35, .max = 10,
+      .about = "with contact: coefficient of friction; with a body the root of the product" },
     { .key = "response", .unit = "", AT(response), .type = PARAM_WORD, .words = responses,
       .about = "own: by its mass alone; predicted, with eos.type = \"look-ahead\" only: as the pressure "
                "takes it to yield within tau, (E4), which the lightest beam in water stands, and which "

@@ -23,6 +23,8 @@ struct beam_def {
     double drag;               /* of every node, (45) [N s/m and N m s, 2D: per metre of width] */
     int layers;                /* of the skin; 0: as many as the kernel needs */
     bool slip;
+    bool contact;              /* its skin touches solids                     */
+    double restitution, friction; /* where it does                            */
     const char *response;      /* "own", "predicted"                          */
     double tip_force;          /* across [N, 2D: N/m]                         */
     double load;               /* across, per length [N/m, 2D: N/m^2]         */

@@ -12,6 +12,26 @@
 
 static const double doubtful = 0.1, wrong = 0.2; /* of the length */
 
+/* Largest deflection under an even load q is q L^4/(k EI); k by the two ends, 0: none holds it. */
+static const double evenly[3][3] = {
+    [BENDING_CLAMPED] = { 384, 185, 8 },
+    [BENDING_PINNED] = { 185, 384.0 / 5, 0 },
+    [BENDING_FREE] = { 8, 0, 0 },
+};
+
+/* Water at the reference speed presses by rho U^2/2 on one side; the plate of toth-beam.scene bends
+ * by half of what that gives. */
+double beam_judge_foresee(const struct body *b, const struct scales *s)
+{
+    const struct bending_def *d = &b->bending->def;
+    const double load = 0.5 * s->rho0 * s->speed * s->speed, k = evenly[d->root][d->tip];
+    const double length = b->bending->l * d->elements;
+
+    if (b->trusted || !(k > 0))
+        return 0;
+    return 0.5 * load * pow(length, 3) / (k * d->EI) / wrong;
+}
+
 /* Largest deflection of a node [m]. */
 static double deflection(const struct body *b, const struct layout *l, const double *y)
 {
@@ -48,4 +68,9 @@ bool beam_judge_held(const struct body *b, int i)
     const struct bending_def *d = &b->bending->def;
 
     return skin_held(&b->skin->def, d->root != BENDING_FREE, d->tip != BENDING_FREE, i);
+}
+
+const struct body_surface *beam_judge_surface(const struct body *b)
+{
+    return &b->surface;
 }

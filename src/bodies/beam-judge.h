@@ -9,5 +9,7 @@
 int beam_judge(const struct body *b, const struct layout *l, double t, const double *y,
                char *doubt, size_t room);
 bool beam_judge_held(const struct body *b, int i);
+const struct body_surface *beam_judge_surface(const struct body *b);
+double beam_judge_foresee(const struct body *b, const struct scales *s);
 
 #endif

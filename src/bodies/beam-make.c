@@ -81,11 +81,13 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     const struct bending_def bending = beam_def_bending(d);
     const struct skin_def skin = beam_def_skin(d, s, b->path);
 
+    TRY(skin_check(skin_size(&skin), b->path));
     beam_def_axes(d, b->along, b->normal);
     b->thickness = d->thickness;
     b->trusted = strcmp(d->theory, "linear") == 0;
     b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
+    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction };
     TRY(bending_create(&bending, &b->bending));
     TRY(vectors_take((double **[]){ &b->weight, &b->pushed }, 2, b->bending->dofs, &b->memory));
     prepare_loads(b, d, s);

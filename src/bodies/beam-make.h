@@ -18,6 +18,7 @@ struct body {
     double load_until;         /* [s], HUGE_VAL: never ends                     */
     bool trusted;              /* the scene itself says theory = "linear"       */
     enum kind skin_kind;
+    struct body_surface surface;
     struct bending *bending;
     struct beam_skin *skin;
     int row[BEAM_ROWS];        /* of the layout                                 */

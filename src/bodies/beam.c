@@ -253,7 +253,9 @@ static const struct body_coupled coupled = {
 };
 
 static const struct body_watch watch = {
+    .foresee = beam_judge_foresee,
     .event = beam_event, .judge = beam_judge, .held = beam_judge_held,
+    .surface = beam_judge_surface,
 };
 
 const struct body_kind bodies_beam = {
@@ -273,7 +275,7 @@ const struct body_kind bodies_beam = {
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
     .load = beam_load, .energy = beam_energy, .momentum = beam_momentum,
     .weight = beam_weight, .show = beam_show, .implicit = &implicit,
-    .joint = { .coupled = &coupled, .ahead = &ahead }, .watch = &watch,
+    .role = { .coupled = &coupled, .ahead = &ahead }, .watch = &watch,
 };
 
 static const struct body_ahead moved_ahead = {
@@ -293,5 +295,5 @@ const struct body_kind bodies_beam_predicted = {
     .skin = beam_skin, .rows = beam_rows, .start = beam_start, .move = beam_move,
     .load = beam_ahead_load, .energy = beam_energy,
     .momentum = beam_momentum, .weight = beam_weight, .show = beam_show_predicted,
-    .joint = { .coupled = &coupled, .ahead = &moved_ahead }, .watch = &watch,
+    .role = { .coupled = &coupled, .ahead = &moved_ahead }, .watch = &watch,
 };

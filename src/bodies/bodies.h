@@ -17,8 +17,11 @@
 #ifndef BODIES_BODIES_H
 #define BODIES_BODIES_H
 
+#include "bodies/group.h"
 #include "state/part.h"
 
+struct solid;
+struct solid_place;
 struct body;      /* one body of a kind                                        */
 struct body_work; /* what members of that kind work in: scratch and caches     */
 
@@ -47,6 +50,7 @@ struct body_pose {
     double force[DIM];      /* of the fluid [N, 2D: N/m]                         */
     double moment[3];       /* of that about the centre, 2D: the last [N m, 2D: N] */
     double contact[DIM];    /* force of what it touches [N, 2D: N/m]             */
+    double support[DIM];    /* of what holds or drives it, and of its springs    */
 };
 
 struct body_kind;
@@ -56,6 +60,7 @@ struct body_identity { /* for scenes and for readers */
     const char *group;          /* scene group: "beam", "body"                 */
     size_t size;                /* of its parameter struct                     */
     const struct param *params;
+    const struct body_group *groups; /* of keys inside of it; NULL: none           */
 
     /* Another kind with the same parameters that these ask for; NULL: never another. */
     const struct body_kind *(*choose)(const void *params);
@@ -124,7 +129,13 @@ struct body_coupled {
                    double support[DIM]);
 };
 
-/* What a run asks between its steps. */
+/* What a skin is where it touches solids. */
+struct body_surface {
+    bool touches;
+    double restitution, friction; /* as keys of a rigid body                      */
+};
+
+/* What a run asks between its steps, and contacts at the start. */
 struct body_watch {
     /* Next time after t at which f jumps (a load ends), HUGE_VAL: never [s].  NULL: never. */
     double (*event)(const struct body *b, double t);
@@ -134,9 +145,16 @@ struct body_watch {
     int (*judge)(const struct body *b, const struct layout *l, double t, const double *y,
                  char *doubt, size_t room);
 
+    /* How far it would bend if water at the reference speed hit it, in parts of what its theory
+     * allows; 0: not at all, or it may.  NULL: it is good for all y. */
+    double (*foresee)(const struct body *b, const struct scales *s);
+
     /* Is point i of its skin beside a support, where it may turn into what holds the body?
      * NULL: none is. */
     bool (*held)(const struct body *b, int i);
+
+    /* Of a body that is no solid: how does its skin touch solids?  NULL: never. */
+    const struct body_surface *(*surface)(const struct body *b);
 
     /* Is x inside of it as it stands at the start?  NULL: it is no wider than its points. */
     bool (*holds)(const struct body *b, const double *x);
@@ -144,6 +162,9 @@ struct body_watch {
     /* For output; force as in show().  NULL: it is no rigid body. */
     void (*pose)(const struct body *b, struct body_work *w, const struct layout *l,
                  const double *y, const double (*force)[DIM], struct body_pose *out);
+
+    /* Of a rigid body: do joints, a motion or springs give it forces?  NULL: none is rigid. */
+    bool (*tied)(const struct body *b);
 };
 
 /* What it is to a pressure that looks ahead by tau, (E3), which predicts a body as it does
@@ -167,9 +188,25 @@ struct body_ahead {
                   double (*a)[DIM]);
 };
 
-struct body_joint { /* its parts in solves for fluid and bodies together */
-    const struct body_coupled *coupled; /* NULL: in none with an implicit viscosity */
-    const struct body_ahead *ahead;     /* NULL: no pressure may look ahead         */
+/* Forces of contacts on a solid: load() adds them to those of the fluid. */
+struct body_push {
+    double force[DIM];   /* [N, 2D: N/m]                                         */
+    double moment[3];    /* about the centre, in its own frame; 2D: the first [N m, 2D: N] */
+    double by_walls[DIM]; /* the part of the force that walls give               */
+};
+
+/* What contacts ask of a body that keeps its shape. */
+struct body_solid {
+    void (*facts)(const struct body *b, struct solid *out);
+    void (*stand)(const struct body *b, const struct layout *l, const double *y,
+                  struct solid_place *out);
+    void (*push)(struct body_work *w, const struct body_push *push); /* until the next one */
+};
+
+struct body_role { /* what others may take it for */
+    const struct body_coupled *coupled; /* NULL: in no solve with implicit viscosity */
+    const struct body_ahead *ahead;     /* NULL: no pressure may look ahead          */
+    const struct body_solid *solid;     /* NULL: contacts do not know its shape      */
 };
 
 struct body_kind {
@@ -210,7 +247,7 @@ struct body_kind {
                  const double *y, const double (*force)[DIM], struct body_view *out);
 
     const struct body_implicit *implicit; /* NULL: it makes no plan stiff          */
-    struct body_joint joint;
+    struct body_role role;
     const struct body_watch *watch;       /* NULL: f never jumps, all is allowed   */
 };
 

@@ -1,29 +1,69 @@
-/* contacts.h -- what bodies do to each other: a pass over all of them, between move(), which
- * places their skins, and load(), which takes the forces on these.
+/* contacts.h -- what solids do to each other where they touch: a pass over all bodies and
+ * walls, between move(), which places bodies, and load(), which takes what pushes them.
  *
- * Forces act on the points of skins, and these are there in a tank only: bodies in a scene
- * without fluid do not meet.  What contacts remember is state, in rows of y of their own. */
+ * What contacts remember is state, in rows of y of their own. */
 #ifndef BODIES_CONTACTS_H
 #define BODIES_CONTACTS_H
 
 #include "bodies/bodies.h"
+#include "bodies/solid.h"
 
 enum { CONTACTS_COLUMNS = 4 }; /* of the book, at most                             */
 
+struct shape;
 struct contacts; /* what they know of the scene; const once their rows are known   */
 
-struct contacts_body { /* where a body stands, and what pushes it                       */
+struct contacts_body { /* a body, where its skin stands, and what pushes it              */
+    const struct body_kind *kind;
+    const struct body *body;
+    const char *path;         /* "body.NAME" or "beam.NAME"; for create()          */
     int points;               /* of its skin; without one 0                        */
     const double (*x)[DIM];   /* [points] [m]                                      */
     const double (*u)[DIM];   /* [points] [m/s]                                    */
     double (*force)[DIM];     /* [points] by the fluid so far [N], to be added to  */
+    struct solid_place at;    /* of a solid: set by meet() and limit()              */
+    struct body_push push;    /* of a solid: set by meet(); else by_walls only, the part of
+                                 force that walls give                             */
+};
+
+struct contacts_wall {
+    const char *path;          /* "wall.NAME"                                      */
+    const struct shape *shape; /* at t = 0                                         */
+    struct solid_place by;     /* it is carried along with, as solid_carry() says; for meet() */
+};
+
+struct contacts_rule {             /* of a pair of solids, or of all of two kinds    */
+    const char *name, *where;      /* contact.NAME; its file and line              */
+    const char *of, *with;         /* paths, or "body", "beam", "wall", "side"     */
+    double friction, restitution;  /* NaN: as both have it                         */
+};
+
+struct contacts_scene {
+    const struct scales *scales;
+    int bodies, walls;
+    const struct contacts_body *body; /* of these kind, body and points            */
+    const struct contacts_wall *wall; /* of these all but `by`                */
+    int rules;
+    const struct contacts_rule *rule; /* [rules]                              */
+};
+
+struct contacts_moment {
+    const struct layout *layout;
+    double t;
+    const double *y;
+    struct contacts_body *body;       /* [bodies]                                  */
+    struct contacts_wall *wall;       /* [walls]                                   */
+    double *ydot;                     /* of meet() only                            */
+    double *power; /* [columns] what they give to bodies [W]; likewise             */
 };
 
 struct body_contacts {
     const char *about;
-    const char *const *column; /* names of works of the book, NULL-ended           */
+    const char *const *column; /* names of works of the book                       */
+    int (*columns)(const struct contacts *c); /* how many of them this scene has */
 
-    int (*create)(const struct scales *s, int bodies, struct contacts **out);
+    /* *out is NULL where nothing can touch.  BAD_SCENE: solids overlap at the start. */
+    int (*create)(const struct contacts_scene *scene, struct contacts **out);
     void (*free)(struct contacts **contacts); /* a pointer to NULL is welcome       */
 
     /* Adds their rows, of class LAYOUT_OTHER, after those of bodies; y at t = 0.  NULL: they
@@ -31,14 +71,19 @@ struct body_contacts {
     int (*rows)(struct contacts *c, struct layout *l);
     void (*start)(const struct contacts *c, const struct layout *l, double *y);
 
-    /* Adds forces to bodies, equal and opposite ones, sets the rates of its rows of ydot, and
-     * says what it gives to bodies, power [columns] [W].  That is booked with velocities of y
-     * by all methods: by those that step halves (struct ask, `ahead`) to the first order. */
-    void (*meet)(const struct contacts *c, const struct layout *l, double t, const double *y,
-                 int bodies, const struct contacts_body *body, double *ydot, double *power);
+    /* Are body i and solid j, a body, or a wall from `bodies` on, kept apart? */
+    bool (*parts)(const struct contacts *c, int i, int j);
 
-    /* The fastest rate of meet(); `where` is a body.  NULL: they never limit a step. */
-    void (*limit)(const struct contacts *c, struct limit *out);
+    /* Adds forces to skins and sets the pushes of bodies, equal and opposite ones; sets the
+     * rates of its rows, and power.  That is booked with velocities of y by all methods: by
+     * those that step halves (struct ask, `ahead`) to the first order.  STATUS_FAILED, with
+     * the reason in text [room]: no contact can part two as they stand. */
+    int (*meet)(const struct contacts *c, const struct contacts_moment *m, char *text,
+                size_t room);
+
+    /* The fastest rate of meet() at (t, y), also of two that are about to touch; it names
+     * them as `part`.  NULL: they never limit a step. */
+    void (*limit)(const struct contacts *c, const struct contacts_moment *m, struct limit *out);
 };
 
 /* Of the scenes of this program; NULL: bodies do not meet. */

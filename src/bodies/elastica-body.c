@@ -253,7 +253,7 @@ const struct body_kind bodies_elastica = {
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
     .move = elastica_move, .load = elastica_load,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
-    .show = elastica_show, .implicit = &implicit, .joint.ahead = &ahead,
+    .show = elastica_show, .implicit = &implicit, .role.ahead = &ahead,
     .watch = &elastica_make_watch,
 };
 
@@ -274,6 +274,6 @@ const struct body_kind bodies_elastica_predicted = {
     .skin = elastica_skin, .rows = elastica_rows, .start = elastica_start,
     .move = elastica_move, .load = elastica_ahead_load,
     .energy = elastica_energies, .momentum = elastica_momentum, .weight = elastica_weight,
-    .show = elastica_show_predicted, .joint.ahead = &moved_ahead,
+    .show = elastica_show_predicted, .role.ahead = &moved_ahead,
     .watch = &elastica_make_watch,
 };

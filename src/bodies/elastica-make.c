@@ -140,9 +140,11 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
                                 .thickness = d->thickness, .path = b->path };
     const struct skin_def skin = beam_def_skin(d, s, b->path);
 
+    TRY(skin_check(skin_size(&skin), b->path));
     def.speed = s->fluid ? 10 * s->speed : bending_first(&def.bending) * d->thickness;
     beam_def_axes(d, b->along, b->normal);
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
+    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction };
     TRY(elastica_create(&def, &b->beam));
     TRY(take_vectors(b));
     prepare_weight(b, d, s);
@@ -182,4 +184,11 @@ static double next_jump(const struct body *b, double t)
     return b->load_until > t ? b->load_until : HUGE_VAL;
 }
 
-const struct body_watch elastica_make_watch = { .event = next_jump, .held = is_held };
+static const struct body_surface *surface(const struct body *b)
+{
+    return &b->surface;
+}
+
+const struct body_watch elastica_make_watch = {
+    .event = next_jump, .held = is_held, .surface = surface,
+};

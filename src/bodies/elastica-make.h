@@ -16,6 +16,7 @@ struct body { /* of this kind */
     double turning_force;      /* at the tip, likewise         [N, 2D: N/m]     */
     double load_until;         /* [s], HUGE_VAL: never ends                     */
     enum kind skin_kind;
+    struct body_surface surface;
     struct elastica *beam;
     struct follower_skin *skin;
     int row[2 * ELASTICA_NODE]; /* of the layout: positions, then rates         */

@@ -45,18 +45,24 @@ const struct param rigid_def_params[] = {
     { .key = "held", .unit = "", AT(held), .type = PARAM_WORDS, .words = directions,
       .about = "what no force changes: the velocity along x, y, z, and with turn the spin" },
     { .key = "stops", .unit = "", AT(stops), .type = PARAM_WORDS, .words = shape_sides,
-      .about = "sides of the domain that it lies on, slides along and bounces off; it goes "
-               "through the others" },
+      .about = "sides of the domain that it lies on, slides along and bounces off, beside those "
+               "of a frame; it goes through the others" },
     { .key = "restitution", .unit = "", AT(restitution), .fallback = 0.6, .min = 0.1, .max = 1,
-      .about = "speed after a central impact on a side by that before it" },
+      .about = "speed after a central impact by that before it; of two bodies the root of the product" },
     { .key = "friction", .unit = "", AT(friction), .fallback = 0.35, .max = 10,
-      .about = "coefficient of friction with a side; 0 is none" },
+      .about = "coefficient of friction; of two bodies the root of the product; 0 is none" },
     { .key = "margin", .unit = "m", AT(margin), .max = 1e6,
       .about = "radius that corners of a box are rounded by where they touch, and half the length that "
                "softness counts in; 0: half a spacing, without fluid a twentieth of the shortest side" },
     { .key = "softness", .unit = "", AT(softness), .max = 0.25,
       .about = "how deep it gets into a side at the reference speed U, in two margins; 0: "
                "2.7 U/(c0 + U), at which contacts ask for no shorter steps than sound; 0.25 at most" },
+    { .key = "film", .unit = "", AT(film), .max = 10,
+      .about = "gap that contacts keep open around it, in spacings, of two bodies the larger: particles get under "
+               "a body that lies on the floor from about 1 on; 0: none" },
+    { .key = "uplift", .unit = "", AT(uplift), .type = PARAM_FLAG,
+      .about = "true: in gaps at faces of a box that are too narrow for particles water has the pressure "
+               "that it has at their edges: under a box that lies on the floor, and between boxes" },
     { .key = "layers", .unit = "", AT(layers), .max = 100, .type = PARAM_INTEGER,
       .about = "layers of the skin; 0: as many as the kernel's support covers" },
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
@@ -92,6 +98,9 @@ static int check_size(const struct rigid_def *d, const char *path)
     if (rigid_def_round(d) && !(d->radius > 0))
         return status_fail(STATUS_BAD_SCENE, "%s: radius = %g m makes no %s; set a radius above 0",
                            path, d->radius, d->shape);
+    if (rigid_def_round(d) && d->uplift)
+        return status_fail(STATUS_BAD_SCENE, "%s: uplift is for the flat faces of a box, and a %s has "
+                           "none; leave it out", path, d->shape);
     if (!rigid_def_round(d) && d->radius > 0)
         return status_fail(STATUS_BAD_SCENE, "%s: a box has no radius; leave it out, and set size, "
                            "or set shape = \"%s\"", path, shapes[1]);

@@ -3,6 +3,7 @@
 #define BODIES_RIGID_DEF_H
 
 #include "base/param.h"
+#include "bodies/rigid-ties.h"
 #include "bodies/turning.h"
 
 #include <stdbool.h>
@@ -21,8 +22,11 @@ struct rigid_def {
     double restitution, friction; /* there                         [1]        */
     double margin;        /* that edges are rounded by, 0: own      [m]       */
     double softness;      /* depth at speed U in margins, halved; 0: own      */
+    double film;          /* that contacts keep open                [spacings] */
     int layers;           /* of the skin; 0: as many as the kernel needs      */
     bool slip;
+    bool uplift;          /* water in narrow gaps has its pressure at faces of a box */
+    struct rigid_ties ties; /* groups motion, hinge, slider, spring         */
 };
 
 extern const struct param rigid_def_params[];

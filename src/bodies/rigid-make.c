@@ -3,7 +3,8 @@
 
 #include "base/status.h"
 #include "bodies/rigid-skin.h"
-#include "bodies/rigid-stops.h"
+#include "bodies/rigid-solid.h"
+#include "bodies/skin.h"
 #include "state/scales.h"
 
 #include <math.h>
@@ -12,8 +13,10 @@
 
 void rigid_make_free(struct body **body)
 {
-    if (*body)
+    if (*body) {
         free((*body)->arm);
+        rigid_ties_free(&(*body)->def);
+    }
     free(*body);
     *body = NULL;
 }
@@ -44,8 +47,39 @@ static void measure(struct body *b, const struct scales *s)
         spin2 += b->def.spin[i] * b->def.spin[i];
     b->length = s->fluid ? s->hs : reach;
     b->speed = s->fluid ? s->speed : sqrt(v2) + sqrt(spin2) * reach + sqrt(sqrt(g2) * reach);
+    if (!s->fluid)
+        b->speed += rigid_spring_stretch(b->rope, b->def.ties.springs) * b->rate;
     if (!(b->speed > 0))
         b->speed = reach; /* nothing moves it: 1 1/s */
+}
+
+/* Of the lattice in the box around it; those near its border become points. */
+static double sites(const struct rigid_def *d, double dx)
+{
+    double n = dx > 0;
+
+    for (int k = 0; dx > 0 && k < DIM; k++)
+        n *= fmax(1, (rigid_def_round(d) ? 2 * d->radius : d->size[k]) / dx);
+    return n;
+}
+
+/* Springs hold it besides the water. */
+static void tie(struct body *b)
+{
+    const int n = b->def.ties.springs;
+    double swing, turns = 0;
+
+    rigid_joint_make(&b->def, b->mass, b->inertia, &b->joint);
+    for (int i = 0; i < n; i++)
+        rigid_spring_make(&b->def, &b->def.ties.spring[i], &b->rope[i]);
+    rigid_spring_rates(b->rope, n, b->mass, b->inertia, &swing, &b->decay);
+    for (int i = 0; i < TURNING_SPINS; i++)
+        turns = i ? fmin(turns, b->inertia[i]) : b->inertia[i];
+    swing = hypot(swing, sqrt(b->joint.stiffness / turns));
+    b->decay += b->joint.damping / turns;
+    b->rate = swing > 0 ? hypot(b->rate, swing) : b->rate;
+    if (b->joint.kind == RIGID_FIXED)
+        b->rate = b->decay = 0; /* nothing moves it but time */
 }
 
 static int build(struct body *b, const struct scales *s)
@@ -53,16 +87,18 @@ static int build(struct body *b, const struct scales *s)
     const int layers = b->def.layers > 0 ? b->def.layers
                                          : s->dx > 0 ? (int)ceil(s->support / s->dx) : 0;
 
+    TRY(skin_check(sites(&b->def, s->dx), b->path));
     b->mass = rigid_def_mass(&b->def);
     rigid_def_inertia(&b->def, b->inertia);
     b->rate = fastest(&b->def, s);
+    tie(b);
     measure(b, s);
     b->points = rigid_skin(&b->def, s->dx, layers, NULL);
     b->arm = status_alloc((unsigned long)b->points + 1, sizeof *b->arm);
     if (!b->arm)
         return STATUS_FAILED;
     rigid_skin(&b->def, s->dx, layers, b->arm);
-    return rigid_stops_create(b, s);
+    return rigid_solid_make(b, s);
 }
 
 int rigid_make(const void *params, const struct scales *s, const char *name, const char *path,
@@ -79,7 +115,9 @@ int rigid_make(const void *params, const struct scales *s, const char *name, con
         return STATUS_FAILED;
     b->def = *(const struct rigid_def *)params;
     snprintf(b->path, sizeof b->path, "%s", path);
-    code = build(b, s);
+    code = rigid_ties_prepare(&b->def, path);
+    if (code == STATUS_DONE)
+        code = build(b, s);
     if (code != STATUS_DONE)
         rigid_make_free(&b);
     *out = b;

@@ -4,15 +4,8 @@
 
 #include "bodies/bodies.h"
 #include "bodies/rigid-def.h"
-#include "bodies/touch.h"
-
-struct rigid_sides { /* of the domain that stop it                       */
-    int sides, places;                /* each corner meets each side           */
-    int axis[2 * DIM];                /* [sides]                               */
-    double sign[2 * DIM], at[2 * DIM]; /* of the normal; coordinate [m]         */
-    double ball, depth;               /* radius of a corner; d_U [m]           */
-    struct touch_law law;
-};
+#include "bodies/rigid-joint.h"
+#include "bodies/rigid-spring.h"
 
 struct body {
     struct rigid_def def;
@@ -23,13 +16,21 @@ struct body {
     double rate;                         /* the fastest: (RB4), touch_rate(); 0: none [1/s] */
     int points;
     double (*arm)[DIM];                  /* [points], in the frame of the body [m]  */
-    int row[6];                          /* x, turn, v, spin; where it is stopped xi, work */
-    struct rigid_sides stops;
+    int row[4];                          /* x, turn, v, spin                       */
+    double margin, ball, depth, film;    /* of contacts: rounds edges; of a corner; d_U; gap to
+                                            walls [m]                              */
+    struct rigid_joint joint;
+    int joint_row[3];                    /* with a joint: q, q', time             */
+    struct rigid_rope rope[RIGID_SPRINGS]; /* [def.ties.springs]                  */
+    double decay;                        /* the fastest of dampers [1/s]           */
 };
 
 struct body_work {
     double R[DIM][DIM];
-    const double *x, *turn, *v, *spin; /* in y */
+    const double *x, *turn, *v, *spin; /* in y, with a joint in place */
+    struct rigid_place place;
+    struct rigid_link link;
+    struct body_push push;             /* of contacts */
 };
 
 /* As in struct body_making. */

@@ -70,3 +70,20 @@ int rigid_skin(const struct rigid_def *d, double spacing, int layers, double (*a
         return 0;
     return rigid_def_round(d) ? rings(d, spacing, layers, arm) : box(d, spacing, layers, arm);
 }
+
+bool rigid_skin_holds(const struct rigid_def *def, const double *x)
+{
+    double q[TURNING_NUMBERS], R[DIM][DIM], square = 0;
+    bool in = true;
+
+    rigid_def_turned(def, q);
+    turning_matrix(q, R);
+    for (int k = 0; k < DIM; k++) {
+        double own = 0;
+        for (int d = 0; d < DIM; d++)
+            own += R[d][k] * (x[d] - def->at[d]);
+        in &= fabs(own) <= 0.5 * def->size[k];
+        square += own * own;
+    }
+    return rigid_def_round(def) ? square <= def->radius * def->radius : in;
+}

@@ -11,4 +11,7 @@
  * not asked. */
 int rigid_skin(const struct rigid_def *d, double spacing, int layers, double (*arm)[DIM]);
 
+/* Is x inside of the body as it stands at the start? */
+bool rigid_skin_holds(const struct rigid_def *d, const double *x);
+
 #endif

@@ -8,7 +8,10 @@
 #include "bodies/rigid-make.h"
 
 #include "base/status.h"
-#include "bodies/rigid-stops.h"
+#include "bodies/rigid-hold.h"
+#include "bodies/rigid-skin.h"
+#include "bodies/rigid-solid.h"
+#include "bodies/rigid-state.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -41,59 +44,11 @@ static int rigid_points(const struct body *b, double (*x)[DIM], enum kind *kind)
     return b->points;
 }
 
-static int add_row(struct body *b, struct layout *l, int which, enum layout_class what,
-                   const char *name, const char *unit, int n, int components, double scale)
-{
-    char path[80];
-
-    snprintf(path, sizeof path, "%s.%s", b->path, name);
-    b->row[which] = layout_add(l, what, path, unit, n, components, scale);
-    return b->row[which] < 0 ? STATUS_FAILED : STATUS_DONE;
-}
-
-/* A quaternion turns by half the angle. */
-static int rigid_rows(struct body *b, struct layout *l)
-{
-    const double reach = rigid_def_reach(&b->def), half = DIM == 2 ? 1 : 0.5;
-
-    TRY(add_row(b, l, 0, LAYOUT_POSITION, "x", "m", 1, DIM, b->length));
-    TRY(add_row(b, l, 1, LAYOUT_POSITION, "turn", DIM == 2 ? "rad" : "", 1, TURNING_NUMBERS,
-                half * b->length / reach));
-    TRY(add_row(b, l, 2, LAYOUT_VELOCITY, "v", "m/s", 1, DIM, b->speed));
-    TRY(add_row(b, l, 3, LAYOUT_VELOCITY, "spin", "rad/s", 1, TURNING_SPINS, b->speed / reach));
-    if (b->stops.places == 0)
-        return STATUS_DONE;
-    TRY(add_row(b, l, 4, LAYOUT_OTHER, "slip", "m", b->stops.places, DIM, 0.4 * b->stops.depth));
-    return add_row(b, l, 5, LAYOUT_OTHER, "stopped", "J", 2, 1, 0);
-}
-
-static void rigid_start(const struct body *b, const struct layout *l, double *y)
-{
-    memcpy(y + layout_at(l, b->row[0]), b->def.at, DIM * sizeof *y);
-    rigid_def_turned(&b->def, y + layout_at(l, b->row[1]));
-    memcpy(y + layout_at(l, b->row[2]), b->def.velocity, DIM * sizeof *y);
-    memcpy(y + layout_at(l, b->row[3]), b->def.spin, TURNING_SPINS * sizeof *y);
-    if (b->stops.places == 0)
-        return;
-    memset(y + layout_at(l, b->row[4]), 0, (size_t)b->stops.places * DIM * sizeof *y);
-    memset(y + layout_at(l, b->row[5]), 0, 2 * sizeof *y);
-}
-
-static void read_state(const struct body *b, struct body_work *w, const struct layout *l,
-                       const double *y)
-{
-    w->x = y + layout_at(l, b->row[0]);
-    w->turn = y + layout_at(l, b->row[1]);
-    w->v = y + layout_at(l, b->row[2]);
-    w->spin = y + layout_at(l, b->row[3]);
-    turning_matrix(w->turn, w->R);
-}
-
 static void rigid_move(const struct body *b, struct body_work *w, const struct layout *l, double t,
                        const double *y, double (*x)[DIM], double (*u)[DIM])
 {
     (void)t;
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     place(b, w->R, w->x, x);
     for (int i = 0; i < b->points; i++) {
         double own[DIM];
@@ -121,24 +76,6 @@ static void gather(const struct body *b, const struct body_work *w, const double
         }
         turning_moment(b->arm[i], own, moment);
     }
-}
-
-/* Forces of the sides, which are supports, and the work that they give. */
-static void stop(const struct body *b, const struct body_work *w, const struct layout *l,
-                 const double *y, double *sum, double *moment, double *ydot,
-                 struct body_load *out)
-{
-    double before[DIM], *power;
-
-    if (b->stops.places == 0)
-        return;
-    memcpy(before, sum, sizeof before);
-    power = ydot + layout_at(l, b->row[5]);
-    rigid_stops(b, w, y + layout_at(l, b->row[4]), sum, moment, ydot + layout_at(l, b->row[4]),
-                power);
-    out->driven += power[0] + power[1];
-    for (int d = 0; d < DIM; d++)
-        out->support[d] += sum[d] - before[d];
 }
 
 /* What holds a direction gives all that would change its velocity. */
@@ -169,37 +106,47 @@ static void rigid_load(const struct body *b, struct body_work *w, const struct l
     double sum[DIM], moment[TURNING_SPINS];
 
     (void)t;
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     gather(b, w, force, sum, moment);
     *out = (struct body_load){ 0 };
+    rigid_solid_add(w, sum, moment, out->support);
+    rigid_hold_pull(b, w, sum, moment, out);
+    if (b->joint.kind != RIGID_FREE) {
+        rigid_state_rates(b, w, l, rigid_hold_answer(b, w, sum, moment, out), ydot);
+        return;
+    }
     memcpy(ydot + layout_at(l, b->row[0]), w->v, DIM * sizeof *ydot);
     turning_rate(w->turn, w->spin, ydot + layout_at(l, b->row[1]));
-    stop(b, w, l, y, sum, moment, ydot, out);
     move_on(b, w, sum, moment, ydot + layout_at(l, b->row[2]), ydot + layout_at(l, b->row[3]), out);
 }
 
 static void rigid_limit(const struct body *b, struct limit *out)
 {
     *out = (struct limit){ .rate = b->rate };
+    if (b->decay > out->rate) {
+        out->rate = b->decay;
+        out->decay = true;
+    }
     snprintf(out->part, sizeof out->part, "%s", b->path);
 }
 
 static void rigid_energy(const struct body *b, struct body_work *w, const struct layout *l,
                          const double *y, struct energies *to)
 {
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     for (int d = 0; d < DIM; d++) {
         to->kinetic += 0.5 * b->mass * w->v[d] * w->v[d];
         to->potential -= b->mass * b->g[d] * (w->x[d] - b->low[d]);
     }
     for (int i = 0; i < TURNING_SPINS; i++)
         to->kinetic += 0.5 * b->inertia[i] * w->spin[i] * w->spin[i];
+    to->elastic += rigid_hold_elastic(b, w);
 }
 
 static void rigid_momentum(const struct body *b, struct body_work *w, const struct layout *l,
                            const double *y, double *p)
 {
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     for (int d = 0; d < DIM; d++)
         p[d] += b->mass * w->v[d];
 }
@@ -215,7 +162,7 @@ static void rigid_show(const struct body *b, struct body_work *w, const struct l
 {
     (void)t;
     (void)force;
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     *out = (struct body_view){ 0 };
     for (int d = 0; d < DIM; d++)
         out->tip[d] = out->mid[d] = w->x[d] - b->def.at[d];
@@ -233,13 +180,30 @@ static void turn_moment(const struct body_work *w, const double *own, double *to
             to[d] += w->R[d][k] * own[k];
 }
 
+/* Forces of all that holds or drives it, and of its springs. */
+static void supported(const struct body *b, struct body_work *w, const double *force,
+                      const double *contact, double *moment, double *support)
+{
+    double sum[DIM], v[DIM], spin[TURNING_SPINS];
+    struct body_load given = { 0 };
+
+    for (int d = 0; d < DIM; d++)
+        sum[d] = force[d] + contact[d];
+    rigid_hold_pull(b, w, sum, moment, &given);
+    if (b->joint.kind != RIGID_FREE)
+        rigid_hold_answer(b, w, sum, moment, &given);
+    else
+        move_on(b, w, sum, moment, v, spin, &given);
+    memcpy(support, given.support, sizeof given.support);
+}
+
 static void rigid_pose(const struct body *b, struct body_work *w, const struct layout *l,
                        const double *y, const double (*force)[DIM], struct body_pose *out)
 {
-    double moment[TURNING_SPINS], aside[RIGID_PLACES * DIM], power[2], length = 0;
+    double moment[TURNING_SPINS], support[DIM] = { 0 }, length = 0;
 
     *out = (struct body_pose){ 0 };
-    read_state(b, w, l, y);
+    rigid_state_read(b, w, l, y);
     memcpy(out->x, w->x, sizeof out->x);
     memcpy(out->v, w->v, sizeof out->v);
     memcpy(out->spin, w->spin, TURNING_SPINS * sizeof *out->spin);
@@ -249,28 +213,27 @@ static void rigid_pose(const struct body *b, struct body_work *w, const struct l
         out->turn[i] = w->turn[i] / (DIM == 2 ? 1 : sqrt(length));
     gather(b, w, force, out->force, moment);
     turn_moment(w, moment, out->moment);
-    if (b->stops.places > 0)
-        rigid_stops(b, w, y + layout_at(l, b->row[4]), out->contact, moment, aside, power);
+    rigid_solid_add(w, out->contact, moment, support);
+    supported(b, w, out->force, out->contact, moment, out->support);
 }
 
 static bool rigid_holds(const struct body *b, const double *x)
 {
-    double q[TURNING_NUMBERS], R[DIM][DIM], square = 0;
-    bool in = true;
-
-    rigid_def_turned(&b->def, q);
-    turning_matrix(q, R);
-    for (int k = 0; k < DIM; k++) {
-        double own = 0;
-        for (int d = 0; d < DIM; d++)
-            own += R[d][k] * (x[d] - b->def.at[d]);
-        in &= fabs(own) <= 0.5 * b->def.size[k];
-        square += own * own;
-    }
-    return rigid_def_round(&b->def) ? square <= b->def.radius * b->def.radius : in;
+    return rigid_skin_holds(&b->def, x);
 }
 
-static const struct body_watch watch = { .holds = rigid_holds, .pose = rigid_pose };
+static bool rigid_tied(const struct body *b)
+{
+    return b->joint.kind != RIGID_FREE || b->def.ties.springs > 0;
+}
+
+static double rigid_event(const struct body *b, double t)
+{
+    return b->joint.motion ? motion_bend(b->joint.motion, t) : HUGE_VAL;
+}
+
+static const struct body_watch watch = { .event = rigid_event, .holds = rigid_holds, .pose = rigid_pose,
+                                         .tied = rigid_tied };
 
 const struct body_kind bodies_rigid = {
     .identity = {
@@ -278,10 +241,12 @@ const struct body_kind bodies_rigid = {
         .equation = "M V' = F + M g, I Omega' = R^T T - Omega x I Omega  (RB3)",
         .source = "Goldstein 1980; k_q: Baumgarte 1972",
         .group = "body", .size = sizeof(struct rigid_def), .params = rigid_def_params,
+        .groups = rigid_ties_groups,
     },
     .make = { .create = rigid_make, .free = rigid_make_free, .work = rigid_make_work,
               .work_free = rigid_make_work_free },
-    .skin = rigid_points, .rows = rigid_rows, .start = rigid_start, .move = rigid_move,
+    .skin = rigid_points, .rows = rigid_state_rows, .start = rigid_state_start, .move = rigid_move,
     .load = rigid_load, .limit = rigid_limit, .energy = rigid_energy,
     .momentum = rigid_momentum, .weight = rigid_weight, .show = rigid_show, .watch = &watch,
+    .role.solid = &rigid_solid,
 };

@@ -1,7 +1,27 @@
 /* skin.c -- where the points that the water meets stand beside a beam. */
 #include "bodies/skin.h"
 
+#include "base/status.h"
+
 #include <math.h>
+
+static const double most = 5e6;
+
+int skin_check(double points, const char *path)
+{
+    if (points <= most)
+        return STATUS_DONE;
+    return status_fail_with(STATUS_BAD_SCENE,
+                            (struct status_advice){ .remedy = "make it shorter, or the spacing "
+                                                              "larger" },
+                            "%s: about %.3g particles would stand in it for the water, and a body "
+                            "may have %.3g", path, points, most);
+}
+
+double skin_size(const struct skin_def *d)
+{
+    return d->spacing > 0 ? d->length / d->spacing * d->layers : 0;
+}
 
 static int rows(const struct skin_def *d)
 {

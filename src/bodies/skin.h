@@ -15,6 +15,11 @@ struct skin_def {
     int elements, layers;
 };
 
+/* Refuses (BAD_SCENE) more points than a skin may have, of a body called `path', before they
+ * are made. */
+int skin_check(double points, const char *path);
+double skin_size(const struct skin_def *d); /* about as many as skin_points() says */
+
 int skin_points(const struct skin_def *d);
 
 /* Point i: s along the axis from the root, eta beside it [m]. */

@@ -31,6 +31,20 @@ double touch_rate(double speed, double depth)
     return 2.4 * speed / depth;
 }
 
+static const double reach = 3, crossed = 0.1; /* (RT6) */
+
+double touch_coming(double overlap, double closing, double depth)
+{
+    const double speed = overlap > 0 ? fabs(closing) : fmax(0, closing);
+
+    return reach * speed / (crossed * depth + fmax(0, -overlap));
+}
+
+double touch_window(double rate, double closing)
+{
+    return reach * closing / rate;
+}
+
 static double push(double eta, double x, double v)
 {
     return x > 0 ? fmax(0, x * sqrt(x) + eta * sqrt(sqrt(x)) * v) : 0;
@@ -50,17 +64,29 @@ static double rebound(double eta)
     return -v;
 }
 
-double touch_damping(double restitution)
+static double find_damping(double restitution)
 {
     double low = 0, high = 4;
 
-    if (restitution >= 1)
-        return 0;
     for (int i = 0; i < 40; i++) {
         const double middle = 0.5 * (low + high);
         *(rebound(middle) > restitution ? &low : &high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+/* The last one is remembered: a search takes milliseconds, and thousands of pairs ask for the same. */
+double touch_damping(double restitution)
+{
+    static _Thread_local double of = 1, found = 0;
+
+    if (restitution >= 1)
+        return 0;
+    if (restitution != of) {
+        found = find_damping(restitution);
+        of = restitution;
+    }
+    return found;
 }
 
 static double dot(const double *a, const double *b)
@@ -106,6 +132,12 @@ static void bend(const struct touch_law *law, const struct touch_place *at, doub
                 - forget * across * at->normal[d];
 }
 
+void touch_forget(const double *xi, double *xi_rate)
+{
+    for (int i = 0; i < DIM; i++)
+        xi_rate[i] = -forget * xi[i];
+}
+
 void touch(const struct touch_law *law, const struct touch_place *at, const double *xi,
            double *press, double *rub, double *xi_rate)
 {
@@ -117,8 +149,8 @@ void touch(const struct touch_law *law, const struct touch_place *at, const doub
     for (int i = 0; i < DIM; i++) {
         press[i] = N * at->normal[i];
         rub[i] = 0;
-        xi_rate[i] = -forget * xi[i];
     }
+    touch_forget(xi, xi_rate);
     if (!(grip > 0))
         return;
     flatten(xi, at->normal, bent);

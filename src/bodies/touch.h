@@ -33,8 +33,20 @@ double touch_damping(double restitution);
 /* The fastest rate of a face that meets with `speed` [1/s]. */
 double touch_rate(double speed, double depth);
 
+/* A step that ends after its last stage sees nothing of what touches only there, however strict
+ * its error test, and the force begins as a root does: no step may change the overlap by more
+ * than the gap that is left and a tenth of d_U,
+ *   h <= (gap + d_U/10)/|d'|,  as the rate 3/h, by a method stable to 3.             (RT6) */
+double touch_coming(double overlap, double closing, double depth);
+
+/* From how far away that could be shorter than steps at that rate [m]. */
+double touch_window(double rate, double closing);
+
 /* Force on the body [DIM] [N] along the normal and along the surface; rate of xi. */
 void touch(const struct touch_law *law, const struct touch_place *at, const double *xi,
            double *press, double *rub, double *xi_rate);
+
+/* Rate of xi where nothing touches. */
+void touch_forget(const double *xi, double *xi_rate);
 
 #endif

@@ -9,8 +9,8 @@
 
 #include "plan/inside.h"
 
-enum { BOOK_WORKS = 76, BOOK_NAME = 80, /* works: of parts, walls, two of each body, contacts,
-                                            and corrections of a method */
+enum { BOOK_WORKS = 557, BOOK_NAME = 80, /* works: of parts, walls, two of each body, contacts,
+                                            looking ahead, corrections of a method */
        BOOK_COLUMNS = BOOK_WORKS + 10 + DIM };
 
 /* --- rates of the quadratures ------------------------------------------------------ */
@@ -23,6 +23,7 @@ struct book_powers {
     const double (*force)[DIM];      /* [objects][DIM] on solids              [N] */
     const struct moment_body *body;  /* [bodies]: their loads                     */
     const double *contacts;          /* [columns] power of contacts on bodies [W] */
+    const double *dissipated;        /* [0 or 1] of a pressure that looks ahead [W] */
 };
 
 /* All quadratures' rates, book [n] = the book's row of ydot. */

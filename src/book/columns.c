@@ -47,6 +47,8 @@ int book_work_names(const struct plan *p, char (*name)[BOOK_NAME])
     }
     for (int i = 0; i < p->contacts.columns; i++)
         snprintf(name[n++], BOOK_NAME, "%s", p->contacts.kind->column[i]);
+    for (int i = p->book.dissipated; i < p->book.solved; i++)
+        snprintf(name[n++], BOOK_NAME, "%s.dissipated", p->pressure->part->name);
     for (int i = 0; i < p->book.solved_works; i++)
         snprintf(name[n++], BOOK_NAME, "%s", plan_solved(p->in.set.method)->work[i]);
     return n;

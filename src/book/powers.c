@@ -28,8 +28,10 @@ void book_rates(const struct plan *p, const struct book_powers *of, double *book
         book_add_load(p, i, 1, &of->body[i].load, book);
     for (int i = b->pull; i < b->contacts; i++)
         book[i] = of->pull[i - b->pull];
-    for (int i = b->contacts; i < b->solved; i++)
+    for (int i = b->contacts; i < b->dissipated; i++)
         book[i] = of->contacts[i - b->contacts];
+    for (int i = b->dissipated; i < b->solved; i++)
+        book[i] = of->dissipated[i - b->dissipated];
     for (int o = 0; o < p->particles->objects + p->book.panels; o++)
         for (int d = 0; d < DIM; d++)
             book[b->impulse + o * DIM + d] = of->force[o][d];

@@ -6,7 +6,7 @@
 #include <math.h>
 
 static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS
-              + PLAN_SOLVED_WORKS, "all works fit");
+              + 1 + PLAN_SOLVED_WORKS, "all works fit");
 
 /* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */
 static double fluid_motion(const struct view *v, double *momentum)
@@ -40,6 +40,8 @@ static void read_works(const struct plan *p, const double *book, struct book_she
     }
     for (int i = 0; i < p->contacts.columns; i++)
         s->work[s->works++] = book[p->book.contacts + i];
+    for (int i = p->book.dissipated; i < p->book.solved; i++)
+        s->work[s->works++] = book[i];
     for (int i = 0; i < p->book.solved_works; i++)
         s->work[s->works++] = book[p->book.solved + i];
 }

@@ -18,6 +18,7 @@ struct cli {
     const char *override[CLI_OVERRIDES];  /* "KEY=VALUE", those of options last */
     const char *directory;                /* -o; NULL: chosen from the scene  */
     int threads;                          /* 0: as the environment says       */
+    int ranks;                            /* processes; 0: this one           */
     bool quiet, force;
 
     const char *methods, *tols, *reference; /* of compare, as struct compare_order has them */
@@ -44,6 +45,13 @@ void cli_version(FILE *to);
  * this one or in the directory where it was installed.  Returns only when that
  * failed: STATUS_IO. */
 int cli_exec(int dimension, char **argv);
+
+/* The path of the program for a dimension, and of a kind ("-mpi"), beside this one. */
+void cli_beside(char *path, size_t size, int dimension, const char *kind);
+
+/* The same on c->ranks ranks, by mpirun: argv is what each of them gets.  STATUS_BAD_SCENE: a scene
+ * that is no file, which only one of them could read. */
+int cli_exec_ranks(const struct cli *c, int dimension, char **argv);
 
 /* Directory with data/ and plots/: beside this program in a build tree, else where
  * it was installed.  Static. */

@@ -9,6 +9,8 @@ static const struct argp_option run_options[] = {
     { "tol", 't', "X", 0, "Error allowed in a step", 0 },
     { "until", 'u', "T", 0, "Time at which the run ends [s]", 0 },
     { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "ranks", 'P', "N", 0, "Processes that share the run, by Open MPI's mpirun; the results do not "
+      "depend on it", 0 },
     { "force", 'f', NULL, 0, "Take a directory with files that are no run's; they stay, unless they "
       "bear the names of a run's files", 0 },
     { "quiet", 'q', NULL, 0, "No progress line", 0 },
@@ -45,6 +47,8 @@ static const struct argp_option compare_options[] = {
       "Follows a tiny disturbance of the reference: until when do positions mean something?", 0 },
     { "output", 'o', "DIR", 0,
       "Directory for the results (default: the scene's name and -compare)", 0 },
+    { "force", 'f', NULL, 0, "Take a directory with files of others; they stay, unless they bear the "
+      "names of our own", 0 },
     { "quiet", 'q', NULL, 0, "No progress line, no table on the screen", 0 },
     { 0 },
 };
@@ -58,6 +62,8 @@ static const struct argp_option sweep_options[] = {
     { "threads", 'n', "N", 0, "OpenMP threads of each run (default: 1)", 0 },
     { "output", 'o', "DIR", 0,
       "Directory for the results (default: the scene's name and -sweep)", 0 },
+    { "force", 'f', NULL, 0, "Take a directory with files of others; they stay, unless they bear the "
+      "names of our own", 0 },
     { "quiet", 'q', NULL, 0, "No progress line, no table on the screen", 0 },
     { 0 },
 };
@@ -81,6 +87,8 @@ static const struct argp_option spread_options[] = {
     { "threads", 'n', "N", 0, "OpenMP threads of each run (default: 1)", 0 },
     { "output", 'o', "DIR", 0,
       "Directory for the results (default: the scene's name and -spread)", 0 },
+    { "force", 'f', NULL, 0, "Take a directory with files of others; they stay, unless they bear the "
+      "names of our own", 0 },
     { "quiet", 'q', NULL, 0, "No progress line, no table on the screen", 0 },
     { 0 },
 };

@@ -46,12 +46,20 @@ const char *cli_data(void)
     return own;
 }
 
+void cli_beside(char *path, size_t size, int dimension, const char *kind)
+{
+    char own[PATH_MAX - 64];
+
+    own_directory(own, sizeof own);
+    snprintf(path, size, "%s/stiffwater-%dd%s", own, dimension, kind);
+}
+
 int cli_exec(int dimension, char **argv)
 {
     char own[PATH_MAX - 64], path[PATH_MAX];
 
     own_directory(own, sizeof own);
-    snprintf(path, sizeof path, "%s/stiffwater-%dd", own, dimension);
+    cli_beside(path, sizeof path, dimension, "");
     if (access(path, X_OK) != 0) /* installed, perhaps moved with its whole prefix */
         snprintf(path, sizeof path, "%s/../libexec/stiffwater/stiffwater-%dd", own, dimension);
     if (access(path, X_OK) != 0)

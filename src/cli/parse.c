@@ -154,6 +154,7 @@ static error_t take(int key, char *arg, struct argp_state *argp)
     case 't': add_override(argp, "tol", arg); break;
     case 'u': add_override(argp, "until", arg); break;
     case 'n': s->cli->threads = positive(argp, "threads", arg); break;
+    case 'P': s->cli->ranks = positive(argp, "ranks", arg); break;
     case 'q': s->cli->quiet = true; break;
     case 'f': s->cli->force = true; break;
     case ARGP_KEY_ARG: take_word(argp, arg); break;

@@ -15,6 +15,7 @@ extern const struct part LANE_NAME(effects_density_diffusion);
 extern const struct part LANE_NAME(effects_density_healing);
 extern const struct part LANE_NAME(effects_particle_shifting);
 extern const struct part LANE_NAME(effects_xsph);
+extern const struct part LANE_NAME(effects_shepard_filter);
 extern const struct part LANE_NAME(effects_gravity);
 extern const struct part LANE_NAME(effects_central_force);
 
@@ -33,6 +34,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_density_healing),
     &LANE_NAME(effects_particle_shifting),
     &LANE_NAME(effects_xsph),
+    &LANE_NAME(effects_shepard_filter),
     &LANE_NAME(effects_gravity),
     &LANE_NAME(effects_central_force),
     NULL,

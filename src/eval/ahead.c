@@ -21,12 +21,15 @@ static void replace_press(const struct moment *m)
     }
 }
 
-/* Accelerations and forces by all but the pressure are where its laws will write theirs. */
+/* Accelerations and forces by all but the pressure are where its laws will write theirs.  What
+ * walls do to skins goes by densities of now, as g(o) does, (W6): it is no part of the solve. */
 int passes_look_ahead(struct evaluation *e, const struct plan_field *of)
 {
     struct moment *m = e->m;
 
     (void)of;
+    if (m->work->between && m->work->between == m->work->law)
+        press_between(m, m->work->p2);
     TRY(implicit_ahead.find(m->ahead, m, e->t, e->y, spread_velocities(m, e->ydot)[0]));
     if (m->work->law)
         replace_press(m);
@@ -87,17 +90,20 @@ static double power_between(struct moment *m)
     return power;
 }
 
-/* Laws book rates of density with p; what is stored is the energy of (E1). */
+/* Laws book rates of density with p; what is stored is the energy of (E1).  What looking ahead
+ * takes of that for good has a column of its own. */
 int passes_ahead_power(struct evaluation *e, const struct plan_field *of)
 {
-    double power = 0;
+    const double dissipated = implicit_ahead.power(e->m->ahead);
+    double power = -dissipated;
 
     (void)of;
     for (int k = 0; k < KINDS; k++)
         if (e->m->plan->row.density[k] >= 0)
             power += power_of(e, k);
-    if (e->m->work->law)
+    if (e->m->work->between != e->m->work->law)
         power += power_between(e->m);
     e->m->work->power[e->m->plan->pressure->slot] = power;
+    e->m->work->power[e->m->plan->slots] = dissipated;
     return STATUS_DONE;
 }

@@ -249,8 +249,8 @@ static int look(struct blame *b, double t, const double *y, struct view *v)
                            sizeof *b->rate);
     if (!b->table || !b->rate)
         return STATUS_FAILED;
-    b->m->density_low = -HUGE_VAL;
-    b->m->density_high = HUGE_VAL;
+    b->m->density[0] = -HUGE_VAL;
+    b->m->density[1] = HUGE_VAL;
     b->v = v;
     return rates_fields(b->m, t, y, v);
 }

@@ -5,7 +5,7 @@ void block_make(struct block *b, const struct plan *p, int i, double t)
 {
     b->shape = &p->in.wall[i].set.shape;
     b->wall = &p->wall[i];
-    walls_motion_at(&b->wall->motion, t, &b->place);
+    motion_at(&b->wall->motion, t, &b->place);
     shape_bounds(b->shape, b->low, b->high);
 }
 
@@ -13,7 +13,7 @@ bool block_holds(const struct block *b, const double *x, double depth)
 {
     double own[DIM];
 
-    walls_motion_back(&b->wall->motion, &b->place, x, own);
+    motion_back(&b->wall->motion, &b->place, x, own);
     for (int d = 0; d < DIM; d++)
         if (own[d] < b->low[d] || own[d] > b->high[d])
             return false;

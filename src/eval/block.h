@@ -7,7 +7,7 @@
 struct block {
     const struct shape *shape;
     const struct plan_wall *wall;
-    struct walls_place place;
+    struct motion_place place;
     double low[DIM], high[DIM]; /* before it moved [m] */
 };
 

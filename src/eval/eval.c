@@ -100,13 +100,11 @@ void moment_body_book(struct moment *m, double t, const double *y, double share,
     double *book = ydot + layout_at(&m->layout, p->book.row);
 
     for (int i = 0; i < p->bodies; i++) {
-        const struct moment_body *b = &m->body[i];
         struct body_load load;
 
         if (!plan_body_stiff(p, i)) /* moved by the right-hand sides themselves */
             continue;
-        b->kind->load(b->body, b->work, &m->layout, t, y, (const double (*)[DIM])b->force,
-                      m->work->rates, &load);
+        touching_load(m, i, t, y, m->work->rates, &load);
         book_add_load(p, i, share, &load, book);
     }
 }

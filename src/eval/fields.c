@@ -1,5 +1,5 @@
 /* fields.c -- the list of pairs, and densities that are no state: summed over pairs. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 
@@ -25,27 +25,30 @@ static int refuse_position(struct moment *m, double t)
 
 /* A moment for looking sums over the run's list if that fits, else over its own, made where
  * it looks: what was looked at before says nothing. */
-static void choose_list(struct moment *m, const struct cloud *cloud)
+static int choose_list(struct moment *m, const struct cloud *cloud)
 {
     const struct list_engine *lists = m->plan->engine->sum->list;
+    const bool fits = m->own->stands && !lists->stale(m->beside->list, cloud);
 
-    m->list = m->own->stands && !lists->stale(m->beside->list, cloud) ? m->beside->list : m->own;
+    m->list = fits && !m->beside->share ? m->beside->list : m->own;
     if (m->list == m->own)
         list_forget(m->own);
+    return fits && m->beside->share ? share_remake(m->beside, m->own) : STATUS_DONE;
 }
 
 int passes_list(struct evaluation *e, const struct plan_field *of)
 {
     struct moment *m = e->m;
+    int (*const update)(struct list *, const struct cloud *) = m->plan->engine->sum->list->update;
     struct cloud cloud = { 0 };
 
     (void)of;
     memcpy(cloud.from, e->view.p->from, sizeof cloud.from);
     memcpy(cloud.x, e->view.x, sizeof cloud.x);
     memcpy(cloud.row, e->view.p->row, sizeof cloud.row);
-    if (m->beside)
-        choose_list(m, &cloud);
-    if (m->plan->engine->sum->list->update(m->list, &cloud) != STATUS_DONE)
+    if (m->beside && choose_list(m, &cloud) != STATUS_DONE)
+        return refuse_position(m, e->t);
+    if ((m->share ? share_list(e, &cloud) : update(m->list, &cloud)) != STATUS_DONE)
         return refuse_position(m, e->t);
     return workspace_fit(m->work, m->list);
 }

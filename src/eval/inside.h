@@ -9,6 +9,7 @@
 
 struct face;
 struct moment_given;
+struct moment_share;
 
 /* What an evaluation works in: read while it lasts.  A moment made beside another shares
  * that one's, as one evaluation is over before the next. */
@@ -18,12 +19,13 @@ struct workspace {
     double *f;       /* [n][DIM] by place; of the fluid only what struct sum_rates
                         leaves there                                          */
     double *drho;    /* [n] likewise                                          */
-    double *power;   /* [columns]                                             */
+    double *power;   /* [columns], and what a pressure that looks ahead dissipates */
     double *rho;     /* [n] densities that fields or the pass of solids give, by row; NULL */
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */
     double *mean;    /* [solids] densities before their one side, for a pressure that looks
                         ahead; NULL                                           */
     double *law;     /* [solids] p2 by the density alone; NULL likewise       */
+    double *between; /* that of these two by which solids press each other     */
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */
@@ -62,14 +64,15 @@ struct moment {
                                           of them [N]                         */
     double (*turn)[3];                 /* [panels][3] moments of those; 2D: the last [N m] */
     double wall_power;                 /* v . f of moving walls [W]           */
-    struct contacts_body *meeting;     /* [bodies] contacts see them so       */
-    double *contact_power;             /* [columns] of contacts on bodies [W] */
+    struct contacts_moment meeting;    /* body [bodies], wall [walls], power [columns] */
     double pull[DIM];                  /* of other body forces than the weight [N] */
-    double density_low, density_high;  /* bounds, beyond them it refuses      */
+    double density[2];                 /* bounds, beyond them it refuses      */
     void *solver;                      /* what plan->solver works in; of the run's */
     void *ahead;                       /* what implicit_ahead works in; of the run's; NULL */
     struct face *face;                 /* eval/face.h; NULL                   */
     struct moment_given *given;        /* eval/given.h; of the run's; NULL    */
+    struct moment_share *share;        /* eval/share.h; of the run's; NULL: all rows are
+                                          this rank's                         */
     bool (*quit)(void);                /* NULL: nothing ends it               */
     char refusal[600];
     struct moment_culprit culprit[MOMENT_COMPLAINTS];
@@ -94,6 +97,13 @@ int workspace_fit(struct workspace *w, const struct list *l);
 /* moment.c: another moment of the run's plan, for looking. */
 int moment_create_beside(struct moment *run, struct moment **out);
 
+/* touching.c: where bodies and walls are at (t, y), as contacts see them. */
+struct contacts_moment touching_now(struct moment *m, double t, const double *y);
+
+/* touching.c: load() of body i; what walls give to a skin that touches them is support, too. */
+void touching_load(const struct moment *m, int i, double t, const double *y, double *ydot,
+                   struct body_load *out);
+
 /* rearrange.c: rows of a fresh moment become those of the run. */
 int moment_follow(struct moment *m, const struct moment *run);
 
@@ -114,6 +124,9 @@ void pack_far(const struct plan *p, int number, double *record);
 /* press.c: densities and p/rho^2 of solids that press by more than a density of their own, in
  * v; their rows there are those of y before.  Nothing where there are none. */
 void moment_press(struct moment *m, struct view *v);
+
+/* press.c: adds the forces between solids that press by p2 [solids], by row, to those in work. */
+void press_between(struct moment *m, const double *p2);
 
 /* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates,
  * and the forces of pairs brought there. */

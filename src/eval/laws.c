@@ -45,6 +45,7 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
         .eos = p->pressure ? p->pressure->self : p->in.pressure_self,
         .f = w->f, .drho = w->drho, .power = w->power, .rates = laws->to,
         .apart = laws->apart, .apart_slot = laws->apart ? p->stiff->slot : 0,
+        .shared = e->m->share != NULL,
     };
 
     (void)of;

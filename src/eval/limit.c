@@ -11,7 +11,8 @@ static void keep_fastest(const struct limit *one, const char *name, struct limit
     if (!(one->rate > best->rate))
         return;
     *best = *one;
-    snprintf(best->part, sizeof best->part, "%.63s", name);
+    if (name != one->part)
+        snprintf(best->part, sizeof best->part, "%.63s", name);
 }
 
 static void keep_body(const struct plan_body *b,
@@ -23,14 +24,28 @@ static void keep_body(const struct plan_body *b,
     keep_fastest(&one, b->path, limit);
 }
 
-void moment_limit(struct moment *m, double t, const double *y, bool stiff, struct limit limit[2])
+static void keep_contacts(struct moment *m, double t, const double *y, struct limit limit[2])
+{
+    struct limit one = { .where = -1 };
+    const struct contacts_moment now = touching_now(m, t, y);
+
+    m->plan->contacts.kind->limit(m->plan->contacts.self, &now, &one);
+    keep_fastest(&one, one.part, limit);
+}
+
+static void begin(struct limit limit[2])
+{
+    limit[0] = (struct limit){ .where = -1 };
+    limit[1] = (struct limit){ .where = -1, .decay = true };
+}
+
+static void keep_parts(struct moment *m, double t, const double *y, bool stiff,
+                       struct limit limit[2])
 {
     const struct plan *p = m->plan;
     struct view v;
 
-    limit[0] = (struct limit){ .where = -1 };
-    limit[1] = (struct limit){ .where = -1, .decay = true };
-    observe_fluid(m, t, y, &v);
+    observe_fluid(m, t, moment_whole(m, y), &v);
     for (int i = 0; i < p->parts; i++) {
         struct limit one = { .where = -1 };
         if (&p->part[i] == p->stiff && !stiff)
@@ -40,6 +55,13 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
             keep_fastest(&one, p->part[i].part->name, limit);
         }
     }
+}
+
+static void keep_bodies(struct moment *m, double t, const double *y, bool stiff,
+                        struct limit limit[2])
+{
+    const struct plan *p = m->plan;
+
     for (int i = 0; i < p->bodies; i++) {
         const struct plan_body *b = &p->body[i];
         if (b->kind->limit)
@@ -47,11 +69,27 @@ void moment_limit(struct moment *m, double t, const double *y, bool stiff, struc
         if (b->kind->implicit && stiff)
             keep_body(b, b->kind->implicit->limit, limit);
     }
-    if (p->contacts.kind && p->contacts.kind->limit) {
-        struct limit one = { .where = -1 };
-        p->contacts.kind->limit(p->contacts.self, &one);
-        keep_fastest(&one, "contacts", limit);
-    }
+    if (p->contacts.kind && p->contacts.kind->limit)
+        keep_contacts(m, t, y, limit);
+}
+
+void moment_limit(struct moment *m, double t, const double *y, bool stiff, struct limit limit[2])
+{
+    begin(limit);
+    keep_parts(m, t, y, stiff, limit);
+    keep_bodies(m, t, y, stiff, limit);
+}
+
+void moment_fluid_limit(struct moment *m, double t, const double *y, struct limit limit[2])
+{
+    begin(limit);
+    keep_parts(m, t, y, false, limit);
+}
+
+void moment_rigid_limit(struct moment *m, double t, const double *y, struct limit limit[2])
+{
+    begin(limit);
+    keep_bodies(m, t, y, false, limit);
 }
 
 void moment_swing(const struct moment *m, double most, struct limit *out)

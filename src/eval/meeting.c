@@ -33,8 +33,9 @@ static int refuse(const struct moment *m, int body, int other, double t, const d
 
     return status_fail_with(STATUS_FAILED, (struct status_advice){
                                 .cause = "No contact keeps the two apart",
-                                .remedy = "let the run end before that (until), leave them more "
-                                          "room, or make what bends stiffer" },
+                                .remedy = "let a beam touch what it meets (contact = true), let the "
+                                          "run end before that (until), leave them more room, or make what bends "
+                                          "stiffer" },
                             "%s has met %s.%s: at t = %g s a part of it is inside, near (%g, %g) m",
                             p->body[body].path, plan_object_group(p, other),
                             m->particles->object[other].name, t, x[0], x[1]);
@@ -47,6 +48,12 @@ static bool is_held(const struct moment *m, int i, int j)
     return watch && watch->held && watch->held(m->body[i].body, j);
 }
 
+/* By a contact, body i and body j, or wall j - bodies. */
+static bool kept_apart(const struct plan *p, int i, int j)
+{
+    return p->contacts.kind && p->contacts.kind->parts(p->contacts.self, i, j);
+}
+
 static int check_wall(const struct moment *m, int wall, double t)
 {
     const struct plan *p = m->plan;
@@ -55,7 +62,7 @@ static int check_wall(const struct moment *m, int wall, double t)
 
     block_make(&block, p, wall, t);
     for (int i = 0; i < p->bodies; i++)
-        for (int j = 0; j < points(m, i); j++) {
+        for (int j = 0; j < points(m, i) && !kept_apart(p, i, p->bodies + wall); j++) {
             period_home(&p->scales, point(m, i, j), x);
             if (block_holds(&block, x, 0) && !is_held(m, i, j))
                 return refuse(m, i, p->wall[wall].object, t, x);
@@ -113,8 +120,9 @@ int observe_meeting(struct moment *m, double t, const double *y)
     moment_view(m, t, y, &v);
     for (int i = 0; i < p->walls; i++)
         TRY(check_wall(m, i, t));
-    for (int a = 0; a < p->bodies && !bodies_contacts; a++)
+    for (int a = 0; a < p->bodies; a++)
         for (int b = a + 1; b < p->bodies; b++)
-            TRY(check_pair(m, a, b, t));
+            if (!kept_apart(p, a, b))
+                TRY(check_pair(m, a, b, t));
     return STATUS_DONE;
 }

@@ -1,6 +1,7 @@
 /* moment.c -- a plan at one (t, y): its memory, and what is asked of it. */
 #include "eval/face.h"
 #include "eval/given.h"
+#include "eval/share.h"
 #include "plan/solver.h"
 #include "space/list.h"
 
@@ -39,9 +40,10 @@ static int take_memory(struct moment *m)
     TRY(take_bodies(m));
     m->force = status_alloc((size_t)(p->particles->objects + p->book.panels) + 1, sizeof *m->force);
     m->turn = status_alloc((size_t)p->book.panels + 1, sizeof *m->turn);
-    m->meeting = status_alloc((size_t)p->bodies + 1, sizeof *m->meeting);
-    m->contact_power = status_alloc((size_t)p->contacts.columns + 1, sizeof *m->contact_power);
-    if (!m->force || !m->turn || !m->meeting || !m->contact_power)
+    m->meeting.body = status_alloc((size_t)p->bodies + 1, sizeof *m->meeting.body);
+    m->meeting.wall = status_alloc((size_t)p->walls + 1, sizeof *m->meeting.wall);
+    m->meeting.power = status_alloc((size_t)p->contacts.columns + 1, sizeof *m->meeting.power);
+    if (!m->force || !m->turn || !m->meeting.body || !m->meeting.wall || !m->meeting.power)
         return STATUS_FAILED;
     if (p->particles->n > 0)
         TRY(p->engine->sum->list->create(&m->own, &p->list_def));
@@ -69,8 +71,8 @@ static int create(const struct plan *plan, struct moment *beside, struct moment 
     m->plan = plan;
     m->beside = beside;
     m->layout = plan->layout;
-    m->density_low = plan->in.eos.lowest * plan->scales.rho0;
-    m->density_high = plan->in.eos.highest * plan->scales.rho0;
+    m->density[0] = plan->in.eos.lowest * plan->scales.rho0;
+    m->density[1] = plan->in.eos.highest * plan->scales.rho0;
     status = take_memory(m);
     if (beside) {
         m->work = beside->work;
@@ -113,6 +115,7 @@ void moment_free(struct moment **moment)
         return;
     moment_free(&m->observer);
     given_free(&m->given);
+    share_free(&m->share);
     if (!m->beside) {
         if (m->solver)
             m->plan->solver->free(&m->solver);
@@ -126,8 +129,9 @@ void moment_free(struct moment **moment)
     free(m->body);
     free(m->force);
     free(m->turn);
-    free(m->meeting);
-    free(m->contact_power);
+    free(m->meeting.body);
+    free(m->meeting.wall);
+    free(m->meeting.power);
     particles_free(&m->particles);
     free(m);
     *moment = NULL;

@@ -49,6 +49,19 @@ struct ask {
 #define ASK_HALF(RATES, AHEAD)                                                           \
     ((struct ask){ .sides = ASK_EXPLICIT, .rates = (RATES), .ahead = (AHEAD) })
 
+/* On many ranks: each becomes the owner of a part of the particles, cut where they are at y,
+ * which all ranks have alike; on one rank nothing happens.  From now on all ranks evaluate
+ * together, and the rates that each gets are 0 in rows that it does not own.
+ * STATUS_FAILED, on all. */
+int moment_share(struct moment *moment, const double *y);
+
+/* NULL, or what a plan has that ranks cannot share yet. */
+const char *moment_share_lacks(const struct plan *plan);
+
+/* y with the rows of all ranks: y itself where there is one, else lent until the next call.  All
+ * ranks ask together. */
+const double *moment_whole(struct moment *moment, const double *y);
+
 /* Takes all memory that a run's evaluations need; the plan must outlive it. */
 int moment_create(const struct plan *plan, struct moment **out);
 void moment_free(struct moment **moment); /* NULL is welcome */
@@ -91,6 +104,10 @@ void moment_by_id(const struct moment *moment, const double *y, double *to);
 int moment_eval(struct moment *moment, struct ask ask, double t, const double *y, double *ydot);
 const char *moment_refusal(const struct moment *moment);
 
+/* What happens to y at a time of plan_event(), between two segments: filters of densities
+ * replace them and book the energy that this takes.  STATUS_FAILED: there is no right-hand side. */
+int moment_event(struct moment *moment, double t, double *y);
+
 /* Is there an answer at (t, y)?  Asked of a fresh moment, which is as fresh afterwards, its counters
  * too, unless there is none: then as moment_eval(). */
 int moment_try(struct moment *moment, double t, const double *y);
@@ -110,6 +127,24 @@ void moment_solve_tolerance(struct moment *moment, double tol);
 void moment_limit(struct moment *moment, double t, const double *y, bool stiff,
                   struct limit limit[2]);
 
+/* --- rigid bodies in steps of their own ---------------------------------------------- */
+
+/* NULL, or why the plan's bodies have no side of f by themselves, without the fluid's forces. */
+const char *moment_rigid_lacks(const struct plan *plan);
+
+/* Entries of y that this side moves: those of bodies, of what contacts remember, and the book;
+ * y[range[k][0]] up to y[range[k][1]].  Returns how many, at most `most`. */
+int moment_rigid_ranges(const struct moment *moment, int most, long (*range)[2]);
+
+/* That side at (t, y), set in these entries of ydot, others untouched: contacts, weight, joints,
+ * springs, and what they book (RT7).  Of y it reads these entries alone.  STATUS_FAILED: no contact
+ * can part two as they stand; see moment_refusal(). */
+int moment_rigid(struct moment *moment, double t, const double *y, double *ydot);
+
+/* moment_limit() of this side alone, of the same entries of y; and of all else. */
+void moment_rigid_limit(struct moment *moment, double t, const double *y, struct limit limit[2]);
+void moment_fluid_limit(struct moment *moment, double t, const double *y, struct limit limit[2]);
+
 /* Of bodies with an implicit side: the highest frequency of a first mode that is not above
  * `most` [rad/s], with the body's name; rate 0: there is none. */
 void moment_swing(const struct moment *moment, double most, struct limit *out);
@@ -126,7 +161,7 @@ void moment_body_book(struct moment *moment, double t, const double *y, double s
  * passes over all pairs for them and for solves, products of the implicit viscosity's
  * matrix, and list rebuilds. */
 struct moment_counts {
-    long rhs_explicit, rhs_implicit, passes, solves, products, rebuilds, refused;
+    long rhs_explicit, rhs_implicit /* with moment_rigid() */, passes, solves, products, rebuilds, refused;
     long iterations;      /* for pressures solved step by step                    */
     double compression;   /* the largest that a step has left, of the rest density */
     double gain;          /* what an iteration corrects, of what it should        */

@@ -1,6 +1,6 @@
 /* pack.c -- records of all particles in the order of the list, with the pressure
  * of the equation of state; refuses densities out of bounds. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 #include "space/record.h"
@@ -55,35 +55,37 @@ static void write_rest(double *r, const double *u, double rho, double press, dou
 static int pack_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
 {
     const struct plan *p = m->plan;
-    const double low = m->density_low, high = m->density_high;
-    const struct list *l = m->list;
-    const int first = v->p->from[k];
+    const double low = m->density[0], high = m->density[1];
+    const int first = v->p->from[k], *order = m->list->order;
+    const double *xs = v->x[k], *us = v->u[k], *rhos = v->rho[k], *p2 = v->p2[k], *ms = v->p->m;
+    const double (*offset)[DIM] = (const double (*)[DIM])m->list->offset;
+    const struct list_def def = p->list_def;
+    double *r = m->work->record + (size_t)from * RECORD;
     double rho[CHUNK], press[CHUNK];
 
     for (int s = from; s < to; s++) {
-        const int c = l->order[s], i = c - first;
-        __builtin_prefetch(v->x[k] + (size_t)i * DIM);
-        __builtin_prefetch(v->u[k] + (size_t)i * DIM);
-        __builtin_prefetch(v->p->m + c);
-        rho[s - from] = v->rho[k] ? v->rho[k][i] : p->scales.rho0;
+        const int c = order[s], i = c - first;
+        __builtin_prefetch(xs + (size_t)i * DIM);
+        __builtin_prefetch(us + (size_t)i * DIM);
+        __builtin_prefetch(ms + c);
+        rho[s - from] = rhos ? rhos[i] : p->scales.rho0;
         if (!(rho[s - from] >= low && rho[s - from] <= high))
             return s;
         press[s - from] = 0;
     }
     if (p->pressure)
         p->pressure->part->as.pressure->pressures(p->pressure->self, to - from, rho, press);
-    for (int s = from; s < to; s++) {
-        const int c = l->order[s], i = c - first;
-        const double *x = v->x[k] + (size_t)i * DIM;
-        double *r = m->work->record + (size_t)s * RECORD;
-        if (!list_inside(&p->list_def, x)) {
+    for (int s = from; s < to; s++, r += RECORD) {
+        const int c = order[s], i = c - first;
+        const double *x = xs + (size_t)i * DIM;
+        if (!list_inside(&def, x)) {
             pack_far(p, s + 1, r);
             continue;
         }
-        write_place(r, x, l->offset ? l->offset[s] : NULL);
-        write_rest(r, v->u[k] + (size_t)i * DIM, rho[s - from], press[s - from], v->p->m[c]);
-        if (v->p2[k])
-            r[RECORD_P2] = v->p2[k][i];
+        write_place(r, x, offset ? offset[s] : NULL);
+        write_rest(r, us + (size_t)i * DIM, rho[s - from], press[s - from], ms[c]);
+        if (p2)
+            r[RECORD_P2] = p2[i];
     }
     return -1;
 }
@@ -130,14 +132,16 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     const int c = m->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
     const int particle = particles_id_of(v->p, c);
+    const double rho = v->rho[o->kind][c - v->p->from[o->kind]];
     char place[PLAN_PLACE];
 
     moment_place(m, v, c, place);
     snprintf(m->refusal, sizeof m->refusal,
-             "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; "
-             "particles were pushed together or torn apart faster than the step could follow",
-             v->rho[o->kind][c - v->p->from[o->kind]], kinds[o->kind], particle, o->name, place,
-             v->t, m->density_low, m->density_high);
+             "density %g kg/m^3 of %s particle %d (%s) at %s m at t = %g s lies outside %g to %g; %s",
+             rho, kinds[o->kind], particle, o->name, place, v->t, m->density[0], m->density[1],
+             isnan(rho) ? "a pressure, force or speed before it was too large for a number"
+                        : "particles were pushed together or torn apart faster than the step could "
+                          "follow");
     moment_note(m, MOMENT_DENSITY_OUT, particle, v->t);
     return STATUS_FAILED;
 }
@@ -167,6 +171,8 @@ int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 
 int passes_records(struct evaluation *e, const struct plan_field *of)
 {
+    const int status = moment_pack(e->m, &e->view, KIND_BIT(KINDS) - 1);
+
     (void)of;
-    return moment_pack(e->m, &e->view, KIND_BIT(KINDS) - 1);
+    return e->m->share ? share_agree(e->m, status) : status;
 }

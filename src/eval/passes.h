@@ -31,7 +31,10 @@ passes_run passes_look_ahead, passes_ahead_power;
 
 /* push.c */
 passes_run passes_body_forces, passes_sources, passes_drift, passes_solids, passes_skins,
-    passes_contacts, passes_load, passes_book, passes_half_book;
+    passes_load, passes_book, passes_half_book;
+
+/* rigid-side.c */
+passes_run passes_contacts;
 
 /* push.c: body forces at this view, added to rates of velocities of ydot; m->pull is what
  * those that are not the weight pull with in all. */

@@ -74,7 +74,7 @@ int passes_press(struct evaluation *e, const struct plan_field *of)
     (void)of;
     if (e->ask)
         narrow(e->m);
-    press_rows(e->m, &e->view, !e->ask);
+    press_rows(e->m, &e->view, !e->ask || e->m->share); /* others' fluid may meet any */
     return STATUS_DONE;
 }
 
@@ -132,20 +132,25 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     return STATUS_DONE;
 }
 
-/* Forces between solids join those of pairs. */
-int passes_meet(struct evaluation *e, const struct plan_field *of)
+/* Forces between solids by these p/rho^2 join those of pairs. */
+void press_between(struct moment *m, const double *p2)
 {
-    const struct plan_part *wall = e->m->plan->passes.press;
-    const struct particles *p = e->m->particles;
-    struct workspace *w = e->m->work;
+    const struct plan_part *wall = m->plan->passes.press;
+    const struct particles *p = m->particles;
+    struct workspace *w = m->work;
     double (*f)[DIM] = (double (*)[DIM])w->pressed;
-    const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, w->p2, f, w->rows);
+    const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, p2, f, w->rows);
 
-    (void)of;
     for (int k = 0; k < n; k++) {
-        const int i = w->rows[k], place = e->m->list->slot[p->from[KIND_WALL] + i];
+        const int i = w->rows[k], place = m->list->slot[p->from[KIND_WALL] + i];
         for (int d = 0; d < DIM && place >= 0; d++)
             w->f[(size_t)place * DIM + d] += f[i][d];
     }
+}
+
+int passes_meet(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    press_between(e->m, e->m->work->between);
     return STATUS_DONE;
 }

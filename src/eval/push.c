@@ -1,5 +1,5 @@
 /* push.c -- what follows from forces: body forces, sources of density, drift, solids and bodies, the book. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 
@@ -100,6 +100,8 @@ int passes_drift(struct evaluation *e, const struct plan_field *of)
 int passes_solids(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
+    if (e->m->share)
+        share_forces(e->m);
     solids_sum(e->m);
     return STATUS_DONE;
 }
@@ -112,33 +114,11 @@ int passes_skins(struct evaluation *e, const struct plan_field *of)
     return STATUS_DONE;
 }
 
-int passes_contacts(struct evaluation *e, const struct plan_field *of)
-{
-    const struct particles *all = e->m->particles;
-    const struct plan *p = e->m->plan;
-    struct contacts_body *place = e->m->meeting;
-
-    (void)of;
-    for (int i = 0; i < p->bodies; i++) {
-        const struct moment_body *b = &e->m->body[i];
-        const int from = b->skin > 0 ? all->object[b->object].from : 0;
-        place[i] = (struct contacts_body){ .points = b->skin, .force = b->force,
-                                           .x = (const double (*)[DIM])(all->x + from),
-                                           .u = (const double (*)[DIM])(all->u + from) };
-    }
-    p->contacts.kind->meet(p->contacts.self, &e->m->layout, e->t, e->y, p->bodies, place, e->ydot,
-                           e->m->contact_power);
-    return STATUS_DONE;
-}
-
 int passes_load(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
-    for (int i = 0; i < e->m->plan->bodies; i++) {
-        struct moment_body *b = &e->m->body[i];
-        b->kind->load(b->body, b->work, &e->m->layout, e->t, e->y,
-                      (const double (*)[DIM])b->force, e->ydot, &b->load);
-    }
+    for (int i = 0; i < e->m->plan->bodies; i++)
+        touching_load(e->m, i, e->t, e->y, e->ydot, &e->m->body[i].load);
     return STATUS_DONE;
 }
 
@@ -149,7 +129,8 @@ int passes_book(struct evaluation *e, const struct plan_field *of)
     const struct moment *m = e->m;
     const struct book_powers powers = {
         .work = m->work->power, .walls = m->wall_power, .pull = m->pull,
-        .force = (const double (*)[DIM])m->force, .body = m->body, .contacts = m->contact_power,
+        .force = (const double (*)[DIM])m->force, .body = m->body, .contacts = m->meeting.power,
+        .dissipated = m->work->power + m->plan->slots,
     };
 
     (void)of;

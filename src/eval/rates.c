@@ -1,5 +1,5 @@
 /* rates.c -- an evaluation: the passes of the plan that a question asks for, in order. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 
@@ -66,6 +66,8 @@ int rates_eval(struct moment *m, const struct ask *ask, double t, const double *
     TRY(run(&e, question_of(ask, apart)));
     if (ask->rates == ASK_VELOCITIES) /* loads give q' = v, too */
         stand_still(m, 0, LAYOUT_VELOCITY, ydot);
+    if (m->share)
+        share_silence(m, ydot);
     return STATUS_DONE;
 }
 

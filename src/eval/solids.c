@@ -17,23 +17,23 @@ static double power_of(const struct moment *m, const struct object *o)
     return power;
 }
 
-/* Forces on the objects of one kind, added in order of ids. */
-static void sum_kind(struct moment *m, enum kind k)
+/* The force on an object, added in order of ids: in a sum of its own, as one in memory would be
+ * waited for by each particle. */
+static void sum_object(const struct moment *m, const struct object *o, double *force)
 {
     const struct particles *all = m->particles;
-    const int first = all->from[k], n = particles_count(all, k), *row = all->row[k];
-    const int *slot = m->list->slot + first, *object_of = all->object_of + first;
-    const double *f = m->work->f;
-    double (*force)[DIM] = m->force;
+    const int first = all->from[o->kind], *row = all->row[o->kind];
+    const int *slot = m->list->slot + first;
+    double sum[DIM] = { 0 };
 
-    for (int id = 0; id < n; id++) {
-        const int i = row ? row[id] : id, s = slot[i];
-        double *sum = force[object_of[i]];
+    for (int id = o->from - first; id < o->from - first + o->n; id++) {
+        const int s = slot[row ? row[id] : id];
         if (s < 0)
             continue;
         for (int d = 0; d < DIM; d++)
-            sum[d] += f[(size_t)s * DIM + d];
+            sum[d] += m->work->f[(size_t)s * DIM + d];
     }
+    memcpy(force, sum, sizeof sum);
 }
 
 void solids_turn(const double *about, const double *x, const double *f, double turn[3])
@@ -80,9 +80,9 @@ void solids_sum(struct moment *m)
 
     memset(m->force, 0, all->objects * sizeof *m->force);
     m->wall_power = 0;
-    for (int k = KIND_WALL; k < KINDS; k++)
-        if (particles_count(all, k) > 0) /* else there may be no list */
-            sum_kind(m, (enum kind)k);
+    for (int i = 0; i < all->objects; i++)
+        if (all->object[i].kind != KIND_FLUID && all->object[i].n > 0) /* else there may be no list */
+            sum_object(m, &all->object[i], m->force[i]);
     sum_panels(m);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)

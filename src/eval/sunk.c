@@ -8,7 +8,7 @@
 
 #include "base/status.h"
 #include "space/list.h"
-#include "fill/buckets.h"
+#include "shapes/buckets.h"
 #include "state/period.h"
 
 #include <math.h>

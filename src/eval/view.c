@@ -10,9 +10,9 @@
 static void move_wall(struct particles *all, const struct plan_wall *w, double t)
 {
     struct object *o = &all->object[w->object];
-    struct walls_place place;
+    struct motion_place place;
 
-    walls_motion_at(&w->motion, t, &place);
+    motion_at(&w->motion, t, &place);
     for (int d = 0; d < DIM; d++) {
         o->a[d] = place.a[d];
         o->centre[d] = w->motion.pivot[d] + place.shift[d];
@@ -21,7 +21,7 @@ static void move_wall(struct particles *all, const struct plan_wall *w, double t
     o->alpha = place.alpha;
     for (int i = o->from; i < o->from + o->n; i++) {
         const int c = particles_row_of(all, i);
-        walls_motion_point(&w->motion, &place, all->x0[c], all->x[c], all->u[c]);
+        motion_point(&w->motion, &place, all->x0[c], all->x[c], all->u[c]);
     }
 }
 

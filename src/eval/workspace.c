@@ -33,6 +33,7 @@ static int take_press(const struct plan *p, struct workspace *w)
     if (plan_ahead(p) > 0 && (!(w->mean = workspace_lines(solids))
                               || !(w->law = workspace_lines(solids))))
         return STATUS_FAILED;
+    w->between = w->law && p->bodies > 0 ? w->law : w->p2;
     return p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press);
 }
 
@@ -52,7 +53,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
         TRY(take_press(p, w));
     if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = workspace_lines(n)))
         return STATUS_FAILED;
-    if (p->passes.fields > 0) {
+    if (p->passes.fields > 0 || p->passes.filters) {
         w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);
         if (!w->sum)
             return STATUS_FAILED;

@@ -2,7 +2,7 @@
 #ifndef FILL_BEYOND_H
 #define FILL_BEYOND_H
 
-#include "fill/buckets.h"
+#include "shapes/buckets.h"
 #include "state/scales.h"
 
 /* As buckets_find(), of the images of x over the sides that repeat and their corners; x

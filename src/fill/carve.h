@@ -3,7 +3,7 @@
 #define FILL_CARVE_H
 
 #include "fill/fill.h"
-#include "fill/points.h"
+#include "shapes/points.h"
 
 /* What a fluid left to solids. */
 struct carve {

@@ -4,7 +4,7 @@
 #include "base/status.h"
 #include "fill/fit.h"
 #include "fill/lattice.h"
-#include "fill/layers.h"
+#include "shapes/layers.h"
 #include "state/memory.h"
 #include <limits.h>
 #include <math.h>
@@ -102,7 +102,7 @@ static void reach_of(const struct fill_item *item, int d, double *least, double 
         *least = low[d];
         *most = high[d];
     }
-    for (int i = 0; i < item->points; i++) {
+    for (int i = 0; item->point && i < item->points; i++) {
         *least = fmin(*least, item->point[i][d]);
         *most = fmax(*most, item->point[i][d]);
     }
@@ -130,11 +130,32 @@ static int check_periods(const struct filling *f)
     return STATUS_DONE;
 }
 
-int fill_check(const struct filling *f, double bytes_fluid, double bytes_solid)
+static int check_shapes(const struct filling *f)
 {
     TRY(check_spacing(f));
     TRY(check_fills(f));
-    TRY(check_periods(f));
+    return check_periods(f);
+}
+
+int fill_check(const struct filling *f, double bytes_fluid, double bytes_solid)
+{
+    TRY(check_shapes(f));
     TRY(check_room(f, bytes_fluid, bytes_solid));
     return fit_check(f->item, f->items, f->scales->dx);
+}
+
+int fill_count(const struct fill_item *item, int items, const struct scales *scales,
+               double bytes_fluid, double bytes_solid, struct fill_counts *to)
+{
+    const struct filling f = { .scales = scales, .items = items,
+                               .item = (struct fill_item *)item }; /* which stay as they are */
+
+    TRY(check_shapes(&f));
+    for (int i = 0; i < items; i++) {
+        to->of[i] = estimate(&f, i);
+        *(item[i].kind == KIND_FLUID ? &to->fluid : &to->solid) += to->of[i];
+    }
+    to->known = true;
+    TRY(check_room(&f, bytes_fluid, bytes_solid));
+    return fit_check(item, items, scales->dx);
 }

@@ -7,7 +7,7 @@
 #include "base/status.h"
 #include "fill/carve.h"
 #include "fill/lattice.h"
-#include "fill/layers.h"
+#include "shapes/layers.h"
 #include "fill/overlap.h"
 #include "state/particles-private.h"
 #include <math.h>

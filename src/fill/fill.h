@@ -48,4 +48,16 @@ struct fill_item {
 int fill_particles(const struct fill_item *item, int items, const struct scales *scales,
                    double bytes_fluid, double bytes_solid, struct particles **out);
 
+/* How many particles there would be, about, by shapes alone. */
+struct fill_counts {
+    double *of;          /* [items], the caller's    */
+    double fluid, solid; /* all of them              */
+    bool known;          /* these are filled in      */
+};
+
+/* Counts without placing one, into zeroed counts.  Refuses what fill_particles() refuses before
+ * it places any; what memory has no room for is counted and refused. */
+int fill_count(const struct fill_item *item, int items, const struct scales *scales,
+               double bytes_fluid, double bytes_solid, struct fill_counts *to);
+
 #endif

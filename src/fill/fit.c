@@ -2,7 +2,7 @@
 #include "fill/fit.h"
 
 #include "base/status.h"
-#include "fill/lattice.h"
+#include "shapes/shape-kind.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,19 +16,16 @@ static const char *const side_name[] = { "width", DIM == 2 ? "height" : "depth",
 
 static bool is_domain(const struct fill_item *item)
 {
-    return item->shape->kind == SHAPE_FRAME;
+    return shape_kind(item->shape)->domain;
 }
 
 /* The side of an item along d that must fit [m]; 0: none. */
 static double side_of(const struct fill_item *item, int d)
 {
-    if (!item->shape)
+    if (!item->shape || !shape_kind(item->shape)->side
+        || !(is_domain(item) || item->kind == KIND_FLUID))
         return 0;
-    if (is_domain(item))
-        return item->shape->high[d] - item->shape->low[d];
-    if (item->kind == KIND_FLUID && item->shape->kind == SHAPE_BOX)
-        return item->shape->to[d] - item->shape->from[d];
-    return 0;
+    return shape_kind(item->shape)->side(item->shape, d);
 }
 
 /* The first side that dx does not fit: its item, axis in *d; NULL if all do. */
@@ -38,7 +35,7 @@ static const struct fill_item *find_misfit(const struct sides *s, double dx, int
 
     for (const struct fill_item *item = s->item; item < s->item + s->items; item++)
         for (*d = 0; *d < DIM; ++*d)
-            if (!lattice_fits(side_of(item, *d), dx, &n))
+            if (!shape_rows_fit(side_of(item, *d), dx, &n))
                 return item;
     return NULL;
 }

@@ -42,7 +42,7 @@ int ahead_bodies_set(struct ahead *a, double t, const double *y)
         struct moment_body *b = &m->body[i];
         solids_skin(m, b);
         memcpy(a->push + from, b->force, (size_t)b->skin * sizeof *b->force);
-        if (b->kind->joint.ahead->set(b->body, b->work, &m->layout, t, a->tau, y) == STATUS_DONE)
+        if (b->kind->role.ahead->set(b->body, b->work, &m->layout, t, a->tau, y) == STATUS_DONE)
             continue;
         status_clear();
         snprintf(m->refusal, sizeof m->refusal,
@@ -61,7 +61,7 @@ void ahead_bodies_drive(struct ahead *a)
 
     for (int i = 0, from = 0; i < m->plan->bodies; from += m->body[i++].skin) {
         const struct moment_body *b = &m->body[i];
-        b->kind->joint.ahead->drive(b->body, b->work, (const double (*)[DIM])a->push + from,
+        b->kind->role.ahead->drive(b->body, b->work, (const double (*)[DIM])a->push + from,
                               m->work->points);
         move(a, b);
     }
@@ -76,7 +76,7 @@ void ahead_bodies_yield(struct ahead *a)
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
         solids_skin(m, b);
-        b->kind->joint.ahead->yield(b->body, b->work, (const double (*)[DIM])b->force,
+        b->kind->role.ahead->yield(b->body, b->work, (const double (*)[DIM])b->force,
                               m->work->points);
         move(a, b);
     }

@@ -56,7 +56,7 @@ static void apply(void *self, const double *x, double *to)
     nabla->divergence(&a->kept, a->kinds, a->vector, to);
     ahead_walls_mean(a, to);
     for (int s = 0; s < a->listed; s++)
-        to[s] = a->still[s] * x[s] + tau2 * to[s];
+        to[s] = a->left.still[s] * x[s] + tau2 * to[s];
     for (int s = a->listed; s < a->n; s++)
         to[s] = x[s];
 }
@@ -111,6 +111,7 @@ static void set_right_side(struct ahead *a, const struct eos *eos, const double 
     read_velocities(a);
     nabla->divergence(&a->kept, a->kinds, a->vector, a->term);
     add(a, a->tau);
+    memcpy(a->rate, a->term, (size_t)a->listed * sizeof *a->rate);
     a->m->plan->engine->nabla->bend(&a->job, a->kinds, a->vector, a->term);
     add(a, a->tau * a->tau);
     read_accelerations(a, udot);
@@ -139,10 +140,10 @@ static void set_diagonal(struct ahead *a)
         double square = 0;
         for (int d = 0; d < DIM && s < fluid; d++)
             square += sum[s * DIM + d] * sum[s * DIM + d];
-        a->diagonal[s] = a->still[s] + a->tau * a->tau * (a->scalar[s] * square + a->term[s]);
+        a->left.diagonal[s] = a->left.still[s] + a->tau * a->tau * (a->scalar[s] * square + a->term[s]);
     }
     for (int s = a->listed; s < a->n; s++)
-        a->diagonal[s] = 1;
+        a->left.diagonal[s] = 1;
 }
 
 void ahead_assemble(struct ahead *a, const double *udot)
@@ -156,10 +157,10 @@ void ahead_assemble(struct ahead *a, const double *udot)
     a->m->plan->engine->nabla_kept->keep(&a->job, &a->kept);
     for (int s = 0; s < a->listed; s++) {
         const double e = record(a, s)[RECORD_RHO] / eos->c0;
-        a->still[s] = mass(a, s) * e * e;
+        a->left.still[s] = mass(a, s) * e * e;
     }
     set_right_side(a, eos, udot);
     set_diagonal(a);
-    a->operator = (struct operator){ .self = a, .n = a->n, .width = 1, .diagonal = a->diagonal,
+    a->operator = (struct operator){ .self = a, .n = a->n, .width = 1, .diagonal = a->left.diagonal,
                                      .apply = apply };
 }

@@ -18,8 +18,8 @@ static void ahead_free(void **self)
 
     if (!a)
         return;
-    double *const memory[] = { a->P, a->residual, a->b, a->term, a->still, a->diagonal,
-                               a->scalar, a->vector, a->kept.slope, a->past.P[0], a->past.P[1] };
+    double *const memory[] = { a->P, a->residual, a->b, a->term, a->rate, a->left.still,
+                               a->left.diagonal, a->scalar, a->vector, a->kept.slope, a->past.P[0], a->past.P[1] };
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; i++)
         free(memory[i]);
     free(a->kept.rows);
@@ -48,8 +48,8 @@ static void set_kinds(struct ahead *a, const struct plan *p)
 
 static int take(struct ahead *a, const struct eos *eos)
 {
-    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->still, &a->diagonal,
-                               &a->past.P[0], &a->past.P[1] };
+    double **const vector[] = { &a->P, &a->residual, &a->b, &a->term, &a->rate, &a->left.still,
+                               &a->left.diagonal, &a->past.P[0], &a->past.P[1] };
 
     for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++)
         if (!(*vector[i] = workspace_lines((size_t)a->n)))
@@ -135,14 +135,14 @@ static int refuse(struct ahead *a, const struct operator_report *report, double 
     char why[120];
 
     for (int s = 1; s < a->listed; s++)
-        if (!(fabs(a->residual[s] / a->diagonal[s])
-              <= fabs(a->residual[worst] / a->diagonal[worst])))
+        if (!(fabs(a->residual[s] / a->left.diagonal[s])
+              <= fabs(a->residual[worst] / a->left.diagonal[worst])))
             worst = s;
     const int c = a->m->list->order[worst];
     operator_refusal(report, why, sizeof why);
     snprintf(a->m->refusal, sizeof a->m->refusal,
              "the pressure that looks ahead is not found at t = %g s: %s; worst near particle %d "
-             "(%s); a lower eos.c0 or eos.tau needs fewer products, about 2.3 c0 tau/dx", t, why,
+             "(%s); a lower eos.c0 or eos.tau, or a larger eos.residual, needs fewer products", t, why,
              particles_id_of(all, c), all->object[all->object_of[c]].name);
     return STATUS_FAILED;
 }
@@ -211,7 +211,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
 }
 
 const struct plan_ahead_solver implicit_ahead = {
-    .vectors = 15, /* those of struct ahead, seven of its solver */
+    .vectors = 16, /* those of struct ahead, seven of its solver */
     .create = ahead_create, .free = ahead_free, .find = find,
-    .forget = ahead_forget,
+    .forget = ahead_forget, .power = ahead_power,
 };

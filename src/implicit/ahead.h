@@ -39,8 +39,10 @@ struct ahead {
         size_t places, pairs, groups;       /* there is room for             */
     } room;
     double tau, residual_share;
-    double *P, *residual, *b, *term;        /* [n]                            */
-    double *still, *diagonal;               /* [n] E, that of the system      */
+    double *P, *residual, *b, *term, *rate; /* [n]; rate: D v                 */
+    struct {
+        double *still, *diagonal;           /* [n] E, that of the system      */
+    } left;
     struct {                                /* of the last solves, newest first */
         int n;
         double t[2], *P[2];                 /* [n] by id                      */
@@ -78,6 +80,9 @@ int ahead_bodies_set(struct ahead *a, double t, const double *y);
  * in m->work->f alone. */
 void ahead_bodies_drive(struct ahead *a);
 void ahead_bodies_yield(struct ahead *a);
+
+/* ahead-power.c: a member of implicit_ahead. */
+double ahead_power(const void *self);
 
 /* ahead-guess.c: P at t by the solves before, and what was found; forget: a member of
  * implicit_ahead. */

@@ -27,7 +27,7 @@ static void diverge(struct release *r, double *to)
 
 static bool yields(const struct moment_body *b)
 {
-    return b->kind->joint.coupled && b->skin > 0;
+    return b->kind->role.coupled && b->skin > 0;
 }
 
 static int place(const struct moment *m, const struct moment_body *b, int j)
@@ -41,8 +41,8 @@ static void move_skin(struct release *r, struct moment_body *b)
 {
     double (*point)[DIM] = r->m->work->points;
 
-    b->kind->joint.coupled->joined(b->body, b->work, r->modes);
-    b->kind->joint.coupled->drift(b->body, r->modes, point);
+    b->kind->role.coupled->joined(b->body, b->work, r->modes);
+    b->kind->role.coupled->drift(b->body, r->modes, point);
     for (int j = 0; j < b->skin; j++) {
         const int s = place(r->m, b, j);
         if (s >= 0)
@@ -53,16 +53,16 @@ static void move_skin(struct release *r, struct moment_body *b)
 /* By the pressure's forces, in work->f. */
 static void push_body(struct release *r, struct moment_body *b)
 {
-    memset(r->modes, 0, (size_t)b->kind->joint.coupled->unknowns(b->body) * sizeof *r->modes);
+    memset(r->modes, 0, (size_t)b->kind->role.coupled->unknowns(b->body) * sizeof *r->modes);
     solids_skin(r->m, b);
-    b->kind->joint.coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, 1, r->modes);
+    b->kind->role.coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, 1, r->modes);
     move_skin(r, b);
 }
 
 /* By all other forces: M times the rates that they give.  Makes B ready. */
 static int drive_body(struct release *r, struct moment_body *b)
 {
-    const struct body_coupled *c = b->kind->joint.coupled;
+    const struct body_coupled *c = b->kind->role.coupled;
     const int n = c->unknowns(b->body);
     double (*point)[DIM] = r->m->work->points;
 

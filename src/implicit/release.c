@@ -62,8 +62,8 @@ static int take_memory(struct release *r)
             return STATUS_FAILED;
     for (int i = 0; i < r->m->plan->bodies; i++) {
         const struct moment_body *b = &r->m->body[i];
-        if (b->kind->joint.coupled && b->kind->joint.coupled->unknowns(b->body) > unknowns)
-            unknowns = b->kind->joint.coupled->unknowns(b->body);
+        if (b->kind->role.coupled && b->kind->role.coupled->unknowns(b->body) > unknowns)
+            unknowns = b->kind->role.coupled->unknowns(b->body);
     }
     r->parts = status_alloc(n + 1, sizeof *r->parts);
     r->modes = status_alloc(2 * (size_t)unknowns + 1, sizeof *r->modes);

@@ -41,7 +41,7 @@ static void set_drag(struct moment *m, double gamma)
                 const int s = viscous_place(m, b, j);
                 at[j][d] = s < 0 ? 0 : u->job.firm[s];
             }
-            b->kind->joint.coupled->pull(b->body, b->work, (const double (*)[DIM])at, -gamma, to);
+            b->kind->role.coupled->pull(b->body, b->work, (const double (*)[DIM])at, -gamma, to);
             to += viscous_body(m->plan, i);
         }
     }

@@ -17,7 +17,7 @@ void viscous_read(struct moment *m, const double *y, double *v)
     memcpy(v, y + layout_at(&m->layout, m->plan->row.u), (size_t)n * sizeof *v);
     v += n;
     for (int i = 0; i < m->plan->bodies; i++) {
-        m->body[i].kind->joint.coupled->read(m->body[i].body, &m->layout, y, v);
+        m->body[i].kind->role.coupled->read(m->body[i].body, &m->layout, y, v);
         v += viscous_body(m->plan, i);
     }
 }

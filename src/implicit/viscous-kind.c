@@ -10,7 +10,7 @@
 static int agree(const struct plan *p)
 {
     for (int i = 0; i < p->bodies && p->stiff; i++)
-        if (!p->body[i].kind->joint.coupled)
+        if (!p->body[i].kind->role.coupled)
             return status_fail(STATUS_BAD_SCENE, "%s: a body of kind \"%s\" cannot be solved for "
                                "in one linear system with %s, which has side = \"implicit\"; set "
                                "side = \"explicit\", or take a beam with theory = \"linear\"",
@@ -34,7 +34,7 @@ static void answer(struct moment *m, double t, const double *y, double *ydot)
     viscous_book(m, book);
     for (int i = 0; i < p->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->joint.coupled->yield(b->body, b->work, &m->layout, (const double (*)[DIM])b->force,
+        b->kind->role.coupled->yield(b->body, b->work, &m->layout, (const double (*)[DIM])b->force,
                                 ydot, book + p->book.support + i * DIM);
     }
     viscous_begin(m, t, y);

@@ -8,7 +8,7 @@
 
 int viscous_body(const struct plan *p, int i)
 {
-    return p->body[i].kind->joint.coupled->unknowns(p->body[i].body);
+    return p->body[i].kind->role.coupled->unknowns(p->body[i].body);
 }
 
 /* Velocities of all particles by place; of walls only when they are asked for. */
@@ -27,7 +27,7 @@ static void spread(struct moment *m, const double *x, bool walls)
             to[s][d] = walls ? all->u[l->order[s]][d] : 0;
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->joint.coupled->drift(b->body, w, point);
+        b->kind->role.coupled->drift(b->body, w, point);
         for (int j = 0; j < b->skin; j++) {
             const int s = viscous_place(m, b, j);
             if (s >= 0)
@@ -80,9 +80,9 @@ static void on_body(void *self, const double *v, double *to)
     const struct viscous_block *at = self;
     struct moment_body *b = &at->moment->body[at->body];
 
-    b->kind->joint.coupled->inertia(b->body, b->work, at->gamma, v, to);
+    b->kind->role.coupled->inertia(b->body, b->work, at->gamma, v, to);
     solids_skin(at->moment, b);
-    b->kind->joint.coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -at->gamma, to);
+    b->kind->role.coupled->pull(b->body, b->work, (const double (*)[DIM])b->force, -at->gamma, to);
 }
 
 static void on_body_solve(void *self, double *v)
@@ -90,7 +90,7 @@ static void on_body_solve(void *self, double *v)
     const struct viscous_block *at = self;
     const struct moment_body *b = &at->moment->body[at->body];
 
-    b->kind->joint.coupled->joined(b->body, b->work, v);
+    b->kind->role.coupled->joined(b->body, b->work, v);
 }
 
 static double on_body_largest(void *self, const double *v)
@@ -98,7 +98,7 @@ static double on_body_largest(void *self, const double *v)
     const struct viscous_block *at = self;
     const struct moment_body *b = &at->moment->body[at->body];
 
-    return b->kind->joint.coupled->fastest(b->body, v);
+    return b->kind->role.coupled->fastest(b->body, v);
 }
 
 static void set_operator(struct moment *m, double gamma)
@@ -156,7 +156,7 @@ int viscous_join(struct moment *m, double gamma)
             const int s = viscous_place(m, b, j);
             c[j] = s < 0 ? 0 : u->job.firm[s];
         }
-        TRY(b->kind->joint.coupled->join(b->body, b->work, gamma, c));
+        TRY(b->kind->role.coupled->join(b->body, b->work, gamma, c));
     }
     return STATUS_DONE;
 }

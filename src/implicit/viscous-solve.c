@@ -33,7 +33,7 @@ static void set_stage(struct moment *m, double gamma, const double *r)
     memcpy(u->stage + layout_at(&m->layout, m->plan->row.u), v, (size_t)u->fluid * sizeof *v);
     v += u->fluid;
     for (int i = 0; i < m->plan->bodies; i++) {
-        m->body[i].kind->joint.coupled->write(m->body[i].body, &m->layout, gamma, r, v, u->stage);
+        m->body[i].kind->role.coupled->write(m->body[i].body, &m->layout, gamma, r, v, u->stage);
         v += viscous_body(m->plan, i);
     }
 }
@@ -60,7 +60,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
         }
     for (int i = 0; i < m->plan->bodies; i++) {
         const struct moment_body *b = &m->body[i];
-        b->kind->joint.coupled->right(b->body, b->work, &m->layout, gamma, r, u->right + at);
+        b->kind->role.coupled->right(b->body, b->work, &m->layout, gamma, r, u->right + at);
         memcpy(u->x + at, u->v + at, (size_t)viscous_body(m->plan, i) * sizeof *u->x);
         at += viscous_body(m->plan, i);
     }
@@ -140,8 +140,8 @@ static void finish(struct moment *m, double gamma, const double *r, double *z)
     memcpy(z + layout_at(&m->layout, m->plan->row.u), u->v, (size_t)u->fluid * sizeof *z);
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
-        b->kind->joint.coupled->write(b->body, &m->layout, gamma, r, u->v + at, z);
-        b->kind->joint.coupled->settle(b->body, b->work, &m->layout, gamma, r, z,
+        b->kind->role.coupled->write(b->body, &m->layout, gamma, r, u->v + at, z);
+        b->kind->role.coupled->settle(b->body, b->work, &m->layout, gamma, r, z,
                                  (const double (*)[DIM])b->force,
                                  rates + m->plan->book.support + i * DIM);
         at += viscous_body(m->plan, i);

@@ -93,31 +93,36 @@ double eos_energy(const struct eos *e, double rho)
     return stiffness(e) / e->rho0 * log_s * log_s * sum;
 }
 
-/* Loops that take several at once; none: the pressure below rho0 is 0. */
-static void sevenths(double b, double rho0, bool none, int n, const double *restrict rho,
+/* Loops that take several at once: a limit of strains (-INFINITY: none) instead of a question,
+ * as a branch on the sign of a strain is often mispredicted. */
+static void sevenths(double b, double rho0, double least, int n, const double *restrict rho,
                      double *restrict p)
 {
+#pragma omp simd
     for (int i = 0; i < n; i++) {
-        const double d = (rho[i] - rho0) / rho0, all = b * seventh(d);
-        p[i] = none & (d < 0) ? 0 : all;
+        const double given = (rho[i] - rho0) / rho0, d = least > given ? least : given;
+        p[i] = b * seventh(d);
     }
 }
 
-static void firsts(double b, double rho0, bool none, int n, const double *restrict rho,
+static void firsts(double b, double rho0, double least, int n, const double *restrict rho,
                    double *restrict p)
 {
+#pragma omp simd
     for (int i = 0; i < n; i++) {
-        const double d = (rho[i] - rho0) / rho0, all = b * d;
-        p[i] = none & (d < 0) ? 0 : all;
+        const double given = (rho[i] - rho0) / rho0;
+        p[i] = b * (least > given ? least : given);
     }
 }
 
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
 {
+    const double least = e->clamped ? 0 : -INFINITY;
+
     if (e->gamma == 7)
-        sevenths(stiffness(e), e->rho0, e->clamped, n, rho, p);
+        sevenths(stiffness(e), e->rho0, least, n, rho, p);
     else if (e->gamma == 1)
-        firsts(stiffness(e), e->rho0, e->clamped, n, rho, p);
+        firsts(stiffness(e), e->rho0, least, n, rho, p);
     else
         for (int i = 0; i < n; i++)
             p[i] = eos_pressure(e, rho[i]);

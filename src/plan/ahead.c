@@ -17,7 +17,7 @@ double plan_ahead(const struct plan *p)
 static bool bodies_yield(const struct plan *p)
 {
     for (int i = 0; i < p->bodies; i++)
-        if (!p->body[i].kind->joint.ahead)
+        if (!p->body[i].kind->role.ahead)
             return false;
     return true;
 }
@@ -30,15 +30,17 @@ static bool walls_predict(const struct plan *p)
     return wall->as_fluid && p->passes.fields == 0 && (!wall->press || wall->press->mean);
 }
 
-static bool skins(const struct plan *p)
+/* Is there a beam that its mass alone moves? */
+static bool own_way(const struct plan *p)
 {
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].skin > 0)
+        if (p->body[i].skin > 0 && !p->body[i].kind->role.ahead->moves)
             return true;
     return false;
 }
 
-/* What it cannot go with, and what to do; NULL: nothing. */
+/* What it cannot go with, and what to do; NULL: nothing.  Measured: between walls that press one way
+ * a beam that moves by its mass alone chatters (doc/pressure.md). */
 static const char *reason(const struct plan *p)
 {
     if (p->row.density[KIND_FLUID] < 0)
@@ -50,11 +52,14 @@ static const char *reason(const struct plan *p)
     if (!bodies_yield(p))
         return "one of the bodies does not say how it yields to pressure within a time: leave it "
                "out, or take another eos.type";
-    if (p->passes.press && skins(p))
-        return "skins of beams whose pressure is a mean do not yield to it: set "
-               "walls = \"own-density\"";
+    if (p->passes.press && own_way(p))
+        return "a beam that its mass alone moves chatters between such walls: set its response = "
+               "\"predicted\", or walls = \"own-density\"";
     if (p->stiff)
         return "a viscosity that is implicit is solved for apart: set its side = \"explicit\"";
+    if (p->passes.filters)
+        return "it holds the energy of a density and a pressure, not of a filtered density: leave "
+               "effects.shepard-filter out";
     if (p->drifter)
         return "it does not predict what particle shifting changes: leave that effect out";
     if (p->kernel[PART_DENSITY] != p->kernel[PART_PRESSURE])
@@ -99,7 +104,7 @@ static void doubt_short(const struct plan *p, const struct scene *scene)
 static int refuse_moved(const struct plan *p, const struct scene *scene)
 {
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].kind->joint.ahead && p->body[i].kind->joint.ahead->moves)
+        if (p->body[i].kind->role.ahead && p->body[i].kind->role.ahead->moves)
             return status_fail(STATUS_BAD_SCENE, "%s: %s moves as a pressure that looks ahead takes it "
                                "to, and there is none: set eos.type = \"look-ahead\" with eos.tau "
                                "above 0, or leave its response out", scene_path(scene),

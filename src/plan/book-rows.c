@@ -27,7 +27,8 @@ int plan_book_rows(struct plan *p)
     b->applied = b->support + p->bodies * DIM;
     b->pull = b->applied + p->bodies * DIM;
     b->contacts = b->pull + (pulls(p) ? DIM : 0);
-    b->solved = b->contacts + p->contacts.columns;
+    b->dissipated = b->contacts + p->contacts.columns;
+    b->solved = b->dissipated + (plan_ahead(p) > 0 ? 1 : 0);
     while (solved && b->solved_works < PLAN_SOLVED_WORKS && solved->work[b->solved_works])
         b->solved_works++;
     b->n = b->solved + b->solved_works;

@@ -2,6 +2,7 @@
 #include "plan/catalogue-keys.h"
 
 #include "bodies/bodies.h"
+#include "plan/catalogue-rows.h"
 #include "plan/catalogue.h"
 #include "pressure/pressure.h"
 
@@ -66,9 +67,12 @@ static void look_in_effects(struct asked *a)
 
 static void look_in_bodies(struct asked *a)
 {
-    for (int i = 0; bodies_table[i]; i++)
-        look(a, bodies_table[i]->identity.group, bodies_table[i]->identity.name,
-             bodies_table[i]->identity.params);
+    for (int i = 0; bodies_table[i]; i++) {
+        const struct body_identity *b = &bodies_table[i]->identity;
+        look(a, b->group, b->name, b->params);
+        for (const struct body_group *g = b->groups; g && g->name; g++)
+            look(a, b->group, g->name, g->params);
+    }
 }
 
 static void look_in_groups(struct asked *a)

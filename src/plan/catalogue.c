@@ -3,20 +3,22 @@
 
 #include "base/status.h"
 #include "bodies/bodies.h"
+#include "plan/catalogue-rows.h"
 #include "plan/kernels.h"
+#include "plan/settings-contact.h"
 #include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "pressure/pressure.h"
 #include "scene/scene.h"
 #include "fill/flow.h"
-#include "walls/walls.h"
+#include "state/motion.h"
 
 #include <math.h>
 #include <string.h>
 
 const char *const catalogue_groups[] = {
     "kernel", "domain", "reference", "disturbance", "pcisph", "mps", "eos", "effects", "fluid",
-    "wall", "beam", "body", "probe", "panel", "output", NULL
+    "wall", "beam", "body", "contact", "probe", "panel", "output", NULL
 };
 
 /* Keys of a scene by group; rows that several sets share stand one after another. */
@@ -39,10 +41,12 @@ static const struct group {
     { "fluid", "fluid.NAME: a region filled with fluid",
       { shape_params, settings_fluid_params, flow_params } },
     { "wall", "wall.NAME: a region filled with wall",
-      { shape_params, settings_wall_params, walls_motion_params } },
+      { shape_params, settings_wall_params, motion_params } },
     { "probe", "probe.NAME: a place to measure at", { settings_probe_params } },
     { "panel", "panel.NAME: a part of a wall or beam whose force is told",
       { settings_panel_params } },
+    { "contact", "contact.NAME: friction and restitution of two solids, or of all of two kinds",
+      { settings_contact_params } },
     { "mps", "how the method mps computes", { settings_mps_params } },
 };
 
@@ -136,46 +140,6 @@ int catalogue_list(const char *what, FILE *to)
     return STATUS_DONE;
 }
 
-static void print_default(const struct param *r, FILE *to)
-{
-    fputs(r->required ? "required" : "default ", to);
-    if (r->required)
-        return;
-    if (r->type == PARAM_WORD)
-        fprintf(to, "%s", r->words[0] ? r->words[0] : "-");
-    else if (r->type == PARAM_FLAG)
-        fputs(r->fallback != 0 ? "true" : "false", to);
-    else if (r->type == PARAM_TEXT)
-        fputs("\"\"", to);
-    else if (r->type == PARAM_POINTS || r->type == PARAM_PAIRS || r->type == PARAM_WORDS)
-        fputs("none", to);
-    else if (isnan(r->fallback))
-        fputs("computed", to);
-    else
-        fprintf(to, "%g", r->fallback);
-}
-
-void catalogue_row(const struct param *r, FILE *to)
-{
-    fprintf(to, "  %-18s %-10s ", r->key, r->unit);
-    print_default(r, to);
-    if ((r->type == PARAM_NUMBER || r->type == PARAM_INTEGER) && r->max > r->min)
-        fprintf(to, ", %g to %g", r->min, r->max);
-    fprintf(to, "\n      %s\n", r->about);
-    if (r->type != PARAM_WORD && r->type != PARAM_WORDS)
-        return;
-    fputs("      one of:", to);
-    for (int i = 0; r->words[i]; i++)
-        fprintf(to, " %s", r->words[i]);
-    fputc('\n', to);
-}
-
-static void explain_rows(const struct param *rows, FILE *to)
-{
-    for (const struct param *r = rows; r && r->key; r++)
-        catalogue_row(r, to);
-}
-
 static void explain_thing(const char *name, const char *about, const char *equation,
                           const char *source, const struct param *rows, FILE *to)
 {
@@ -185,7 +149,7 @@ static void explain_thing(const char *name, const char *about, const char *equat
     if (source)
         fprintf(to, "  source: %s\n", source);
     if (rows && rows->key)
-        explain_rows(rows, to);
+        catalogue_rows(rows, to);
     else
         fputs("  no parameters\n", to);
 }
@@ -196,7 +160,7 @@ bool catalogue_explain_group(const char *name, FILE *to)
         if (strcmp(groups[i].name, name) == 0) {
             fprintf(to, "%s -- %s\n", name, groups[i].about);
             for (int k = 0; k < CATALOGUE_ROWS && groups[i].rows[k]; k++)
-                explain_rows(groups[i].rows[k], to);
+                catalogue_rows(groups[i].rows[k], to);
             return true;
         }
     return false;
@@ -217,13 +181,15 @@ static bool explain_body(const char *name, FILE *to)
         if (strcmp(bodies_table[i]->identity.name, name) == 0) {
             const struct body_identity *b = &bodies_table[i]->identity;
             explain_thing(b->name, b->about, b->equation, b->source, b->params, to);
+            catalogue_body_rows(b->groups, to);
             return true;
         }
     return false;
 }
 
 /* Shapes of the other dimension too: the user has perhaps not said which. */
-static const char *const shapes[] = { "box", "polygon", "disc", "sphere", "frame", NULL };
+static const char *const shapes[] = { "box", "polygon", "disc", "sphere", "cylinder", "frame",
+                                     NULL };
 
 static const char *const listed[] = { "effects", "kernels", "walls", "bodies", NULL };
 
@@ -242,7 +208,7 @@ static bool explain_shape(const char *name, FILE *to)
             strcmp(name, "frame") == 0 ? "wall." : "fluid.NAME.type or wall.",
             among(shape_types, name) ? "" : DIM == 2 ? "; with dimension = 3 only"
                                                      : "; with dimension = 2 only");
-    explain_rows(shape_params, to);
+    catalogue_rows(shape_params, to);
     return true;
 }
 

@@ -14,9 +14,6 @@ enum { CATALOGUE_ROWS = 3 };
  * rows that end with NULL where there are fewer. */
 const char *catalogue_group(int i, const struct param *const **rows);
 
-/* A row as `explain` prints it. */
-void catalogue_row(const struct param *r, FILE *to);
-
 /* Groups that a scene may have at its top level, NULL-ended. */
 extern const char *const catalogue_groups[];
 

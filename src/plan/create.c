@@ -29,16 +29,28 @@ static int take_part(struct plan *p, const struct part *part, void **self, const
     return STATUS_DONE;
 }
 
+/* Numbers that stand for another one, as 0 may, until prepare() knows it. */
+static void note_computed(const struct plan_part *o, struct scene *scene)
+{
+    for (const struct param *row = o->part->params; o->self && row && row->key; row++) {
+        const double *now = (const double *)((const char *)o->self + row->offset);
+        if (row->type == PARAM_NUMBER && *now != row->fallback)
+            scene_computed(scene, o->path, row->key, *now);
+    }
+}
+
 /* A part does not know the scene's file. */
-static int prepare_parts(struct plan *p, const struct scene *scene)
+static int prepare_parts(struct plan *p, struct scene *scene)
 {
     char text[1024];
 
     for (int i = 0; i < p->parts; i++) {
         const struct part *part = p->part[i].part;
         int status = part->prepare ? part->prepare(p->part[i].self, &p->scales) : STATUS_DONE;
-        if (status == STATUS_DONE)
+        if (status == STATUS_DONE) {
+            note_computed(&p->part[i], scene);
             continue;
+        }
         snprintf(text, sizeof text, "%s", status_message());
         status_clear();
         return status_fail(status, "%s: %s", scene_path(scene), text);
@@ -118,7 +130,7 @@ static void wall_reach(const struct plan *p, double *most)
     for (int i = 0; i < p->walls; i++) {
         double low[DIM], high[DIM], reach[DIM];
         shape_bounds(&p->in.wall[i].set.shape, low, high);
-        walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until, reach);
+        motion_extent(&p->wall[i].motion, low, high, p->in.set.until, reach);
         for (int d = 0; d < DIM; d++)
             most[d] = fmax(most[d], reach[d]);
     }
@@ -156,19 +168,6 @@ static int check_something(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
-/* One body meets no other. */
-static int make_contacts(struct plan *p)
-{
-    struct plan_contacts *c = &p->contacts;
-
-    if (!bodies_contacts || p->bodies < 2)
-        return STATUS_DONE;
-    c->kind = bodies_contacts;
-    while (c->columns < CONTACTS_COLUMNS && c->kind->column[c->columns])
-        c->columns++;
-    return c->kind->create(&p->scales, p->bodies, &c->self);
-}
-
 /* With pairs of half the cost a list that lasts longer pays (doc/speed.md). */
 static void choose_precision(struct plan *p, struct scene *scene)
 {
@@ -182,7 +181,8 @@ static void choose_precision(struct plan *p, struct scene *scene)
     }
 }
 
-static int build(struct plan *p, struct scene *scene)
+/* Up to the particles; with a survey those are counted. */
+static int read(struct plan *p, struct scene *scene, struct plan_survey *survey)
 {
     TRY(input_read(scene, p->engine, &p->in));
     choose_precision(p, scene);
@@ -193,7 +193,12 @@ static int build(struct plan *p, struct scene *scene)
     TRY(kernels_laws(p->engine, p->kernel, p->table.kernel));
     kernels_scales(p->engine, p->kernel, &p->scales);
     TRY(plan_bodies_make(p));
-    TRY(make_contacts(p));
+    TRY(plan_contacts_make(p));
+    return survey ? plan_survey_take(p, survey) : STATUS_DONE;
+}
+
+static int build(struct plan *p, struct scene *scene)
+{
     TRY(plan_objects_fill(p));
     TRY(take_parts(p));
     TRY(prepare_parts(p, scene));
@@ -237,7 +242,7 @@ static void destroy(struct plan **plan)
     *plan = NULL;
 }
 
-int plan_create(struct scene *scene, const struct plan **out)
+static int create(struct scene *scene, struct plan_survey *survey, const struct plan **out)
 {
     struct plan *p = status_alloc(1, sizeof *p);
     int status;
@@ -246,11 +251,25 @@ int plan_create(struct scene *scene, const struct plan **out)
     if (!p)
         return STATUS_FAILED;
     p->engine = engine_pick();
-    status = build(p, scene);
-    if (status != STATUS_DONE)
+    status = read(p, scene, survey);
+    const bool large = survey && survey->large;
+    if (status == STATUS_DONE && !large)
+        status = build(p, scene);
+    if (status != STATUS_DONE || large)
         destroy(&p);
     *out = p;
     return status;
+}
+
+int plan_create(struct scene *scene, const struct plan **out)
+{
+    return create(scene, NULL, out);
+}
+
+int plan_survey_create(struct scene *scene, struct plan_survey *survey, const struct plan **out)
+{
+    *survey = (struct plan_survey){ 0 };
+    return create(scene, survey, out);
 }
 
 void plan_free(const struct plan **plan)

@@ -15,7 +15,11 @@ const struct settings_probe *plan_probe(const struct plan *plan, int i, const ch
 bool plan_profiles(const struct plan *plan); /* has any probe a profile? */
 int plan_bodies(const struct plan *plan);
 const char *plan_body_name(const struct plan *plan, int body);
+/* Its path, and how far water at the reference speed would bend it, in parts of what its theory
+ * allows. */
+double plan_body_foresee(const struct plan *plan, int body, const char **path);
 bool plan_body_rigid(const struct plan *plan, int body); /* it has a pose, no tip */
+bool plan_body_tied(const struct plan *plan, int body); /* and joints, a motion or springs? */
 const char *plan_object_group(const struct plan *plan, int object); /* "fluid", "wall", "beam" */
 bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
 int plan_lanes(const struct plan *plan);
@@ -35,6 +39,17 @@ const double *plan_impulse(const struct plan *plan, const double *y, int object)
 /* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a
  * fall through the domain. */
 double plan_speed_expected(const struct plan *plan);
+
+double plan_driven(const struct plan *plan); /* that of the fluid at the start, and of walls */
+/* Does fluid stand so much higher than spread over the domain that it will fall? */
+bool plan_falls(const struct plan *plan);
+
+/* Height up to which fluid may rise [m]: its own, and what its speed or that of walls adds; when
+ * it stands higher than spread over the domain and so will fall, spray reaches three times the
+ * height of its top above the domain's floor (dam break of 0.2 m on a wall: 0.6 m).  HUGE_VAL
+ * without gravity downwards.  The lowest rim of a frame, and which wall; NULL: there is none. */
+double plan_reach(const struct plan *plan);
+const char *plan_rim(const struct plan *plan, double *rim);
 
 /* Parts in the plan, a line each, for `check`. */
 int plan_parts(const struct plan *plan);

@@ -153,9 +153,9 @@ int idle_fluid(const struct scene_node *node, const char *path, const struct inp
     return STATUS_DONE;
 }
 
-int idle_wall(const struct scene_node *node, const char *path, const struct walls_motion *m)
+int idle_wall(const struct scene_node *node, const char *path, const struct motion *m)
 {
-    return check_rules(node, path, walls_motion_params, m, motion_rules);
+    return check_rules(node, path, motion_params, m, motion_rules);
 }
 
 /* A ratio of 0 says that it shall not count. */

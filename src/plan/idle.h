@@ -7,7 +7,7 @@
 /* Each refuses (BAD_SCENE) the first key of the group that was given another value than
  * its default and does nothing there; `node` is the group, `path` its address. */
 int idle_fluid(const struct scene_node *node, const char *path, const struct input_fluid *f);
-int idle_wall(const struct scene_node *node, const char *path, const struct walls_motion *m);
+int idle_wall(const struct scene_node *node, const char *path, const struct motion *m);
 int idle_body(const struct scene_node *node, const char *path, const struct input_body *b);
 
 /* Of the whole scene: refuses probes where nothing can be measured; warns of what is

@@ -115,6 +115,26 @@ static void frame_of(const struct input *in, struct shape *s)
             s->open |= shape_side(d, false) | shape_side(d, true);
 }
 
+/* Sides that end below the domain's top leave room for splashes. */
+static int rim_of(const char *path, struct input_wall *w)
+{
+    struct shape *s = &w->set.shape;
+    const double rim = w->set.rim, low = s->low[DIM - 1], high = s->high[DIM - 1];
+
+    if (isnan(rim))
+        return STATUS_DONE;
+    if (strcmp(s->type, "frame") != 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s.rim is for walls of type \"frame\"; a %s ends "
+                           "where its shape ends: leave rim out", w->where, path, s->type);
+    if (!(low < rim && rim <= high))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s.rim = %g m lies outside the domain, which goes "
+                           "from %g m to %g m along %c; put it between them, or make domain.to "
+                           "higher", w->where, path, rim, low, high, "xyz"[DIM - 1]);
+    s->open |= shape_side(DIM - 1, true);
+    s->sunk = high - rim;
+    return STATUS_DONE;
+}
+
 int input_walls(struct scene *scene, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "wall");
@@ -125,19 +145,69 @@ int input_walls(struct scene *scene, struct input *in)
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
         struct input_wall *w = &in->wall[in->wall_count++];
-        char path[80];
 
         snprintf(w->name, sizeof w->name, "%s", scene_name(node));
         snprintf(w->where, sizeof w->where, "%s", scene_where(node));
-        snprintf(path, sizeof path, "wall.%s", w->name);
-        TRY(fill_shares(scene, node, path,
+        snprintf(w->path, sizeof w->path, "wall.%s", w->name);
+        TRY(fill_shares(scene, node, w->path,
                         (struct share[]){ { shape_params, &w->set.shape },
                                           { settings_wall_params, &w->set },
-                                          { walls_motion_params, &w->motion } }, 3));
+                                          { motion_params, &w->motion } }, 3));
         frame_of(in, &w->set.shape);
-        TRY(shape_check(&w->set.shape, path, w->where));
-        TRY(idle_wall(node, path, &w->motion));
-        TRY(walls_motion_prepare(&w->motion, path, w->where));
+        TRY(rim_of(w->path, w));
+        TRY(shape_check(&w->set.shape, w->path, w->where));
+        TRY(idle_wall(node, w->path, &w->motion));
+        TRY(motion_prepare(&w->motion, w->path, w->where));
+    }
+    return STATUS_DONE;
+}
+
+static int fill_group(struct scene *scene, const struct scene_node *node, const char *path,
+                      const struct body_group *group, void *into)
+{
+    TRY(scene_fill(scene, node, path, group->params, NULL, DIM, into));
+    return group->params == motion_params ? idle_wall(node, path, into) : STATUS_DONE;
+}
+
+static int fill_named(struct scene *scene, const struct scene_node *node, const char *path,
+                      const struct body_group *group, char *into, int *count)
+{
+    TRY(input_check_objects(node, path));
+    if (scene_count(node) > group->most)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s has %d members, and a body may have %d",
+                           scene_where(node), path, scene_count(node), group->most);
+    for (int i = 0; i < scene_count(node); i++) {
+        const struct scene_node *member = scene_at(node, i);
+        char *to = into + (size_t)i * group->size, name[160];
+        snprintf(name, sizeof name, "%s.%s", path, scene_name(member));
+        *(const char **)(void *)to = scene_name(member);
+        TRY(fill_group(scene, member, name, group, to));
+        *count = i + 1;
+    }
+    return STATUS_DONE;
+}
+
+/* Its own keys, and those of the groups inside. */
+static int fill_body(struct scene *scene, const struct scene_node *node, struct input_body *b)
+{
+    const struct body_identity *kind = &b->kind->identity;
+    const char *also[INPUT_KEYS] = { NULL };
+    int n = 0;
+
+    for (const struct body_group *g = kind->groups; g && g->name; g++)
+        also[n++] = g->name;
+    TRY(scene_fill(scene, node, b->path, kind->params, also, DIM, b->params));
+    for (const struct body_group *g = kind->groups; g && g->name; g++) {
+        const struct scene_node *inside = scene_child(node, g->name);
+        char path[120], *into = (char *)b->params;
+        int *count = (int *)(void *)(into + g->count);
+        snprintf(path, sizeof path, "%s.%s", b->path, g->name);
+        if (inside && g->most == 1)
+            TRY(fill_group(scene, inside, path, g, into + g->at));
+        if (inside && g->most == 1)
+            *count = 1;
+        if (inside && g->most > 1)
+            TRY(fill_named(scene, inside, path, g, into + g->at, count));
     }
     return STATUS_DONE;
 }
@@ -156,7 +226,7 @@ static int read_bodies_of(struct scene *scene, const struct body_kind *kind, str
         b->kind = kind;
         if (!(b->params = status_alloc(1, kind->identity.size)))
             return STATUS_FAILED;
-        TRY(scene_fill(scene, node, b->path, kind->identity.params, NULL, DIM, b->params));
+        TRY(fill_body(scene, node, b));
         TRY(idle_body(node, b->path, b));
         b->kind = kind->identity.choose ? kind->identity.choose(b->params) : kind;
     }
@@ -174,8 +244,8 @@ int input_bodies(struct scene *scene, struct input *in)
         n += scene_count(group);
     }
     if (n > INPUT_BODIES)
-        return status_fail(STATUS_BAD_SCENE, "%s: %d beams are more than the %d that a scene may "
-                           "have", scene_path(scene), n, INPUT_BODIES);
+        return status_fail(STATUS_BAD_SCENE, "%s: %d bodies and beams are more than the %d that a "
+                           "scene may have", scene_path(scene), n, INPUT_BODIES);
     if (!(in->body = status_alloc(n + 1, sizeof *in->body)))
         return STATUS_FAILED;
     for (int k = 0; bodies_table[k]; k++)

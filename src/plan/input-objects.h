@@ -19,6 +19,7 @@ void *input_objects(const struct scene_node *group, size_t size);
 int input_fluids(struct scene *scene, struct input *in);
 int input_walls(struct scene *scene, struct input *in);
 int input_bodies(struct scene *scene, struct input *in);
+int input_contacts(struct scene *scene, struct input *in);
 int input_probes(struct scene *scene, struct input *in);
 int input_panels(struct scene *scene, struct input *in);
 

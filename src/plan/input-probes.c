@@ -1,4 +1,5 @@
-/* input-probes.c -- reads what a scene measures: probes, and panels of solids. */
+/* input-probes.c -- reads what a scene measures: probes, and panels of solids; and what it says of
+ * pairs of solids. */
 #include "plan/input-objects.h"
 
 #include "base/status.h"
@@ -102,11 +103,11 @@ int input_panels(struct scene *scene, struct input *in)
     const struct scene_node *group = scene_child(scene_root(scene), "panel");
 
     TRY(input_check_objects(group, "panel"));
-    if (!(in->panel = input_objects(group, sizeof *in->panel)))
+    if (!(in->panels.of = input_objects(group, sizeof *in->panels.of)))
         return STATUS_FAILED;
     for (int i = 0; i < scene_count(group); i++) {
         const struct scene_node *node = scene_at(group, i);
-        struct input_panel *p = &in->panel[in->panels++];
+        struct input_panel *p = &in->panels.of[in->panels.n++];
         char path[80];
 
         snprintf(p->name, sizeof p->name, "%s", scene_name(node));
@@ -114,5 +115,29 @@ int input_panels(struct scene *scene, struct input *in)
         snprintf(path, sizeof path, "panel.%s", p->name);
         TRY(scene_fill(scene, node, path, settings_panel_params, NULL, DIM, &p->set));
     }
+    return STATUS_DONE;
+}
+
+int input_contacts(struct scene *scene, struct input *in)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "contact");
+
+    TRY(input_check_objects(group, "contact"));
+    if (!(in->pairs.of = input_objects(group, sizeof *in->pairs.of)))
+        return STATUS_FAILED;
+    for (int i = 0; i < scene_count(group); i++) {
+        const struct scene_node *node = scene_at(group, i);
+        struct input_contact *c = &in->pairs.of[in->pairs.n++];
+        char path[80];
+
+        snprintf(c->name, sizeof c->name, "%s", scene_name(node));
+        snprintf(c->where, sizeof c->where, "%s", scene_where(node));
+        snprintf(path, sizeof path, "contact.%s", c->name);
+        TRY(scene_fill(scene, node, path, settings_contact_params, NULL, DIM, &c->set));
+    }
+    if (in->pairs.n > 0 && in->bodies == 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: nothing touches anything here, as there "
+                           "are no bodies; leave contact out", in->pairs.of[0].where,
+                           in->pairs.of[0].name);
     return STATUS_DONE;
 }

@@ -74,6 +74,43 @@ static int complete(const struct part *part, void *self, const char *where)
     return status_fail(status, "%s: %s", where, text);
 }
 
+static bool has_row(const struct param *rows, const char *key)
+{
+    while (rows->key && strcmp(rows->key, key) != 0)
+        rows++;
+    return rows->key != NULL;
+}
+
+/* Another type on the command line: what the file says to its own type goes with that.  What
+ * neither knows, and what the command line gives itself, is refused as ever. */
+static void leave_out_others(struct scene *scene)
+{
+    const struct scene_node *group = scene_child(scene_root(scene), "eos");
+    const char *was = pressure_table[0]->name, *now = was, *gap = "";
+    const struct part *old = NULL, *new = NULL;
+    char keys[400] = "";
+    size_t n = 0;
+
+    if (scene_changed(group, "type", &was, &now)) {
+        old = catalogue_part(pressure_table, was);
+        new = catalogue_part(pressure_table, now);
+    }
+    for (const struct param *row = old && new ? old->params : NULL; row && row->key; row++) {
+        const struct scene_node *node = scene_child(group, row->key);
+
+        if (!node || scene_line(node) == 0 || has_row(new->params, row->key)
+            || n >= sizeof keys)
+            continue;
+        n += (size_t)snprintf(keys + n, sizeof keys - n, "%seos.%s (%s)", gap, row->key,
+                              scene_where(node));
+        gap = ", ";
+        scene_leave_out(scene, "eos", row->key);
+    }
+    if (n > 0)
+        status_warn("eos.type = \"%s\" on the command line leaves out what belongs to \"%s\", "
+                    "the type without it: %s", now, was, keys);
+}
+
 static int read_eos(struct scene *scene, const struct engine *engine, struct input *in)
 {
     const struct scene_node *group = scene_child(scene_root(scene), "eos");
@@ -82,6 +119,7 @@ static int read_eos(struct scene *scene, const struct engine *engine, struct inp
     bool open;
     int n = 0;
 
+    leave_out_others(scene);
     for (int i = 0; pressure_table[i]; i++)
         n = input_add_keys(pressure_table[i]->params, also, n);
     TRY(scene_fill(scene, group, "eos", settings_eos_params, also, DIM, &in->eos));
@@ -155,6 +193,7 @@ int input_read(struct scene *scene, const struct engine *engine, struct input *i
     TRY(read_effects(scene, engine, in));
     TRY(input_walls(scene, in));
     TRY(input_bodies(scene, in));
+    TRY(input_contacts(scene, in));
     TRY(input_probes(scene, in));
     TRY(input_panels(scene, in));
     return idle_scene(scene, in);
@@ -170,10 +209,11 @@ void input_free(struct input *in)
     free(in->walls_self);
     free(in->fluid);
     for (int i = 0; i < in->wall_count; i++)
-        walls_motion_free(&in->wall[i].motion);
+        motion_free(&in->wall[i].motion);
     free(in->wall);
     free(in->body);
+    free(in->pairs.of);
     free(in->probe);
-    free(in->panel);
+    free(in->panels.of);
     *in = (struct input){0};
 }

@@ -4,10 +4,11 @@
 
 #include "bodies/bodies.h"
 #include "plan/engine.h"
+#include "plan/settings-contact.h"
 #include "plan/settings-mps.h"
 #include "plan/settings.h"
 #include "fill/flow.h"
-#include "walls/walls.h"
+#include "state/motion.h"
 
 struct scene;
 struct scene_node;
@@ -19,15 +20,20 @@ struct input_fluid {
 };
 
 struct input_wall {
-    char name[64], where[256];
+    char name[64], path[80], where[256];
     struct settings_wall set;
-    struct walls_motion motion;
+    struct motion motion;
 };
 
 struct input_body {
     char name[64], path[80], where[256];
     const struct body_kind *kind;
     void *params; /* kind->size bytes, owned */
+};
+
+struct input_contact {
+    char name[64], where[256];
+    struct settings_contact set;
 };
 
 struct input_probe {
@@ -40,13 +46,23 @@ struct input_panel {
     struct settings_panel set;
 };
 
+struct input_pairs { /* of solids: what contact.NAME says */
+    int n;
+    struct input_contact *of;
+};
+
+struct input_panels {
+    int n;
+    struct input_panel *of;
+};
+
 struct input_effect {
     const struct part *part;
     char path[80];
     void *self; /* part->size bytes, owned; NULL when size is 0 */
 };
 
-enum { INPUT_EFFECTS = 24, INPUT_BODIES = 16 };
+enum { INPUT_EFFECTS = 24, INPUT_BODIES = 256 };
 
 struct input {
     struct settings set;
@@ -62,13 +78,14 @@ struct input {
     void *pressure_self;         /* begins with struct eos */
     const struct part *walls;
     void *walls_self;            /* NULL when its size is 0 */
-    int effects, fluids, wall_count, bodies, probes, panels;
+    int effects, fluids, wall_count, bodies, probes;
     struct input_effect effect[INPUT_EFFECTS];
     struct input_fluid *fluid;
     struct input_wall *wall;
     struct input_body *body;
     struct input_probe *probe;
-    struct input_panel *panel;
+    struct input_pairs pairs;
+    struct input_panels panels;
 };
 
 /* Reads every key of the scene, refuses what no row knows.  Parameter structs

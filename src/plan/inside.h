@@ -8,6 +8,7 @@
 #include "plan/input.h"
 #include "plan/passes.h"
 #include "plan/plan.h"
+#include "plan/survey.h"
 
 enum { PLAN_PARTS = 32, PLAN_FIELDS = 4, PLAN_PASSES = 32 };
 
@@ -31,7 +32,7 @@ struct plan_body {
 };
 
 struct plan_wall {
-    struct walls_motion motion;
+    struct motion motion;
     bool moves;
     int object;
 };
@@ -63,6 +64,7 @@ struct plan_book {
     int applied;  /* [bodies][DIM] impulse of prescribed loads                */
     int pull;     /* [DIM] impulse of body forces beside the weight           */
     int contacts; /* [columns] energy that contacts between bodies gave       */
+    int dissipated; /* [0 or 1] energy that a pressure that looks ahead took   */
     int solved;   /* [solved_works] energy that corrections of the method gave,
                      plan/solver.h                                            */
     int solved_works;
@@ -83,6 +85,7 @@ struct plan_passes {
     struct plan_field field[PLAN_FIELDS]; /* in the order of their parts       */
     const struct plan_part *press;        /* the wall model, if solids press by more than
                                              their density; NULL               */
+    bool filters;                         /* a part replaces densities at times */
     int n;
     struct plan_pass pass[PLAN_PASSES];   /* in the order in which they run    */
 };
@@ -159,7 +162,15 @@ void plan_scales_density(struct plan *p); /* after parts are prepared */
  * skins are, and the dye of fluids. */
 int plan_bodies_make(struct plan *p);
 int plan_objects_fill(struct plan *p);
+/* Counts them by their shapes instead, for a survey. */
+int plan_objects_count(struct plan *p, struct plan_survey *to);
 int plan_objects_name(struct plan *p);
+
+/* contacts.c: of a plan whose bodies are made. */
+int plan_contacts_make(struct plan *p);
+
+/* survey.c: of a plan whose bodies are made. */
+int plan_survey_take(struct plan *p, struct plan_survey *s);
 
 /* panels.c: which particles the panels have; after all particles. */
 int plan_panels_make(struct plan *p);

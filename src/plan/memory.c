@@ -149,7 +149,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
         .entries = pairs > 0
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
-        .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0, .viscous = p->stiff,
+        .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0 || p->passes.filters, .viscous = p->stiff,
         .drifts = p->drifter, .faces = p->face, .ahead = plan_ahead(p) > 0,
     };
 

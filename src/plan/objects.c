@@ -47,6 +47,7 @@ static bool holds(const void *body, const double *x)
     return b->kind->watch->holds(b->body, x);
 }
 
+/* skin NULL: without the places of points. */
 static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DIM])
 {
     int n = 0, at = 0;
@@ -68,14 +69,15 @@ static void list_items(struct plan *p, struct fill_item *item, double (*skin)[DI
         if (b->skin == 0)
             continue;
         item[n] = (struct fill_item){ .group = b->kind->identity.group,
-                                      .where = p->in.body[i].where, .points = b->skin,
-                                      .point = (const double (*)[DIM])(skin + at) };
+                                      .where = p->in.body[i].where, .points = b->skin };
+        strcpy(item[n].name, b->name);
         if (b->kind->watch && b->kind->watch->holds) {
             item[n].holds = holds;
             item[n].body = b;
         }
-        b->kind->skin(b->body, skin + at, &item[n].kind);
-        strcpy(item[n++].name, b->name);
+        b->kind->skin(b->body, skin ? skin + at : NULL, &item[n].kind);
+        item[n].point = skin ? (const double (*)[DIM])(skin + at) : NULL;
+        n++;
         at += b->skin;
     }
 }
@@ -91,16 +93,52 @@ static int find_object(const struct particles *p, const char *name, bool skin)
     return -1;
 }
 
+/* Items of a plan; *skins: points of all bodies. */
+static int count_items(const struct plan *p, int *skins)
+{
+    int items = p->in.fluids + p->in.wall_count;
+
+    *skins = 0;
+    for (int i = 0; i < p->bodies; i++) {
+        items += p->body[i].skin > 0;
+        *skins += p->body[i].skin;
+    }
+    return items;
+}
+
+int plan_objects_count(struct plan *p, struct plan_survey *to)
+{
+    int skins, status = STATUS_FAILED;
+    const int items = count_items(p, &skins);
+    struct fill_item *item = status_alloc(items + 1, sizeof *item);
+    struct fill_counts counts = { .of = status_alloc(items + 1, sizeof *counts.of) };
+
+    to->object = status_alloc(items + 1, sizeof *to->object);
+    if (item && counts.of && to->object) {
+        list_items(p, item, NULL);
+        status = fill_count(item, items, &p->scales, plan_memory_each(p, true),
+                            plan_memory_each(p, false), &counts);
+    }
+    for (int i = 0; counts.known && i < items; i++) {
+        struct plan_survey_object *o = &to->object[to->objects++];
+        o->n = counts.of[i];
+        o->group = item[i].group;
+        memcpy(o->name, item[i].name, sizeof o->name);
+    }
+    to->fluid = counts.fluid;
+    to->solid = counts.solid;
+    free(counts.of);
+    free(item);
+    return status;
+}
+
 int plan_objects_fill(struct plan *p)
 {
-    int items = p->in.fluids + p->in.wall_count, skins = 0, status;
+    int skins, status;
+    const int items = count_items(p, &skins);
     struct fill_item *item;
     double (*skin)[DIM];
 
-    for (int i = 0; i < p->bodies; i++) {
-        items += p->body[i].skin > 0;
-        skins += p->body[i].skin;
-    }
     item = status_alloc(items + 1, sizeof *item);
     skin = status_alloc(skins + 1, sizeof *skin);
     status = item && skin ? STATUS_DONE : STATUS_FAILED;
@@ -123,7 +161,7 @@ int plan_objects_name(struct plan *p)
     for (int i = 0; i < p->in.wall_count; i++) {
         struct plan_wall *w = &p->wall[p->walls++];
         w->motion = p->in.wall[i].motion;
-        w->moves = walls_motion_any(&w->motion);
+        w->moves = motion_any(&w->motion);
         w->object = find_object(all, p->in.wall[i].name, false);
         memcpy(all->object[w->object].slide, p->in.wall[i].set.surface, sizeof all->object->slide);
         for (int d = 0; d < DIM; d++)

@@ -76,7 +76,7 @@ static int check_side(const struct plan *p, const struct input_panel *in)
         return STATUS_DONE;
     for (int i = 0; i < p->in.wall_count; i++)
         if (strcmp(p->in.wall[i].name, in->set.of) == 0
-            && p->in.wall[i].set.shape.kind == SHAPE_FRAME)
+            && shape_goes_round(&p->in.wall[i].set.shape))
             return STATUS_DONE;
     return status_fail(STATUS_BAD_SCENE, "%s: panel.%s.side = \"%s\", but \"%s\" is no wall of "
                        "type \"frame\", and others have no sides; choose its particles by from and "
@@ -118,11 +118,11 @@ static int make_panel(struct plan *p, const struct input_panel *in, struct plan_
 
 int plan_panels_make(struct plan *p)
 {
-    if (!(p->book.panel = status_alloc((unsigned long)p->in.panels + 1, sizeof *p->book.panel)))
+    if (!(p->book.panel = status_alloc((unsigned long)p->in.panels.n + 1, sizeof *p->book.panel)))
         return STATUS_FAILED;
-    for (int i = 0; i < p->in.panels; i++) {
+    for (int i = 0; i < p->in.panels.n; i++) {
         p->book.panels++;
-        TRY(make_panel(p, &p->in.panel[i], &p->book.panel[i]));
+        TRY(make_panel(p, &p->in.panels.of[i], &p->book.panel[i]));
     }
     return STATUS_DONE;
 }

@@ -74,6 +74,15 @@ static unsigned read_by_faces(const struct plan *p)
     return p->face ? fields_of(p->face->part->part->as.law->rows) : 0;
 }
 
+static unsigned there(const struct plan *p)
+{
+    unsigned kinds = 0;
+
+    for (int k = 0; k < KINDS; k++)
+        kinds |= particles_count(p->particles, k) > 0 ? KIND_BIT(k) : 0;
+    return passes_of_kinds(kinds);
+}
+
 static struct plan_pass of_table(const struct plan *p, const struct pass *pass)
 {
     struct plan_pass one = { .pass = pass, .name = pass->name, .needs = pass->needs,
@@ -87,6 +96,10 @@ static struct plan_pass of_table(const struct plan *p, const struct pass *pass)
         reads = read_by_faces(p);
     one.needs |= reads;
     one.neighbours |= reads;
+    if (p->row.x < 0) { /* walls alone wait for nothing that water would bring */
+        one.needs &= there(p);
+        one.neighbours &= there(p);
+    }
     return one;
 }
 
@@ -147,15 +160,6 @@ int passes_make(struct plan *p, const struct pass *table)
 }
 
 /* Fields of solids are not there where there are none. */
-static unsigned there(const struct plan *p)
-{
-    unsigned kinds = 0;
-
-    for (int k = 0; k < KINDS; k++)
-        kinds |= particles_count(p->particles, k) > 0 ? KIND_BIT(k) : 0;
-    return passes_of_kinds(kinds);
-}
-
 /* What a neighbour has to bring, be it fluid or solid, in one word. */
 static unsigned one_word(unsigned fields)
 {

@@ -96,7 +96,10 @@ double plan_event(const struct plan *p, double t)
         if (p->body[i].kind->watch && p->body[i].kind->watch->event)
             next = fmin(next, p->body[i].kind->watch->event(p->body[i].body, t));
     for (int i = 0; i < p->walls; i++)
-        next = fmin(next, walls_motion_event(&p->wall[i].motion, t));
+        next = fmin(next, motion_event(&p->wall[i].motion, t));
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->as.filter)
+            next = fmin(next, p->part[i].part->as.filter->event(p->part[i].self, t));
     return next;
 }
 
@@ -110,6 +113,19 @@ bool plan_body_rigid(const struct plan *p, int body)
     const struct body_watch *watch = p->body[body].kind->watch;
 
     return watch && watch->pose;
+}
+
+bool plan_body_tied(const struct plan *p, int body)
+{
+    return p->body[body].kind->watch->tied(p->body[body].body);
+}
+
+double plan_body_foresee(const struct plan *p, int body, const char **path)
+{
+    const struct body_watch *watch = p->body[body].kind->watch;
+
+    *path = p->body[body].path;
+    return watch && watch->foresee ? watch->foresee(p->body[body].body, &p->scales) : 0;
 }
 
 const char *plan_body_name(const struct plan *p, int body)

@@ -43,8 +43,8 @@ int plan_stiff_ranges(const struct plan *plan, const struct layout *l, int most,
  * all of r. */
 const char *plan_viscous(const struct plan *plan);
 
-/* Next time after t at which f jumps, HUGE_VAL: never [s]; a run stops there and
- * restarts its method. */
+/* Next time after t at which f or densities jump, HUGE_VAL: never [s]; a run stops there,
+ * asks moment_event() and restarts its method. */
 double plan_event(const struct plan *plan, double t);
 
 #endif

@@ -13,7 +13,7 @@ static int group_of(const struct plan *p, int wall)
     if (!p->wall[wall].moves)
         return 0;
     for (int i = 0; i < wall; i++)
-        if (walls_motion_same(&p->wall[i].motion, &p->wall[wall].motion))
+        if (motion_same(&p->wall[i].motion, &p->wall[wall].motion))
             return 1 + i;
     return 1 + wall;
 }

@@ -168,6 +168,9 @@ const struct param settings_wall_params[] = {
     { .key = "surface", .unit = "m/s", .type = PARAM_VECTOR, AT(settings_wall, surface),
       .min = -1e4, .max = 1e4, .about = "velocity along its face with which it drags the fluid, "
       "while its particles stay: a belt, a lid that slides" },
+    { .key = "rim", .unit = "m", AT(settings_wall, rim), .fallback = NAN, .min = -1e6, .max = 1e6,
+      .about = "of a frame: height at which its sides end, below the domain's top, which is open "
+      "then; water may rise above it and fall back, and is lost beyond the sides" },
     { 0 },
 };
 

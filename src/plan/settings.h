@@ -79,6 +79,7 @@ struct settings_wall {
     struct shape shape;
     bool slip;
     double surface[3];    /* velocity of its surface beside its motion [m/s] */
+    double rim;           /* height at which the sides of a frame end; NaN [m] */
 };
 
 struct settings_probe {

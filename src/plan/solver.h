@@ -49,6 +49,9 @@ struct plan_ahead_solver {
     /* p/rho^2 into the records of m, for accelerations by all but the pressure udot [fluid]
      * [dimension], and such forces on skins in m->work->f.  STATUS_FAILED: a refusal. */
     int (*find)(void *self, struct moment *m, double t, const double *y, const double *udot);
+
+    /* Power of the decay that the last find() leads to, below 0 but for a shock [W]. */
+    double (*power)(const void *self);
 };
 
 /* A pressure that is solved for once a step, by the method of that name. */

@@ -176,9 +176,10 @@ void plan_start(const struct plan *p, double *y)
         p->contacts.kind->start(p->contacts.self, &p->layout, y);
 }
 
-double plan_speed_expected(const struct plan *p)
+/* Twice the energy of the fluid's own fall through the domain, by its mass [m^2/s^2]. */
+static double fall(const struct plan *p)
 {
-    double most = start_speed(p), fall2 = 0;
+    double fall2 = 0;
 
     for (int i = 0; i < p->in.fluids; i++) {
         double low[DIM], high[DIM];
@@ -189,13 +190,68 @@ double plan_speed_expected(const struct plan *p)
                                                : p->scales.high[d] - low[d]));
         }
     }
+    return fall2;
+}
+
+double plan_driven(const struct plan *p)
+{
+    double most = start_speed(p);
+
     for (int i = 0; i < p->walls; i++) {
         const double *slides = p->in.wall[i].set.surface;
         double low[DIM], high[DIM], reach[DIM];
         shape_bounds(&p->in.wall[i].set.shape, low, high);
-        most = fmax(most, walls_motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
+        most = fmax(most, motion_extent(&p->wall[i].motion, low, high, p->in.set.until,
                                               reach));
         most = fmax(most, gsl_hypot3(slides[0], slides[1], slides[2]));
     }
-    return fmax(most, sqrt(fall2));
+    return most;
+}
+
+double plan_speed_expected(const struct plan *p)
+{
+    return fmax(plan_driven(p), sqrt(fall(p)));
+}
+
+/* How high all fluid would stand in the domain, solids in it left aside [m]. */
+static double level(const struct plan *p)
+{
+    double height = particles_count(p->particles, KIND_FLUID) * pow(p->scales.dx, DIM);
+
+    for (int d = 0; d < DIM - 1; d++)
+        height /= p->scales.high[d] - p->scales.low[d];
+    return height;
+}
+
+bool plan_falls(const struct plan *p)
+{
+    const double g = -p->scales.g[DIM - 1];
+
+    return g > 0 && fall(p) / (2 * g) > 1.15 * level(p) + 2 * p->scales.dx;
+}
+
+double plan_reach(const struct plan *p)
+{
+    const double g = -p->scales.g[DIM - 1], driven2 = pow(plan_driven(p), 2);
+    double top;
+
+    if (!(g > 0))
+        return HUGE_VAL;
+    top = fall(p) / (2 * g);
+    if (plan_falls(p))
+        top *= 3;
+    return p->scales.low[DIM - 1] + top + driven2 / (2 * g);
+}
+
+const char *plan_rim(const struct plan *p, double *rim)
+{
+    const char *name = NULL;
+
+    *rim = HUGE_VAL;
+    for (int i = 0; i < p->in.wall_count; i++)
+        if (p->in.wall[i].set.rim < *rim) { /* NaN: none */
+            *rim = p->in.wall[i].set.rim;
+            name = p->in.wall[i].name;
+        }
+    return name;
 }

@@ -52,6 +52,8 @@ int plan_face_make(struct plan *p, const struct scene *scene)
     const struct plan_part *part;
     struct plan_face *o;
 
+    if (p->in.fluids == 0) /* a belt drags bodies, too */
+        return STATUS_DONE;
     TRY(find_part(p, scene, &part));
     if (!part || particles_count(p->particles, KIND_WALL)
                  + particles_count(p->particles, KIND_SKIN) == 0)
@@ -63,7 +65,7 @@ int plan_face_make(struct plan *p, const struct scene *scene)
     o->acts[KIND_FLUID] = KIND_STICKY;
     o->acts[KIND_WALL] = o->acts[KIND_SKIN] = KIND_BIT(KIND_FLUID);
     for (int i = 0; i < p->walls; i++)
-        o->turns |= walls_motion_turns(&p->wall[i].motion);
+        o->turns |= motion_turns(&p->wall[i].motion);
     return STATUS_DONE;
 }
 

@@ -3,8 +3,10 @@
 
 #include "base/status.h"
 #include "base/threads.h"
+#include "ranks/ranks.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* The pass, and what is done with each group. */
 struct work {
@@ -58,6 +60,20 @@ static int make_room(struct sum_scratch *scratch, int slots)
     return STATUS_DONE;
 }
 
+/* Those of all ranks, in one message: sums are words, and nothing else. */
+static void add_ranks(int slots, struct exact_sum *power)
+{
+    int64_t word[SUM_SLOTS][EXACT_SUM_WORDS];
+
+    for (int s = 0; s < slots; s++) {
+        exact_sum_carry(&power[s]);
+        memcpy(word[s], power[s].word, sizeof word[s]);
+    }
+    ranks_add(slots * EXACT_SUM_WORDS, word[0]);
+    for (int s = 0; s < slots; s++)
+        memcpy(power[s].word, word[s], sizeof word[s]);
+}
+
 int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pass_groups *groups)
 {
     const int slots = job->slots;
@@ -70,10 +86,12 @@ int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pas
     work = (struct work){ { job, scratch->power, scratch->cut, scratch->record }, groups };
     clear_idle(job);
     visit_chunks(job->list, VISIT_ALL, sum_chunk, &work);
-    for (int s = 0; s < slots; s++) {
+    for (int s = 0; s < slots; s++)
         for (int t = 1; t < scratch->threads; t++)
             exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);
+    if (job->shared)
+        add_ranks(slots, scratch->power);
+    for (int s = 0; s < slots; s++)
         job->power[s] = exact_sum_value(&scratch->power[s]);
-    }
     return STATUS_DONE;
 }

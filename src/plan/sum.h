@@ -50,6 +50,7 @@ struct sum_job {
     double *apart;                     /* [particles][DIM] where forces of column
                                           `apart_slot` go instead of f; NULL  */
     int apart_slot;
+    bool shared;                       /* with other ranks: powers are those of all */
 };
 
 /* Sums for a summed density, before there are forces. */

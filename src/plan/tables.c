@@ -141,10 +141,21 @@ static void add_field(struct plan *p, const struct plan_part *part)
     }
 }
 
+/* Sums of a filter need pairs as laws do. */
+static void add_filter(struct plan *p, const struct part_filter *filter)
+{
+    p->passes.filters = true;
+    for (int k = 0; k < KINDS; k++)
+        p->list_def.acts[k] |= filter->meets[k];
+}
+
 /* In which order they are summed is the passes' matter. */
 void plan_fields_make(struct plan *p)
 {
-    for (int i = 0; i < p->parts; i++)
+    for (int i = 0; i < p->parts; i++) {
         if (p->part[i].part->as.summed)
             add_field(p, &p->part[i]);
+        if (p->part[i].part->as.filter)
+            add_filter(p, p->part[i].part->as.filter);
+    }
 }

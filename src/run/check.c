@@ -161,30 +161,57 @@ static int measure(struct run *r, double *seconds)
     return run_time_rhs(r, seconds);
 }
 
+/* What can be said of a scene that is too large to be made for a look at it. */
+static void print_survey(const struct plan_survey *s, double program)
+{
+    say_title(s->title);
+    printf("particles: about %.3g, counted by their shapes\n", s->fluid + s->solid);
+    for (int i = 0; i < s->objects; i++)
+        printf("  %-32s %8.3g\n", s->object[i].name, s->object[i].n);
+    printf("spacing %g m, support %g m, mass %g kg%s\nsound %g m/s, reference speed %g m/s\n",
+           s->dx, s->support, s->mass, DIM == 2 ? " per metre" : "", s->c0, s->speed);
+    printf("memory: about %.3g MB at its peak\n", (program + later + s->bytes) / 1e6);
+    puts("This scene is too large for a look at its particles, which a check makes of up to 1.5 "
+         "million:\nwhether they overlap, what a right-hand side takes and what it refuses is not "
+         "known.\nCheck it with a larger spacing, too.");
+}
+
+/* A scene whose particles can be made. */
+static int check(struct run *r, const struct run_order *order, double program)
+{
+    double seconds = 0;
+    int status = run_doubt_scene(r);
+
+    if (status == STATUS_DONE)
+        status = run_disk_agree(r);
+    if (status == STATUS_DONE)
+        status = measure(r, &seconds);
+    if (status != STATUS_DONE)
+        return status;
+    say_title(plan_settings(r->plan)->title);
+    print_particles(r);
+    print_parts(r);
+    print_passes(r);
+    print_state(r);
+    print_cost(r, seconds);
+    print_memory(r, program);
+    run_disk_print(r);
+    run_shares_print(r, order, seconds);
+    return status;
+}
+
 int run_check(const struct run_order *order)
 {
     struct run r;
+    struct plan_survey survey;
     const double program = memory_peak();
-    double seconds = 0;
-    int status = run_prepare(&r, order);
+    int status = run_prepare_small(&r, order, &survey);
 
-    if (status == STATUS_DONE)
-        status = run_doubt_scene(&r);
-    if (status == STATUS_DONE)
-        status = run_disk_agree(&r);
-    if (status == STATUS_DONE)
-        status = measure(&r, &seconds);
-    if (status == STATUS_DONE) {
-        say_title(plan_settings(r.plan)->title);
-        print_particles(&r);
-        print_parts(&r);
-        print_passes(&r);
-        print_state(&r);
-        print_cost(&r, seconds);
-        print_memory(&r, program);
-        run_disk_print(&r);
-        run_shares_print(&r, order, seconds);
-    }
+    if (survey.large)
+        print_survey(&survey, program);
+    else if (status == STATUS_DONE)
+        status = check(&r, order, program);
+    plan_survey_free(&survey);
     run_release(&r);
     return status;
 }

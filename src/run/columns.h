@@ -5,7 +5,7 @@
 #include "output/series.h"
 
 /* Columns of a table, letters of a name. */
-enum { COLUMNS_MOST = 4096, COLUMNS_NAME = 80 };
+enum { COLUMNS_MOST = 8192, COLUMNS_NAME = 80 };
 
 struct columns {
     bool again; /* files are there: rows go on behind those that series_keep() leaves */

@@ -94,6 +94,7 @@ int run_doubt_scene(const struct run *r)
         return STATUS_DONE;
     doubt_probes(r);
     TRY(run_doubt_hopes(r));
+    run_doubt_lacks(r);
     doubt_skins(r);
     return STATUS_DONE;
 }
@@ -156,10 +157,10 @@ static void doubt_solids(const struct run *r)
                     contact ? "" : "walls = \"contact\", ");
 }
 
-int run_doubt_end(const struct run *r)
+int run_doubt_end(const struct run *r, const double *y)
 {
     const double rho0 = plan_scales(r->plan)->rho0;
-    const int out = observe_escaped(r->moment, r->past.tally.t, r->method->state(r->self));
+    const int out = observe_escaped(r->moment, r->past.tally.t, y);
 
     if (out > 0)
         status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "

@@ -2,6 +2,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "ranks/ranks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,7 +40,8 @@ static void advise(const struct run *r)
 void run_explain(const struct run *r, int status, char *message)
 {
     char why[RUN_MESSAGE / 3] = "";
-    const bool calculated = status == STATUS_FAILED && !status_is_starved();
+    const bool calculated = status == STATUS_FAILED && !status_is_starved()
+                            && ranks_count() == 1;
 
     if (calculated) {
         doubt_step(r);

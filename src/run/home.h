@@ -1,8 +1,7 @@
-/* home.h -- whose a run's directory is: DIR/.stiffwater says so, with version and scene.
+/* home.h -- a run takes its directory (output/mark.h).
  *
- * A run writes into a directory that is new, empty, or that of an earlier run, whose files are
- * taken away first, so that no series mixes two runs.  Files with other names stay.  Symbolic
- * links are never followed. */
+ * Files of an earlier run are taken away first, so that no series mixes two runs.  Files with
+ * other names stay. */
 #ifndef RUN_HOME_H
 #define RUN_HOME_H
 

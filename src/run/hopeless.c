@@ -3,7 +3,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
-#include "fill/buckets.h"
+#include "shapes/buckets.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -47,6 +47,24 @@ static void doubt_floor(const struct run *r)
         status_warn("%s: no wall lies below the lowest fluid, which will fall out of the domain: "
                     "is there a wall missing, or a side of a frame in `open`?",
                     scene_path(r->scene));
+}
+
+/* Half a spacing is less than a lattice tells. */
+static void doubt_rim(const struct run *r)
+{
+    double rim;
+    const char *name = plan_rim(r->plan, &rim);
+    const double reach = plan_reach(r->plan);
+    char how[80];
+
+    if (!name || !(reach > rim + 0.5 * plan_scales(r->plan)->dx))
+        return;
+    if (reach < HUGE_VAL)
+        snprintf(how, sizeof how, "up to %.3g m", reach);
+    else
+        snprintf(how, sizeof how, "anywhere, as no gravity holds it");
+    status_warn("%s: water may spill: it can rise %s, and the sides of wall.%s end at rim = %g m; what "
+                "goes over them leaves the domain and is lost", scene_path(r->scene), how, name, rim);
 }
 
 static void doubt_mach(const struct run *r)
@@ -124,6 +142,7 @@ static int doubt_probes(const struct run *r)
 int run_doubt_hopes(const struct run *r)
 {
     doubt_floor(r);
+    doubt_rim(r);
     doubt_mach(r);
     return doubt_probes(r);
 }

@@ -3,6 +3,7 @@
 #define RUN_INSIDE_H
 
 #include "eval/observe.h"
+#include "plan/survey.h"
 #include "run/outputs.h"
 #include "run/past.h"
 #include "run/run.h"
@@ -33,8 +34,18 @@ struct run {
     bool force;              /* as run_order has it                           */
 };
 
+/* The state that the method has reached, of all ranks, which ask together; lent until the next
+ * call. */
+static inline const double *run_state(const struct run *r)
+{
+    return moment_whole(r->moment, r->method->state(r->self));
+}
+
 /* Reads the scene, makes the plan and finds the method; writes nothing. */
 int run_prepare(struct run *r, const struct run_order *order);
+/* The same, but a plan that would take long to make is not made: then survey->large, and r->plan
+ * is NULL. */
+int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey);
 void run_release(struct run *r);
 
 /* run.json; status as in base/status.h, or RUN_GOES. */
@@ -56,13 +67,15 @@ int run_watch(struct run *r, double t, const double *y);
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);
 
+int run_write_used(const struct run *r); /* scene.used                         */
 int run_constants(const struct run *r); /* for plots, see output/figures.h    */
 
 /* Warnings: of a scene that can be run, of a run that came to its end.  STATUS_FAILED: its
  * energy came from nowhere. */
 int run_doubt_scene(const struct run *r);
-int run_doubt_end(const struct run *r);
+int run_doubt_end(const struct run *r, const double *y);
 int run_doubt_hopes(const struct run *r); /* of the first kind, too */
+void run_doubt_lacks(const struct run *r); /* and of effects that are missing */
 
 /* Files of a run, but for steps.csv and figures. */
 struct run_disk {

@@ -6,6 +6,7 @@
 #include "output/aside.h"
 #include "output/fields.h"
 #include "output/snapshot.h"
+#include "ranks/ranks.h"
 #include "run/columns.h"
 #include "run/saved.h"
 #include "run/tables.h"
@@ -80,6 +81,8 @@ int outputs_open(struct outputs **out, const struct plan *plan, const struct hom
         return STATUS_FAILED;
     (*out)->lock = -1;
     (*out)->balance = &past->balance;
+    if (ranks_me() > 0) /* the first rank has all files */
+        return STATUS_DONE;
     return open_all(*out, plan, home, &past->means);
 }
 

@@ -121,7 +121,8 @@ static void compute_defaults(struct run *r)
         scene_computed(r->scene, "output", "profiles", r->until / 50);
 }
 
-int run_prepare(struct run *r, const struct run_order *order)
+/* survey: as run_prepare_small() has it; NULL: whatever the size. */
+static int prepare(struct run *r, const struct run_order *order, struct plan_survey *survey)
 {
     *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu(),
                        .force = order->force };
@@ -134,7 +135,10 @@ int run_prepare(struct run *r, const struct run_order *order)
     snprintf(r->path, sizeof r->path, "%s", scene_path(r->scene));
     for (int i = 0; i < order->overrides; i++)
         TRY(scene_override(r->scene, order->override[i]));
-    TRY(plan_create(r->scene, &r->plan));
+    TRY(survey ? plan_survey_create(r->scene, survey, &r->plan)
+               : plan_create(r->scene, &r->plan));
+    if (survey && survey->large)
+        return STATUS_DONE;
     TRY(moment_create(r->plan, &r->moment));
     TRY(find_method(r));
     compute_defaults(r);
@@ -142,6 +146,17 @@ int run_prepare(struct run *r, const struct run_order *order)
     r->clock_kept = r->clock_start;
     r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
     return r->y && !status_is_starved() ? STATUS_DONE : STATUS_FAILED;
+}
+
+int run_prepare(struct run *r, const struct run_order *order)
+{
+    return prepare(r, order, NULL);
+}
+
+int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey)
+{
+    *survey = (struct plan_survey){ 0 };
+    return prepare(r, order, survey);
 }
 
 void run_release(struct run *r)

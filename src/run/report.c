@@ -5,6 +5,7 @@
 #include "output/aside.h"
 #include "output/hash.h"
 #include "output/json.h"
+#include "ranks/ranks.h"
 #include "scene/scene.h"
 #include "state/memory.h"
 
@@ -44,6 +45,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     json_number(j, "tol", s->tol);
     json_text(j, "precision", plan_precision(r->plan));
     json_integer(j, "threads", threads());
+    json_integer(j, "ranks", ranks_count());
     json_number(j, "t_end", r->past.tally.t);
 }
 

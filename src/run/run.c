@@ -5,11 +5,11 @@
 
 #include "base/status.h"
 #include "implicit/release.h"
-#include "output/aside.h"
 #include "output/progress.h"
+#include "ranks/ranks.h"
 #include "run/checkpoint.h"
+#include "run/ranks.h"
 #include "run/stop.h"
-#include "scene/scene.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -55,17 +55,22 @@ static int stopped(const struct run *r, const char *files)
 /* A step may owe a million rows: too many to wait for. */
 static bool is_impatient(struct run *r)
 {
-    if (!stop_asked())
+    if (!stop_asked() || ranks_count() > 1) /* ranks wait for each other anyhow */
         return false;
     if (r->clock_stop == 0)
         r->clock_stop = run_clock();
     return run_clock() - r->clock_stop > patience;
 }
 
+static int write_one(struct run *r, int i, double t, const double *y)
+{
+    return ranks_agree(run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE);
+}
+
 /* Every output that is due in (.., t]; at t itself the state is exact. */
 static int write_due(struct run *r, double t)
 {
-    const double *end = r->method->state(r->self), *every = r->past.every;
+    const double *every = r->past.every;
     const double slack = r->past.slack;
 
     for (int i = 0; i < RUN_DUES; i++)
@@ -76,7 +81,7 @@ static int write_due(struct run *r, double t)
                 return stopped(r, "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
-            TRY(writers[i](r->outputs, r->moment, due, due < t ? r->y : end));
+            TRY(write_one(r, i, due, due < t ? moment_whole(r->moment, r->y) : run_state(r)));
         }
     return STATUS_DONE;
 }
@@ -96,27 +101,34 @@ static int step_on(struct run *r, struct method_step *step)
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
+    const double *y;
 
     TRY(step_on(r, &step));
+    y = run_state(r);
     step.rejected += r->rejected;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;
     r->past.tally.rejected = step.rejected;
-    run_keep_extremes(r, step.t, r->method->state(r->self));
+    run_keep_extremes(r, step.t, y);
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    TRY(outputs_step(r->outputs, r->moment, &step, r->method->state(r->self)));
-    TRY(run_watch(r, step.t, r->method->state(r->self)));
+    TRY(ranks_agree(run_ranks_writes() ? outputs_step(r->outputs, r->moment, &step, y)
+                                       : STATUS_DONE));
+    TRY(run_watch(r, step.t, y));
     return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
 }
 
-/* Where f jumps a segment ends, and the method starts anew. */
+/* Where f jumps, or y does, a segment ends, and the method starts anew. */
 static int next_segment(struct run *r)
 {
-    if (r->past.tally.t < r->event)
+    const double t = r->past.tally.t;
+
+    if (t < r->event)
         return STATUS_DONE;
-    r->event = plan_event(r->plan, r->past.tally.t);
-    return r->method->restart(r->self, r->past.tally.t, r->method->state(r->self));
+    r->event = plan_event(r->plan, t);
+    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
+    TRY(moment_event(r->moment, t, r->y));
+    return r->method->restart(r->self, t, r->y);
 }
 
 static int keep_when_due(struct run *r)
@@ -124,42 +136,45 @@ static int keep_when_due(struct run *r)
     return checkpoint_due(r) ? checkpoint_write(r) : STATUS_DONE;
 }
 
+static int first_of(int status, int next)
+{
+    return status != STATUS_DONE ? status : next;
+}
+
+static int report(struct run *r, int status, const char *message)
+{
+    const double *y = run_state(r);
+    int constants;
+
+    if (!run_ranks_writes())
+        return STATUS_DONE;
+    constants = run_constants(r);
+    return first_of(constants, run_report(r, first_of(status, constants), message, y));
+}
+
 /* A run that goes on stands at a checkpoint. */
 static int begin(struct run *r)
 {
     TRY(write_due(r, r->past.tally.t));
-    TRY(run_constants(r));
-    TRY(run_report(r, RUN_GOES, "", r->method->state(r->self)));
+    TRY(report(r, RUN_GOES, ""));
     return r->past.checkpoints.written == 0 ? keep_when_due(r) : STATUS_DONE;
 }
 
 static int go(struct run *r, struct progress *progress)
 {
     r->event = plan_event(r->plan, r->past.tally.t);
-    moment_quit(r->moment, stop_urgent);
+    if (ranks_count() == 1) /* else one would leave the others waiting */
+        moment_quit(r->moment, stop_urgent);
     TRY(begin(r));
     while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));
         TRY(write_due(r, r->past.tally.t));
         TRY(next_segment(r));
         TRY(keep_when_due(r));
-        if (stop_asked() && r->past.tally.t < r->until)
+        if (run_ranks_stopped() && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");
     }
     return STATUS_DONE;
-}
-
-static int write_used(const struct run *r)
-{
-    char path[ASIDE_PATH];
-    struct aside file;
-    int status;
-
-    TRY(aside_join(path, r->directory, "scene.used"));
-    TRY(aside_open(&file, path));
-    status = scene_write_used(r->scene, file.to);
-    TRY(aside_close(&file));
-    return status;
 }
 
 static int create_method(struct run *r)
@@ -180,8 +195,8 @@ static int try_start(struct run *r)
     if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
         return STATUS_DONE;
     return status_fail_with(STATUS_FAILED, (struct status_advice){
-        .remedy = "try a higher eos.c0 or wider eos.lowest and eos.highest, or look at what the "
-                  "scene starts with" }, "the start has no right-hand side: %s; nothing was "
+        .remedy = "for a density that lies outside, try a higher eos.c0 or wider eos.lowest and "
+                  "eos.highest; else look at what the scene starts with" }, "the start has no right-hand side: %s; nothing was "
                   "written", moment_refusal(r->moment));
 }
 
@@ -196,16 +211,20 @@ static int open_outputs(struct run *r, bool again)
 
 static int start(struct run *r)
 {
+    TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
     TRY(release_start(r->moment, r->y));
+    TRY(moment_share(r->moment, r->y));
     TRY(try_start(r));
     TRY(create_method(r));
     choose_times(r);
-    TRY(open_outputs(r, false));
+    TRY(ranks_agree(open_outputs(r, false)));
     run_keep_extremes(r, 0, r->y);
+    if (!run_ranks_writes())
+        return STATUS_DONE;
     TRY(outputs_start(r->outputs, r->moment, 0, r->y));
-    return write_used(r);
+    return run_write_used(r);
 }
 
 static int start_again(struct run *r, struct archive *from)
@@ -220,29 +239,22 @@ static int start_again(struct run *r, struct archive *from)
 /* The last row of a run that ended early: where it ended. */
 static void write_end(struct run *r)
 {
-    const double *y = r->method->state(r->self);
+    const double *y = run_state(r);
 
-    if (r->past.tally.t > outputs_sheet(r->outputs)->t)
+    if (run_ranks_writes() && r->past.tally.t > outputs_sheet(r->outputs)->t)
         outputs_rows(r->outputs, r->moment, r->past.tally.t, y);
-}
-
-static int first_of(int status, int next)
-{
-    return status != STATUS_DONE ? status : next;
 }
 
 /* The last files; the first error is told, unless the run has one. */
 static int end(struct run *r, int status, const char *message)
 {
-    const int constants = run_constants(r);
-    const int before = first_of(status, constants);
-    const int report = run_report(r, before, message, r->method->state(r->self));
-
-    return first_of(first_of(before, report), outputs_close(&r->outputs));
+    status = first_of(status, report(r, status, message));
+    return first_of(status, outputs_close(&r->outputs));
 }
 
 int run_carry_out(const struct run_order *order, struct archive *from)
 {
+    const bool quiet = order->quiet || !run_ranks_writes();
     struct progress progress;
     char message[RUN_MESSAGE] = "";
     struct run r;
@@ -258,18 +270,19 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         run_release(&r);
         return status;
     }
-    run_carved(&r, order->quiet ? NULL : stderr);
-    progress_start(&progress, stderr, r.past.tally.t, r.until, order->quiet);
+    run_carved(&r, quiet ? NULL : stderr);
+    progress_start(&progress, stderr, r.past.tally.t, r.until, quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);
     if (status != STATUS_DONE) {
         run_explain(&r, status, message);
         write_end(&r);
     }
-    if (status == STATUS_DONE && (status = run_doubt_end(&r)) != STATUS_DONE)
+    if (status == STATUS_DONE && (status = run_doubt_end(&r, run_state(&r))) != STATUS_DONE)
         snprintf(message, sizeof message, "%s", status_message());
     status = end(&r, status, message);
-    run_sum_up(&r, order, status);
+    if (run_ranks_writes())
+        run_sum_up(&r, order, status);
     run_release(&r);
     if (message[0]) {
         status_forgive();

@@ -72,6 +72,8 @@ static int open_rigid(struct tables_bodies *o, const struct plan *plan, const ch
         for (int d = DIM == 2 ? 2 : 0; d < 3; d++)
             columns_add(h, UNIT("N m"), "%s.m%c", name, axes[d]);
         add_axes(h, UNIT("N"), name, "contact_");
+        if (plan_body_tied(plan, i))
+            add_axes(h, UNIT("N"), name, "support_");
     }
     return columns_open(h, &o->rigid, dir, "bodies.csv");
 }
@@ -141,6 +143,7 @@ static int row_rigid(struct tables_bodies *o, struct moment *moment, double t, c
         n = put(v, n, b.force, DIM);
         n = DIM == 2 ? put(v, n, b.moment + 2, 1) : put(v, n, b.moment, 3);
         n = put(v, n, b.contact, DIM);
+        n = plan_body_tied(plan, i) ? put(v, n, b.support, DIM) : n;
     }
     return o->rigid ? series_row(o->rigid, v) : STATUS_DONE;
 }

@@ -6,30 +6,33 @@
 
 #include <math.h>
 
-static double speed(const double *u)
+static double square(const double *u)
 {
     double squares = 0;
 
     for (int d = 0; d < DIM; d++)
         squares += u[d] * u[d];
-    return sqrt(squares);
+    return squares;
 }
 
 void run_keep_extremes(struct run *r, double t, const double *y)
 {
+    struct run_tally *tally = &r->past.tally;
+    double low = tally->density[0], high = tally->density[1], most = 0;
     struct view v;
     int n;
 
     observe_fluid(r->moment, t, y, &v);
     n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
     for (int i = 0; i < n; i++) {
-        const double rho = v.rho[KIND_FLUID][i];
-        if (rho < r->past.tally.density[0])
-            r->past.tally.density[0] = rho;
-        if (rho > r->past.tally.density[1])
-            r->past.tally.density[1] = rho;
-        r->past.tally.speed = fmax(r->past.tally.speed, speed(v.u[KIND_FLUID] + DIM * i));
+        const double rho = v.rho[KIND_FLUID][i], u2 = square(v.u[KIND_FLUID] + DIM * i);
+        low = rho < low ? rho : low;
+        high = rho > high ? rho : high;
+        most = u2 > most ? u2 : most;
     }
+    tally->density[0] = low;
+    tally->density[1] = high;
+    tally->speed = fmax(tally->speed, sqrt(most)); /* of the largest: a root grows with its square */
 }
 
 int run_watch(struct run *r, double t, const double *y)

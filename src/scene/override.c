@@ -124,14 +124,12 @@ static bool is_switch(const struct override *o, const struct scene_node *group,
            && (child ? child->kind == SCENE_GROUP : strcmp(group->name, "effects") == 0);
 }
 
-static void take_away(struct scene_node *group, const struct scene_node *child)
+/* "off" takes away a value that cannot be this text, too: what a file says of a number or a list
+ * is then as if it were not there. */
+static bool is_removal(const struct override *o, const struct scene_node *child)
 {
-    int n = 0;
-
-    for (int i = 0; i < group->n; i++)
-        if (group->child[i] != child)
-            group->child[n++] = group->child[i];
-    group->n = n;
+    return child && (child->kind == SCENE_NUMBER || child->kind == SCENE_LIST)
+           && o->value->kind == SCENE_TEXT && strcmp(o->value->text, "off") == 0;
 }
 
 /* What was off already stays, marked, so that its name is checked like any other's. */
@@ -140,13 +138,26 @@ static int turn(struct override *o, struct scene_node *group, struct scene_node 
     const bool off = strcmp(o->value->text, "off") == 0, was = child && !child->off;
 
     if (was && off)
-        take_away(group, child);
+        scene_node_remove(group, child);
     else if (!child)
         child = make_group(o, group, o->part[o->n - 1]);
     if (!child)
         return STATUS_FAILED;
     child->off = off;
     return STATUS_DONE;
+}
+
+/* A node of its own for each group that the value is for. */
+static int put(struct override *o, struct scene_node *group, const struct scene_node *child)
+{
+    struct scene_node *value = scene_pool_take(&o->scene->pool, sizeof *value);
+
+    if (!value)
+        return STATUS_FAILED;
+    *value = *o->value;
+    if (child)
+        value->was = child->at.file ? child : child->was;
+    return scene_node_put(&o->scene->pool, group, value);
 }
 
 /* Sets the value at part[i], part[i+1] ... below group. */
@@ -157,13 +168,17 @@ static int set(struct override *o, struct scene_node *group, int i)
 
     if (last && is_switch(o, group, child))
         return turn(o, group, child);
+    if (last && is_removal(o, child)) {
+        scene_node_remove(group, child);
+        return STATUS_DONE;
+    }
     if (!child && means_all(o, group, o->part[i], last)) {
         for (int k = 0; k < group->n; k++)
             TRY(set(o, group->child[k], i));
         return STATUS_DONE;
     }
     if (last)
-        return scene_node_put(&o->scene->pool, group, o->value);
+        return put(o, group, child);
     if (!child)
         child = make_group(o, group, o->part[i]);
     if (!child)

@@ -30,6 +30,14 @@ const struct scene_node *scene_root(const struct scene *scene);
 
 /* Child by name, NULL if there is none (or group is NULL). */
 const struct scene_node *scene_child(const struct scene_node *group, const char *name);
+
+/* Answers whether the command line gives `key` of the group, a word: *now, where the file
+ * says *was, which stays as it is when the file says nothing. */
+bool scene_changed(const struct scene_node *group, const char *key, const char **was,
+                   const char **now);
+/* Takes a key out of a group of the top level, as if nobody had given it. */
+void scene_leave_out(struct scene *scene, const char *group, const char *key);
+
 int scene_count(const struct scene_node *group);           /* 0 for NULL     */
 const struct scene_node *scene_at(const struct scene_node *group, int i);
 const char *scene_name(const struct scene_node *node);     /* "" in a list   */

@@ -50,6 +50,16 @@ struct scene_node *scene_node_find(const struct scene_node *group, const char *n
     return NULL;
 }
 
+void scene_node_remove(struct scene_node *group, const struct scene_node *child)
+{
+    int n = 0;
+
+    for (int i = 0; i < group->n; i++)
+        if (group->child[i] != child)
+            group->child[n++] = group->child[i];
+    group->n = n;
+}
+
 void scene_free(struct scene **scene)
 {
     if (!scene || !*scene)
@@ -74,6 +84,28 @@ const struct scene_node *scene_child(const struct scene_node *group, const char 
     const struct scene_node *child = scene_node_find(group, name);
 
     return child && !child->off ? child : NULL;
+}
+
+bool scene_changed(const struct scene_node *group, const char *key, const char **was,
+                   const char **now)
+{
+    const struct scene_node *child = scene_node_find(group, key);
+
+    if (!child || child->at.file || child->kind != SCENE_TEXT
+        || (child->was && child->was->kind != SCENE_TEXT))
+        return false;
+    if (child->was)
+        *was = child->was->text;
+    *now = child->text;
+    return true;
+}
+
+void scene_leave_out(struct scene *scene, const char *group, const char *key)
+{
+    struct scene_node *node = scene_node_find(scene->root, group);
+
+    if (node)
+        scene_node_remove(node, scene_node_find(node, key));
 }
 
 int scene_count(const struct scene_node *group)

@@ -41,6 +41,7 @@ struct scene_node {
     bool flag;
     bool off;                  /* a group that the command line has taken away       */
     const char *text;          /* of a text; of any override: as it was typed        */
+    const struct scene_node *was; /* of an override: what the file has, NULL: nothing */
     struct scene_node **child; /* [n] of a group or list                             */
     int n, room;
 };
@@ -68,6 +69,8 @@ int scene_node_add(struct scene_pool *pool, struct scene_node *parent, struct sc
 int scene_node_put(struct scene_pool *pool, struct scene_node *group, struct scene_node *child);
 /* Child by name that may be changed, NULL if there is none. */
 struct scene_node *scene_node_find(const struct scene_node *group, const char *name);
+/* Takes a child out of the group. */
+void scene_node_remove(struct scene_node *group, const struct scene_node *child);
 
 /* Settings from the command line, below a new root. */
 int scene_read_string(struct scene_pool *keep, const char *source, struct scene_node **root);

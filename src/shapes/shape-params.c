@@ -4,13 +4,13 @@
 #include <math.h>
 
 #if DIM == 2
-#define BALL "disc"
+#define ROUND "disc"
 const char *const shape_sides[] = { "left", "right", "bottom", "top", NULL };
 const char *const shape_types[] = { "box", "polygon", "disc", "frame", NULL };
 #else
-#define BALL "sphere"
+#define ROUND "sphere or cylinder"
 const char *const shape_sides[] = { "left", "right", "bottom", "top", "front", "back", NULL };
-const char *const shape_types[] = { "box", "sphere", "frame", NULL };
+const char *const shape_types[] = { "box", "sphere", "cylinder", "frame", NULL };
 #endif
 
 #define PLACE(member) offsetof(struct shape, member)
@@ -30,8 +30,15 @@ const struct param shape_params[] = {
 #if DIM == 2
       .about = "turns a box about its centre, anticlockwise" },
 #else
-      .about = "turns a box about the vertical through its centre, from x towards y" },
+      .about = "turns a box about its axis through its centre, from x towards y for the vertical" },
 #endif
+    { .key = "axis", .unit = "", .offset = PLACE(axis), .type = PARAM_VECTOR,
+      .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+      .about = "3D: direction that a box is turned about, or that a cylinder has; the vertical if not "
+               "given, its length means nothing" },
+    { .key = "height", .unit = "m", .offset = PLACE(height), .type = PARAM_NUMBER,
+      .fallback = NAN, .min = 0, .max = SHAPE_REACH,
+      .about = "3D: length of a cylinder along its axis, which it needs" },
 #if DIM == 2
     { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
       .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
@@ -39,10 +46,10 @@ const struct param shape_params[] = {
 #endif
     { .key = "centre", .unit = "m", .offset = PLACE(centre), .type = PARAM_VECTOR,
       .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
-      .about = "centre of a " BALL ", which needs it" },
+      .about = "centre of a " ROUND ", which needs it" },
     { .key = "radius", .unit = "m", .offset = PLACE(radius), .type = PARAM_NUMBER,
       .fallback = NAN, .min = 0, .max = SHAPE_REACH,
-      .about = "radius of a " BALL ", which needs it" },
+      .about = "radius of a " ROUND ", which needs it" },
     { .key = "fill", .unit = "", .offset = PLACE(fill), .type = PARAM_WORD, .words = fills,
       .about = "layers follow the outline, a lattice ends in stairs; auto: layers for walls "
                "other than boxes and frames" },

@@ -1,25 +1,41 @@
-/* shape.c -- regions of space: what is inside, how far they reach.
+/* shape.c -- regions of space: the table of their kinds, and what is asked of all.
  *
  * Membership is half-open (low <= x < high), so that a point on the border of
  * two shapes belongs to exactly one of them. */
 #include "shapes/shape.h"
 
 #include "base/status.h"
-#include "shapes/shape-box.h"
-#include "shapes/shape-polygon.h"
+#include "shapes/shape-kind.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { LAST = DIM - 1 }; /* the axis that points up */
 
-static const char *const types_text = DIM == 2 ? "box, polygon, disc or frame"
-                                               : "box, sphere or frame";
+static const struct shape_kind *const kinds[] = {
+    [SHAPE_BOX] = &shape_box,
+#if DIM == 2
+    [SHAPE_POLYGON] = &shape_corners,
+    [SHAPE_DISC] = &shape_disc,
+#else
+    [SHAPE_SPHERE] = &shape_sphere,
+    [SHAPE_CYLINDER] = &shape_cylinder,
+#endif
+    [SHAPE_FRAME] = &shape_frame,
+};
+
+enum { KINDS_OF_SHAPE = sizeof kinds / sizeof *kinds };
 
 unsigned shape_side(int axis, bool high)
 {
     const int pair = axis == 0 ? 0 : axis == LAST ? 1 : 2;
 
     return 1u << (2 * pair + high);
+}
+
+const struct shape_kind *shape_kind(const struct shape *s)
+{
+    return kinds[s->kind];
 }
 
 /* What a scene gave; a struct that was merely zeroed gave nothing. */
@@ -35,7 +51,7 @@ static bool gave_vector(const double *x)
     return !zero;
 }
 
-static bool is_vector(const double *x)
+bool shape_is_place(const double *x)
 {
     for (int d = 0; d < DIM; d++)
         if (!(fabs(x[d]) <= SHAPE_REACH))
@@ -43,75 +59,25 @@ static bool is_vector(const double *x)
     return true;
 }
 
-/* Refuses keys that this type would ignore. */
-static int refuse_strangers(const struct shape *s, const char *path, const char *where)
+void shape_axis(const struct shape *s, double *axis)
 {
-    const bool round = s->kind == SHAPE_DISC || s->kind == SHAPE_SPHERE;
-    const char *key = NULL;
+    const double length = sqrt(s->axis[0] * s->axis[0] + s->axis[1] * s->axis[1]
+                               + s->axis[2] * s->axis[2]);
 
-    if (s->kind != SHAPE_BOX && gave_vector(s->from))
-        key = "from";
-    if (s->kind != SHAPE_BOX && gave_vector(s->to))
-        key = "to";
-    if (s->kind != SHAPE_POLYGON && s->points.n > 0)
-        key = "points";
-    if (!round && gave_vector(s->centre))
-        key = "centre";
-    if (!round && s->radius > 0)
-        key = "radius";
-    if (s->kind != SHAPE_BOX && s->angle != 0)
-        key = "angle";
-    if (!round && s->kind != SHAPE_POLYGON && s->fill && !strcmp(s->fill, "layers"))
-        key = "fill = \"layers\": its lattice follows its sides already";
-    if (!key)
-        return STATUS_DONE;
-    return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s takes no %s; leave it out or choose another"
-                       " type (%s)", where, path, s->type, key, types_text);
+    for (int d = 0; d < 3; d++)
+        axis[d] = length > 0 ? s->axis[d] / length : d == 2;
 }
 
-static int check_box(const struct shape *s, const char *path, const char *where)
+int shape_check_axis(const struct shape *s, const char *path, const char *where)
 {
-    if (!is_vector(s->from) || !is_vector(s->to))
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: a box needs from and to, its lowest and"
-                           " highest corner", where, path);
-    for (int d = 0; d < DIM; d++)
-        if (!(s->from[d] < s->to[d]))
-            return status_fail(STATUS_BAD_SCENE, "%s: %s: to must lie beyond from in every"
-                               " direction, but along %c from is %g m and to is %g m", where,
-                               path, "xyz"[d], s->from[d], s->to[d]);
+    if (DIM == 3 && gave_vector(s->axis) && !shape_is_place(s->axis))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: axis is (%g, %g, %g), which is no direction;"
+                           " [0, 0, 1] is upwards", where, path, s->axis[0], s->axis[1],
+                           s->axis[2]);
     return STATUS_DONE;
 }
 
-static int check_ball(const struct shape *s, const char *path, const char *where)
-{
-    if (!is_vector(s->centre) || isnan(s->radius))
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s needs centre and radius", where, path,
-                           s->type);
-    if (!(s->radius > 0 && s->radius <= SHAPE_REACH))
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: radius is %g m, but a %s needs one above 0",
-                           where, path, s->radius, s->type);
-    return STATUS_DONE;
-}
-
-static int check_frame(const struct shape *s, const char *path, const char *where)
-{
-    const unsigned all = (1u << 2 * DIM) - 1;
-
-    for (int d = 0; d < DIM; d++)
-        if (!(s->low[d] < s->high[d]))
-            return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame goes round the domain, but the"
-                               " domain reaches from %g m to %g m along %c", where, path,
-                               s->low[d], s->high[d], "xyz"[d]);
-    if (!(s->thickness > 0 && s->thickness <= SHAPE_REACH))
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: a frame %g m thick holds nothing; it needs"
-                           " one layer or more", where, path, s->thickness);
-    if ((s->open & all) == all)
-        return status_fail(STATUS_BAD_SCENE, "%s: %s: every side of this frame is open, nothing is"
-                           " left; close a side or leave the wall out", where, path);
-    return STATUS_DONE;
-}
-
-static bool is_inside(const double *low, const double *high, const double *x)
+bool shape_between(const double *low, const double *high, const double *x)
 {
     for (int d = 0; d < DIM; d++)
         if (!(low[d] <= x[d] && x[d] < high[d]))
@@ -119,16 +85,7 @@ static bool is_inside(const double *low, const double *high, const double *x)
     return true;
 }
 
-static bool box_contains(const struct shape *s, const double *x)
-{
-    double own[DIM];
-
-    shape_box_own(s, x, own);
-    return is_inside(s->from, s->to, own);
-}
-
-/* From a point inside to the nearest of these faces [m]. */
-static double to_faces(const double *low, const double *high, const double *x)
+double shape_to_faces(const double *low, const double *high, const double *x)
 {
     double least = HUGE_VAL;
 
@@ -137,145 +94,101 @@ static double to_faces(const double *low, const double *high, const double *x)
     return least;
 }
 
-static double box_depth(const struct shape *s, const double *x)
+static const char *types_text(void)
 {
-    double own[DIM];
+    static char text[128];
+    size_t n = 0;
 
-    shape_box_own(s, x, own);
-    return to_faces(s->from, s->to, own);
-}
-
-static int check_polygon(const struct shape *s, const char *path, const char *where)
-{
-    return shape_polygon_check(&s->points, path, where);
-}
-
-static bool polygon_contains(const struct shape *s, const double *x)
-{
-    return shape_polygon_contains(&s->points, x);
-}
-
-static void polygon_bounds(const struct shape *s, double *low, double *high)
-{
-    shape_polygon_bounds(&s->points, low, high);
-}
-
-static double polygon_depth(const struct shape *s, const double *x)
-{
-    return shape_polygon_distance(&s->points, x);
-}
-
-static double ball_square(const struct shape *s, const double *x)
-{
-    double r2 = 0;
-
-    for (int d = 0; d < DIM; d++)
-        r2 += (x[d] - s->centre[d]) * (x[d] - s->centre[d]);
-    return r2;
-}
-
-static bool ball_contains(const struct shape *s, const double *x)
-{
-    return ball_square(s, x) < s->radius * s->radius;
-}
-
-static double ball_depth(const struct shape *s, const double *x)
-{
-    return s->radius - sqrt(ball_square(s, x));
-}
-
-static void ball_bounds(const struct shape *s, double *low, double *high)
-{
-    for (int d = 0; d < DIM; d++) {
-        low[d] = s->centre[d] - s->radius;
-        high[d] = s->centre[d] + s->radius;
-    }
-}
-
-/* An open side takes with it all that lies beyond its plane, corners included. */
-static void frame_bounds(const struct shape *s, double *low, double *high)
-{
-    for (int d = 0; d < DIM; d++) {
-        low[d] = s->low[d] - (s->open & shape_side(d, false) ? 0 : s->thickness);
-        high[d] = s->high[d] + (s->open & shape_side(d, true) ? 0 : s->thickness);
-    }
-}
-
-static bool frame_contains(const struct shape *s, const double *x)
-{
-    double low[DIM], high[DIM];
-
-    frame_bounds(s, low, high);
-    return is_inside(low, high, x) && !is_inside(s->low, s->high, x);
-}
-
-/* Of what it is around, and of its own outer faces. */
-static double frame_depth(const struct shape *s, const double *x)
-{
-    double low[DIM], high[DIM], r2 = 0;
-
-    frame_bounds(s, low, high);
-    for (int d = 0; d < DIM; d++) {
-        const double out = fmax(0, fmax(s->low[d] - x[d], x[d] - s->high[d]));
-        r2 += out * out;
-    }
-    return fmin(sqrt(r2), to_faces(low, high, x));
-}
-
-static const struct rules {
-    const char *name;
-    int (*check)(const struct shape *s, const char *path, const char *where);
-    bool (*contains)(const struct shape *s, const double *x);
-    double (*depth)(const struct shape *s, const double *x); /* of a point inside */
-    void (*bounds)(const struct shape *s, double *low, double *high);
-} rules[] = {
-    [SHAPE_BOX] = { "box", check_box, box_contains, box_depth, shape_box_bounds },
-    [SHAPE_POLYGON] = { "polygon", check_polygon, polygon_contains, polygon_depth,
-                        polygon_bounds },
-    [SHAPE_DISC] = { "disc", check_ball, ball_contains, ball_depth, ball_bounds },
-    [SHAPE_SPHERE] = { "sphere", check_ball, ball_contains, ball_depth, ball_bounds },
-    [SHAPE_FRAME] = { "frame", check_frame, frame_contains, frame_depth, frame_bounds },
-};
-
-static bool is_allowed(const char *type)
-{
     for (int i = 0; shape_types[i]; i++)
-        if (!strcmp(type, shape_types[i]))
-            return true;
-    return false;
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s%s",
+                              !i ? "" : shape_types[i + 1] ? ", " : " or ", shape_types[i]);
+    return text;
+}
+
+static bool takes(const struct shape *s, const char *key)
+{
+    char word[32];
+
+    snprintf(word, sizeof word, " %s ", key);
+    return strstr(shape_kind(s)->keys, word) != NULL;
+}
+
+/* Refuses keys that this type would ignore. */
+static int refuse_strangers(const struct shape *s, const char *path, const char *where)
+{
+    const struct {
+        const char *name;
+        bool given;
+    } key[] = {
+        { "from", gave_vector(s->from) }, { "to", gave_vector(s->to) },
+        { "points", s->points.n > 0 }, { "centre", gave_vector(s->centre) },
+        { "radius", s->radius > 0 }, { "angle", s->angle != 0 },
+        { "height", s->height > 0 }, { "axis", gave_vector(s->axis) },
+    };
+    const char *stranger = NULL;
+
+    for (int i = 0; i < (int)(sizeof key / sizeof *key); i++)
+        if (key[i].given && !takes(s, key[i].name))
+            stranger = key[i].name;
+    if (!shape_kind(s)->layers && s->fill && !strcmp(s->fill, "layers"))
+        stranger = "fill = \"layers\": its lattice follows its sides already";
+    if (!stranger)
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s: %s: a %s takes no %s; leave it out or choose another"
+                       " type (%s)", where, path, s->type, stranger, types_text());
 }
 
 static int find_kind(struct shape *s, const char *path, const char *where)
 {
     const char *type = s->type ? s->type : "";
 
-    for (int k = 0; is_allowed(type) && k < (int)(sizeof rules / sizeof *rules); k++)
-        if (!strcmp(type, rules[k].name)) {
+    for (int k = 0; k < KINDS_OF_SHAPE; k++)
+        if (kinds[k] && !strcmp(type, kinds[k]->name)) {
             s->kind = k;
             return STATUS_DONE;
         }
     return status_fail(STATUS_BAD_SCENE, "%s: %s: there is no type \"%s\" in %d dimensions; it is"
-                       " one of %s", where, path, type, DIM, types_text);
+                       " one of %s", where, path, type, DIM, types_text());
 }
 
 int shape_check(struct shape *s, const char *path, const char *where)
 {
     TRY(find_kind(s, path, where));
     TRY(refuse_strangers(s, path, where));
-    return rules[s->kind].check(s, path, where);
+    return shape_kind(s)->check(s, path, where);
 }
 
 bool shape_contains(const struct shape *s, const double *x)
 {
-    return rules[s->kind].contains(s, x);
+    return shape_kind(s)->contains(s, x);
 }
 
 double shape_depth(const struct shape *s, const double *x)
 {
-    return shape_contains(s, x) ? rules[s->kind].depth(s, x) : 0;
+    return shape_contains(s, x) ? shape_kind(s)->depth(s, x) : 0;
 }
 
 void shape_bounds(const struct shape *s, double *low, double *high)
 {
-    rules[s->kind].bounds(s, low, high);
+    shape_kind(s)->bounds(s, low, high);
+}
+
+bool shape_goes_round(const struct shape *s)
+{
+    return shape_kind(s)->domain;
+}
+
+bool shape_is_thin(const struct shape *s, int d, double width)
+{
+    const struct shape_kind *kind = shape_kind(s);
+
+    return kind->side && !kind->domain && kind->side(s, d) > 0 && !(kind->side(s, d) > width);
+}
+
+void shape_own(const struct shape *s, const double *x, double *own)
+{
+    if (shape_kind(s)->own)
+        shape_kind(s)->own(s, x, own);
+    else
+        memmove(own, x, DIM * sizeof *own);
 }

@@ -8,18 +8,21 @@
 
 #define SHAPE_REACH 1e6 /* largest coordinate a scene may use [m] */
 
-enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME };
+enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME, SHAPE_CYLINDER };
 
 /* As a scene gives it (keys of shape_params); a frame is the shell of
  * `layers` spacings around the domain, with the corners between two closed
  * sides.  Vectors and radius that a scene did not give are NaN. */
 struct shape {
-    const char *type;           /* "box", "polygon", "disc" | "sphere", "frame" */
+    const char *type;           /* "box", "polygon", "disc" | "sphere", "frame", "cylinder" */
     double from[3], to[3];      /* box: lowest and highest corner   [m]       */
     struct param_points points; /* polygon: corners in turn         [m]       */
-    double centre[3], radius;   /* disc, sphere                     [m]       */
-    double angle;               /* box: turned anticlockwise about its centre,
-                                   in 3D about the vertical through it [deg]  */
+    double centre[3], radius;   /* disc, sphere, cylinder           [m]       */
+    double height;              /* cylinder: length along its axis  [m]       */
+    double axis[3];             /* 3D: direction that a box is turned about, or
+                                   of a cylinder; 0 or NaN: the vertical      */
+    double angle;               /* box: turned about its centre, anticlockwise
+                                   for who looks against the axis   [deg]     */
     const char *fill;           /* "auto" (or NULL), "layers", "lattice"      */
     enum shape_type kind;       /* set by shape_check                         */
     double thickness;           /* set by the caller: of a frame's shell, and of
@@ -27,6 +30,7 @@ struct shape {
     /* set by the caller for a frame */
     double low[3], high[3];     /* the domain                       [m]       */
     unsigned open;              /* sides left out, SHAPE_SIDE bits            */
+    double sunk;                /* how far below an open top its sides end  [m] */
 };
 
 /* Sides: left right bottom top in 2D, and front back in 3D; up is the last
@@ -34,7 +38,7 @@ struct shape {
 extern const char *const shape_sides[];
 unsigned shape_side(int axis, bool high); /* bit as in shape_sides            */
 
-/* type, from, to, angle, points, centre, radius, fill */
+/* type, from, to, angle, axis, points, centre, radius, height, fill */
 extern const struct param shape_params[];
 extern const char *const shape_types[];   /* allowed in this dimension        */
 
@@ -48,5 +52,10 @@ int shape_check(struct shape *s, const char *path, const char *where);
 bool shape_contains(const struct shape *s, const double *x);
 double shape_depth(const struct shape *s, const double *x); /* to its outline; 0: outside [m] */
 void shape_bounds(const struct shape *s, double *low, double *high); /* [DIM] */
+bool shape_goes_round(const struct shape *s); /* the domain: is it a frame?     */
+
+/* Is it thinner than `width` [m] between flat faces across its own axis d? */
+bool shape_is_thin(const struct shape *s, int d, double width);
+void shape_own(const struct shape *s, const double *x, double *own); /* x in its own axes */
 
 #endif

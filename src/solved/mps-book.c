@@ -77,7 +77,7 @@ static void write_densities(const struct mps *s, double *to)
         for (int i = l->start[k]; i < l->start[k + 1] && rho; i++) {
             const double of = eos_density(eos, s->p[i]);
             rho[l->order[i] - s->moment->particles->from[k]] =
-                of > s->moment->density_low ? of : s->moment->density_low;
+                of > s->moment->density[0] ? of : s->moment->density[0];
         }
     }
 }

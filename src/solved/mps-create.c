@@ -19,6 +19,9 @@ const char *mps_serves(const struct plan *p)
     if (p->row.density[KIND_FLUID] < 0)
         return "it keeps the solved pressure as a density in y, which effects.continuity has and "
                "a summed density does not";
+    if (p->passes.filters)
+        return "it keeps the solved pressure as a density, which effects.shepard-filter would mix; "
+               "leave that effect out";
     if (p->passes.press)
         return "it presses through the particles of walls, and walls = \"contact\" presses "
                "through their faces; set walls = \"own-density\"";
@@ -37,7 +40,7 @@ static bool is_face(const struct scales *scales, const struct shape *shape, cons
 {
     double outside = 0;
 
-    if (shape->kind != SHAPE_FRAME)
+    if (!shape_goes_round(shape))
         return shape_depth(shape, x) < 0.75 * scales->dx;
     for (int d = 0; d < DIM; d++)
         outside = fmax(outside, fmax(scales->low[d] - x[d], x[d] - scales->high[d]));

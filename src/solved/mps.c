@@ -176,7 +176,7 @@ static int find_pressure(struct mps *s, const double *y)
     for (int i = 0; i < s->near.n && mps_is(s->key->clamp, "on"); i++)
         s->p[i] = fmax(s->p[i], 0);
     for (int i = 0; i < s->near.n; i++)
-        if (!(eos_density(s->moment->plan->pressure->self, s->p[i]) <= s->moment->density_high)
+        if (!(eos_density(s->moment->plan->pressure->self, s->p[i]) <= s->moment->density[1])
             && s->p[i] > 0)
             return refuse_pressure(s, i);
     return STATUS_DONE;

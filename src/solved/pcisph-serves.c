@@ -36,6 +36,9 @@ const char *pcisph_serves(const struct plan *p)
         if (particles_count(p->particles, k) > 0 && p->row.density[k] < 0)
             return "it keeps pressures as densities of fluid and solids; name "
                    "effects.continuity = { } and walls = \"own-density\"";
+    if (p->passes.filters)
+        return "it keeps pressures as densities, which effects.shepard-filter would mix; leave that "
+               "effect out";
     if (p->passes.press)
         return "solids need a pressure of their own; set walls = \"own-density\"";
     if (p->kernel[PART_DENSITY] != p->kernel[PART_PRESSURE]

@@ -7,13 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* All that the records of LANES places hold. */
-LANES_INLINE void whole(const double *record, const int *j, struct side *s)
+/* All that LANES records hold. */
+LANES_INLINE void fetch_records(const double *const of[LANES], struct side *s)
 {
-    const double *of[LANES];
-
-    for (int l = 0; l < LANES; l++)
-        of[l] = record + (size_t)(unsigned)j[l] * RECORD;
 #if DIM == 2
     fetch_four(of, RECORD_X, &s->x[0], &s->x[1], &s->v[0], &s->v[1]);
     fetch_four(of, RECORD_RHO, &s->rho, &s->p2, &s->m, &s->irho);
@@ -22,6 +18,26 @@ LANES_INLINE void whole(const double *record, const int *j, struct side *s)
     fetch_four(of, RECORD_V, &s->v[0], &s->v[1], &s->v[2], &s->p2);
     fetch_two(of, RECORD_M, &s->m, &s->irho);
 #endif
+}
+
+/* Those of LANES places. */
+LANES_INLINE void whole(const double *record, const int *j, struct side *s)
+{
+    const double *of[LANES];
+
+    for (int l = 0; l < LANES; l++)
+        of[l] = record + (size_t)(unsigned)j[l] * RECORD;
+    fetch_records(of, s);
+}
+
+/* Those of places one after the other: no address but the first need be formed. */
+LANES_INLINE void whole_run(const double *first, struct side *s)
+{
+    const double *of[LANES];
+
+    for (int l = 0; l < LANES; l++)
+        of[l] = first + l * RECORD;
+    fetch_records(of, s);
 }
 
 LANES_INLINE lanes dot(const lanes *a, const lanes *b)
@@ -97,6 +113,10 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
 {
     int j[LANES];
 
+    if (first + LANES <= end) {
+        whole_run(record + (size_t)first * RECORD, a);
+        return;
+    }
     for (int l = 0; l < LANES; l++)
         j[l] = first + l < end ? first + l : dummy;
     whole(record, j, a);

@@ -73,6 +73,9 @@ struct list {
     const long *rows_before; /* [groups+1] rows of all groups before: the work */
     const struct list_segment *segment;
     long builds;           /* rebuilds so far                                */
+    const bool *mine;      /* [n] rows of particles that are owners here; others have a
+                              place and are neighbours, but have no rows.  The caller's,
+                              set after create(); NULL: all are              */
     bool stands;           /* there are rows, of the last rebuild            */
     int bad;               /* row of the particle whose position is not finite,
                               of several that with the smallest id, or -1    */

@@ -123,6 +123,14 @@ static int append(struct list_store *store, const struct scan *s, int partner, i
     return rows;
 }
 
+/* Owners of other ranks look for nobody. */
+static void keep_mine(const struct list *list, int first, int owners, int count[LANES])
+{
+    for (int l = 0; l < owners; l++)
+        if (!list->mine[list->order[first + l]])
+            count[l] = 0;
+}
+
 static void find_rows(struct list *list, struct list_store *store, struct scan *s, int g)
 {
     struct list_private *own = list->own;
@@ -137,6 +145,8 @@ static void find_rows(struct list *list, struct list_store *store, struct scan *
             || list->start[partner] == list->start[partner + 1])
             continue;
         scan_near(s, partner);
+        if (list->mine)
+            keep_mine(list, s->group, s->owners, s->count);
         rows += append(store, s, partner, list->listed);
     }
     own->segment_from[g + 1] = (int)(store->founds - before);

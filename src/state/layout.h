@@ -18,7 +18,7 @@ struct layout_row {
     long offset;         /* set by layout_done()                             */
 };
 
-enum { LAYOUT_ROWS = 128 };
+enum { LAYOUT_ROWS = 2048 };
 
 struct layout {
     int rows;

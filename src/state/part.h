@@ -124,6 +124,20 @@ struct part_source {
     void (*densify)(const void *self, const struct view *v, double *rate);
 };
 
+/* Densities that are replaced between two segments, at times of its own. */
+struct part_filter {
+    double (*event)(const void *self, double t); /* next time after t that it acts at [s] */
+    unsigned meets[KINDS];    /* gather(): partner kinds of the fluid         */
+    unsigned rows;            /* NEED_ bits of gather()                       */
+
+    /* Adds to the owners' own sum, weighed with the kernel of densities. */
+    part_gather *gather;
+
+    /* From the densities of the fluid [kg/m^D] to those after it, rho [fluid], by row.  The
+     * energy that this takes has a column of the book. */
+    void (*densities)(const void *self, const struct part_sums *s, double *rho);
+};
+
 typedef void part_moduli(const void *self, int n, const double *rho, const double *p,
                          double *modulus);
 
@@ -219,6 +233,7 @@ struct part_roles {
     const struct part_summed *summed;
     const struct part_force *force;
     const struct part_source *source;
+    const struct part_filter *filter;
     const struct part_pressure *pressure;
     const struct part_wall *wall;
 };
@@ -263,7 +278,7 @@ static inline bool part_conserves(const struct part *part)
 static inline bool part_is_booked(const struct part *part)
 {
     return part->as.law || (part->as.summed && part->as.summed->carry)
-           || (part->as.pressure && part->as.pressure->ahead);
+           || (part->as.pressure && part->as.pressure->ahead) || part->as.filter;
 }
 
 /* Does it move particles beside their velocity? */

@@ -16,6 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *const files[] = { "compare.csv", "compare.json", "compare.md", "report.html",
+                                     NULL };
+static const char *const folders[] = { "figures", "runs", NULL };
+static const struct mark_owner owner = { "comparison", files, folders, NULL };
+
 static int check_tols(struct study *s, double *least)
 {
     *least = HUGE_VAL;
@@ -67,6 +72,7 @@ static int prepare(struct study *s)
     s->home = (struct member_home){
         .scene = s->order->scene, .overrides = s->order->overrides,
         .override = s->order->override, .threads = s->order->threads, .budget = s->order->budget,
+        .owner = &owner, .force = s->order->force,
     };
     TRY(words_split(&s->methods, s->order->methods, "--methods"));
     TRY(words_split(&s->tols, s->order->tols, "--tols"));
@@ -77,7 +83,8 @@ static int prepare(struct study *s)
         TRY(point_finest(s));
     TRY(member_home_make(&s->home, s->order->directory, "-compare"));
     TRY(choose_reference(s));
-    return trials_make(s);
+    TRY(trials_make(s));
+    return member_home_claim(&s->home);
 }
 
 /* The runs of a list that the crew sees to. */

@@ -43,7 +43,7 @@ static void came(struct work *w, int number)
 /* Also checkpoints: a run of a study that was interrupted is made from its beginning. */
 static bool begin(void *self, int i)
 {
-    static const char *const old[] = { "run.json", "order", "checkpoint.h5",
+    static const char *const old[] = { "run.json", "order", "said", "checkpoint.h5",
                                        "checkpoint-before.h5" };
     struct work *w = self;
     char path[MEMBER_PATH];
@@ -84,10 +84,9 @@ static void look(void *self, int running)
 /* Directory, words and place for what is said. */
 static int make_child(struct work *w, int i)
 {
-    char directory[MEMBER_PATH], said[MEMBER_PATH];
+    char said[MEMBER_PATH];
 
-    member_path(w->crew->home, member(w, i), "", directory);
-    TRY(aside_directory(directory));
+    TRY(member_directory(w->crew->home, member(w, i)));
     member_path(w->crew->home, member(w, i), "said", said);
     w->child[i].budget = w->crew->budget;
     w->child[i].said = strdup(said);

@@ -54,6 +54,22 @@ int member_home_make(struct member_home *h, const char *asked, const char *suffi
     return find_program(h);
 }
 
+int member_home_claim(const struct member_home *h)
+{
+    TRY(aside_directory(h->directory));
+    return mark_claim(h->owner, h->directory, h->scene, h->force);
+}
+
+int member_directory(const struct member_home *h, const struct member *m)
+{
+    char path[MEMBER_PATH];
+
+    TRY(aside_join(path, "runs", m->name));
+    TRY(mark_refuse_link(h->owner, h->directory, path));
+    member_path(h, m, "", path);
+    return aside_directory(path);
+}
+
 void member_name_add(struct member *m, const char *text)
 {
     size_t n = strlen(m->name);

@@ -3,6 +3,7 @@
 #define STUDY_MEMBER_H
 
 #include "output/aside.h"
+#include "output/mark.h"
 
 #include <stdbool.h>
 
@@ -16,6 +17,8 @@ struct member_home {
     int threads;                 /* 0: 1                                              */
     const char *command;         /* of the program; NULL: run                         */
     double budget;               /* [s] of the clock for a run; 0: any                */
+    const struct mark_owner *owner; /* whose mark the directory gets                  */
+    bool force;                  /* as mark_claim() has it                            */
     char directory[MEMBER_PATH / 2], program[MEMBER_PATH];
     char identity[512];          /* of program and scene files                        */
 };
@@ -31,6 +34,13 @@ struct member {
 /* Fills directory (`asked', or for NULL the scene's name without ".scene" and `suffix'),
  * program and identity of a home whose other members are set. */
 int member_home_make(struct member_home *h, const char *asked, const char *suffix);
+
+/* Makes the directory, and its mark: before anything is written there.  STATUS_IO when it is
+ * somebody else's. */
+int member_home_claim(const struct member_home *h);
+
+/* Makes the directory of a member; STATUS_IO where a link stands. */
+int member_directory(const struct member_home *h, const struct member *m);
 
 /* Adds text to the name; what a directory's name had better not hold becomes "_". */
 void member_name_add(struct member *m, const char *text);

@@ -16,6 +16,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const char *const files[] = {
+    "spread.csv", "spread.json", "spread.md", "spread-positions.csv", "spread-front.csv",
+    "spread-forces.csv", "spread-beam.csv", "spread-probes.csv", "report.html", NULL,
+};
+static const char *const folders[] = { "figures", "runs", NULL };
+static const struct mark_owner owner = { "spread", files, folders, NULL };
+
 static int read_scene(struct spread *s)
 {
     struct scene *scene = NULL;
@@ -56,6 +63,7 @@ static int prepare(struct spread *s)
     s->home = (struct member_home){
         .scene = s->order->scene, .overrides = s->order->overrides,
         .override = s->order->override, .threads = s->order->threads, .budget = s->order->budget,
+        .owner = &owner, .force = s->order->force,
     };
     TRY(read_scene(s));
     TRY(check_fluid(s));
@@ -68,7 +76,7 @@ static int prepare(struct spread *s)
         s->member[i].until = s->facts.until;
         snprintf(s->member[i].name, sizeof s->member[i].name, "seed-%d", s->order->seed + i);
     }
-    return STATUS_DONE;
+    return member_home_claim(&s->home);
 }
 
 static struct member *member(void *self, int i)

@@ -16,6 +16,7 @@ struct spread_order {
     int jobs, threads;           /* 0: 1                                                 */
     double budget;               /* [s] of the clock for a run; 0: any                   */
     bool quiet;
+    bool force;                  /* a directory with files of others does not matter */
     const char *scripts;         /* directory with plots/spread-front.gp                 */
 };
 

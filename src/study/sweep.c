@@ -14,6 +14,10 @@
 
 enum { WORDS = 256 };
 
+static const char *const files[] = { "sweep.csv", "sweep.md", "report.html", NULL };
+static const char *const folders[] = { "figures", "runs", NULL };
+static const struct mark_owner owner = { "sweep", files, folders, NULL };
+
 /* The words of the command line, told apart. */
 struct asked {
     const char *swept[COMPARE_SWEEPS], *set[WORDS];
@@ -76,12 +80,14 @@ static int prepare(struct sweep *s)
 
     study->home = (struct member_home){
         .scene = order->scene, .overrides = order->overrides, .override = order->override,
-        .threads = order->threads, .budget = order->budget,
+        .threads = order->threads, .budget = order->budget, .owner = &owner,
+        .force = order->force,
     };
     TRY(point_sweeps(study));
     TRY(point_all(study));
     TRY(member_home_make(&study->home, order->directory, "-sweep"));
-    return make_runs(s);
+    TRY(make_runs(s));
+    return member_home_claim(&study->home);
 }
 
 static struct member *member(void *self, int i)
@@ -147,6 +153,7 @@ int sweep_scene(const struct sweep_order *asked)
     struct compare_order order = {
         .scene = asked->scene, .directory = asked->directory, .jobs = asked->jobs,
         .threads = asked->threads, .budget = asked->budget, .quiet = asked->quiet,
+        .force = asked->force,
         .scripts = asked->scripts, .override = a.set, .sweep = a.swept,
     };
     struct sweep s = { .study.order = &order };

@@ -12,6 +12,7 @@ struct sweep_order {
     int jobs, threads;       /* 0: 1                                                      */
     double budget;           /* [s] of the clock for a run; 0: any                        */
     bool quiet;
+    bool force;              /* a directory with files of others does not matter */
     const char *scripts;     /* directory with plots/sweep.gp                             */
 };
 

@@ -2,7 +2,8 @@
  * the step.
  *
  * The error is of order 1.  Between two steps the state is a straight line: corrections of a
- * step have no rate. */
+ * step have no rate.  Sources of pressure grow as 1/dt^2, so a short last step before a stop
+ * would throw the fluid apart: steps up to there are of one length. */
 #include "time/fixed.h"
 
 #include "algebra/vector.h"
@@ -34,6 +35,7 @@ const struct fixed_kind fixed_mps = {
                 .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors,
                 .rearrange = fixed_rearrange },
     .number = 0.2,
+    .even = true,
     .sides = ASK_EXPLICIT,
     .without_pressure = true,
     .remedy = "Steps are not halved, as pressures grow with shorter ones. Try mps@0.2, which "

@@ -179,6 +179,14 @@ static void report(const struct fixed *x, double h, enum method_limiter limiter,
         snprintf(out->where, sizeof out->where, "%s", x->limit.part);
 }
 
+/* Steps of one length up to a stop; one that was asked for in seconds stays if it fits. */
+static double even_out(const struct fixed *x, double left, double h)
+{
+    const double steps = left / h;
+
+    return x->seconds > 0 && fabs(steps - round(steps)) < 1e-6 ? h : left / ceil(steps - 1e-9);
+}
+
 int fixed_step(void *self, double t_stop, struct method_step *out)
 {
     struct fixed *x = self;
@@ -192,8 +200,8 @@ int fixed_step(void *self, double t_stop, struct method_step *out)
     if (ensure_rates(x) != STATUS_DONE)
         return collapse(x, 0);
     h = length(x);
-    if (x->kind->even && !(x->seconds > 0))
-        h = left / ceil(left / h - 1e-9);
+    if (x->kind->even)
+        h = even_out(x, left, h);
     const bool last = h >= left * (1 - (x->seconds > 0 ? CONSTANT_SLACK : 1e-12));
     asked = h = last ? left : h;
     begin(x);

@@ -51,8 +51,7 @@ static int slow(sunrealtype t, N_Vector y, N_Vector ydot, void *self)
 
     if (rates(m, t, vector_data(y), vector_data(ydot)) != STATUS_DONE)
         return -1;
-    mri_bodies_book(m, t, vector_data(y), -1, vector_data(ydot));
-    return 0;
+    return m->side->less(m, t, vector_data(y), vector_data(ydot)) == STATUS_DONE ? 0 : -1;
 }
 
 /* Only MRIStep's interpolant wants it, which is not asked. */
@@ -79,7 +78,7 @@ static double length(struct fixed *x)
     struct limit limit[2];
     double wave, decay;
 
-    moment_limit(x->moment, x->t, x->y, false, limit);
+    of_frame(x)->side->limit(x->moment, x->t, x->y, limit);
     wave = limit[0].rate > 0 ? x->number * SCALES_WAVE / limit[0].rate : HUGE_VAL;
     decay = limit[1].rate > 0 ? 2 / limit[1].rate : HUGE_VAL;
     x->limit = limit[decay < wave];
@@ -121,6 +120,14 @@ static const char *serves(const struct plan *plan)
         return "its steps follow the sound in the water, and this scene has no water: use dirk4";
     const char *why = method_bodies_alone(plan);
     return why ? why : fixed_serves(plan);
+}
+
+/* Of all of f: positions may have other rates than velocities have numbers. */
+static const char *serves_rigid(const struct plan *plan)
+{
+    const char *why = plan_size(plan) > 0 ? moment_rigid_lacks(plan) : "nothing in this scene moves";
+
+    return why ? why : method_bodies_alone(plan);
 }
 
 static int set_up_steps(struct mri *m)
@@ -190,7 +197,8 @@ static int create(const struct method *method, const struct method_def *def, str
     *out = m;
     if (!m)
         return STATUS_FAILED;
-    m->kind = *(const struct fixed_kind *)method; /* its first member */
+    m->kind = ((const struct mri_method *)method)->kind; /* its first member */
+    m->side = ((const struct mri_method *)method)->side;
     code = fixed_create(&m->kind.method, def, moment, t, y, &frame);
     m->frame = frame;
     if (code == STATUS_DONE)
@@ -198,7 +206,7 @@ static int create(const struct method *method, const struct method_def *def, str
     if (code != STATUS_DONE)
         release(out);
     else
-        snprintf(m->table, sizeof m->table, "%s + %s, %s", slow_table, mri_fast_table,
+        snprintf(m->table, sizeof m->table, "%s + %s, %s", slow_table, m->side->table,
                  fixed_table(frame));
     return code;
 }
@@ -208,29 +216,14 @@ static int step(void *self, double t_stop, struct method_step *out)
     return fixed_step(((struct mri *)self)->frame, t_stop, out);
 }
 
-/* Of bodies, positions are the cubic through both ends with the velocities there, and
- * velocities its slope: rates of stiff velocities say nothing of a whole step. */
-static void bodies_at(const struct fixed *x, double t, double *y)
-{
-    const double h = x->t - x->t_old, s = (t - x->t_old) / h, r = 1 - s;
-    const long v = x->from[LAYOUT_VELOCITY];
-
-    for (int k = 0; k < x->ranges; k++)
-        for (long i = x->range[k][0]; i < x->range[k][1] && i < v; i++) {
-            const double q0 = x->y_old[i], q1 = x->y[i], v0 = x->y_old[v + i], v1 = x->y[v + i];
-            y[i] = r * r * ((1 + 2 * s) * q0 + s * h * v0)
-                 + s * s * ((1 + 2 * r) * q1 - r * h * v1);
-            y[v + i] = 6 * s * r * (q1 - q0) / h + r * (1 - 3 * s) * v0 + s * (3 * s - 2) * v1;
-        }
-}
-
 static int at(void *self, double t, double *y)
 {
-    const struct fixed *x = ((struct mri *)self)->frame;
+    const struct mri *m = self;
+    const struct fixed *x = m->frame;
 
     TRY(fixed_at((void *)x, t, y));
     if (x->stepped && t > x->t_old && t < x->t)
-        bodies_at(x, t, y);
+        m->side->between(x, t, y);
     return STATUS_DONE;
 }
 
@@ -266,17 +259,23 @@ static int vectors(const struct method *m, const struct plan *plan)
     return fixed_vectors(m, plan) + OF_MRISTEP + OURS;
 }
 
-const struct fixed_kind mri_kind = {
-    .method = { .name = "mri",
-                .told = { "water in explicit steps of order 3, beams in implicit ones of their "
-                         "own within",
-                          "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" },
-                .adaptive = false, .order = 3, .serves = serves, .create = create, .step = step,
-                .at = at, .vectors = vectors, .state = state, .restart = restart,
-                .rearrange = rearrange, .table = table,
-                .free = release },
-    .number = 0.2,
-    .sides = ASK_EXPLICIT,
-    .length = length,
-    .advance = advance,
+#define MRI_METHOD(NAME, SERVES, ABOUT)                                                    \
+    { .method = { .name = NAME,                                                           \
+                  .told = { ABOUT, "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" }, \
+                  .adaptive = false, .order = 3, .serves = SERVES, .create = create,       \
+                  .step = step, .at = at, .vectors = vectors, .state = state,              \
+                  .restart = restart, .rearrange = rearrange, .table = table,              \
+                  .free = release },                                                       \
+      .number = 0.2, .sides = ASK_EXPLICIT, .length = length, .advance = advance }
+
+const struct mri_method mri_method = {
+    MRI_METHOD("mri", serves, "water in explicit steps of order 3, beams in implicit ones of their "
+               "own within"),
+    &mri_beams_side,
+};
+
+const struct mri_method mri_rigid_method = {
+    MRI_METHOD("mri-rigid", serves_rigid, "water in explicit steps of order 3, rigid bodies and "
+               "their contacts in shorter ones within"),
+    &mri_rigid_side,
 };

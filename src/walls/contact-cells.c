@@ -58,7 +58,7 @@ int contact_cells_create(struct contact_cells *c, const struct scales *s,
 {
     long cells;
 
-    *c = (struct contact_cells){ .scales = s, .x = x };
+    *c = (struct contact_cells){ .scales = s, .x = x, .reach = reach };
     cells = n > 0 ? lay_out(c, n, reach) : 0;
     c->start = status_alloc((unsigned long)cells + 2, sizeof *c->start);
     c->member = status_alloc((unsigned long)n + 1, sizeof *c->member);
@@ -85,13 +85,16 @@ void contact_cells_free(struct contact_cells *c)
 static void see_cell(const struct contact_cells *c, long cell, const double *x,
                      contact_cells_see *see, void *self)
 {
+    const double farthest = c->reach * c->reach * (1 + 1e-9); /* whatever rounding does */
+
     for (int m = c->start[cell]; m < c->start[cell + 1]; m++) {
         double step[DIM], r2 = 0;
         for (int d = 0; d < DIM; d++) {
             step[d] = c->x[c->member[m]][d] - x[d];
             r2 += step[d] * step[d];
         }
-        see(self, c->member[m], sqrt(r2), step);
+        if (r2 <= farthest)
+            see(self, c->member[m], sqrt(r2), step);
     }
 }
 

@@ -2,18 +2,21 @@
 #include "walls/contact-mean.h"
 
 #include "base/status.h"
+#include "kernels/kernel.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What the rows are made of; afterwards only they are left. */
+/* What the rows are made of; afterwards only they are left.  Each thread has a copy for the
+ * row that it works on. */
 struct making {
     struct contact_mean *m;
     const struct part_places *at;
     const struct contact_share *share; /* [solids] */
     const int *number;                 /* [solids] among the n, -1 */
     int first, me;                     /* id of the first solid; the row's */
+    double cell;                       /* dx^D */
     long entries;                      /* so far */
 };
 
@@ -35,9 +38,9 @@ static double alike(const struct contact_share *a, const struct contact_share *b
 /* Some at the edge of the kernel are too small for a float, and are none. */
 static float weight_of(const struct making *k, int j, double r)
 {
-    if (k->number[j] < 0 || group_of(k, j) != group_of(k, k->me))
+    if (r >= k->at->kernel->support || k->number[j] < 0 || group_of(k, j) != group_of(k, k->me))
         return 0;
-    return (float)(contact_room_kernel(k->at, r) * alike(&k->share[k->me], &k->share[j]));
+    return (float)(contact_room_kernel(k->at, k->cell, r) * alike(&k->share[k->me], &k->share[j]));
 }
 
 static void count(void *self, int j, double r, const double *step)
@@ -68,41 +71,60 @@ static void enter(void *self, int j, double r, const double *step)
         return;
     const long at = contact_mean_at(k->m, row, k->entries++);
     k->m->column[at] = column;
-    k->m->weight[at] = column < row ? mirrored(k->m, column, row) : w;
+    k->m->weight[at] = w;
 }
 
 /* A slice is as long as the longest of its rows. */
-static void measure_rows(struct making *k, const struct contact_cells *solids)
+static void measure_rows(const struct making *all, const struct contact_cells *solids)
 {
-    struct contact_mean *m = k->m;
+    struct contact_mean *m = all->m;
+    long entries = 0;
 
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : entries)
     for (int slice = 0; slice < m->slices; slice++) {
         long longest = 0;
         for (int i = slice * CONTACT_ROWS; i < m->n && i < (slice + 1) * CONTACT_ROWS; i++) {
-            k->me = m->solid[i];
-            k->entries = 0;
-            contact_cells_visit(solids, solids->x[k->me], count, k);
-            longest = k->entries > longest ? k->entries : longest;
-            m->entries += k->entries;
+            struct making k = *all;
+            k.me = m->solid[i];
+            contact_cells_visit(solids, solids->x[k.me], count, &k);
+            longest = k.entries > longest ? k.entries : longest;
+            entries += k.entries;
         }
-        m->start[slice + 1] = m->start[slice] + longest * CONTACT_ROWS;
+        m->start[slice + 1] = longest * CONTACT_ROWS;
     }
+    m->entries = entries;
+    for (int slice = 0; slice < m->slices; slice++)
+        m->start[slice + 1] += m->start[slice];
 }
 
 /* Filling names a particle of its own slice, so that it asks for none that is not there. */
-static void fill_rows(struct making *k, const struct contact_cells *solids)
+static void fill_rows(const struct making *all, const struct contact_cells *solids)
 {
-    struct contact_mean *m = k->m;
+    struct contact_mean *m = all->m;
 
+#pragma omp parallel for schedule(dynamic, 64)
     for (int i = 0; i < m->slices * CONTACT_ROWS; i++) {
         const int own = i < m->n ? i : m->n - 1;
-        k->me = m->solid[own];
-        k->entries = 0;
+        struct making k = *all;
+        k.me = m->solid[own];
         if (i < m->n)
-            contact_cells_visit(solids, solids->x[k->me], enter, k);
-        for (long e = k->entries; e < contact_mean_length(m, i / CONTACT_ROWS); e++)
+            contact_cells_visit(solids, solids->x[k.me], enter, &k);
+        for (long e = k.entries; e < contact_mean_length(m, i / CONTACT_ROWS); e++)
             m->column[contact_mean_at(m, i, e)] = own;
     }
+}
+
+/* What rounding made of a pair seen from its two sides becomes one number; those that are read
+ * here are not written here. */
+static void mirror_rows(struct contact_mean *m)
+{
+#pragma omp parallel for schedule(dynamic, 64)
+    for (int i = 0; i < m->n; i++)
+        for (long e = 0; e < contact_mean_length(m, i / CONTACT_ROWS); e++) {
+            const long at = contact_mean_at(m, i, e);
+            if (m->weight[at] > 0 && m->column[at] < i)
+                m->weight[at] = mirrored(m, m->column[at], i);
+        }
 }
 
 /* Those that are read by each slice, into m->reads where that is there; how many. */
@@ -153,7 +175,7 @@ static void weigh_rows(struct contact_mean *m, double *one)
     }
 }
 
-static int make_rows(struct making *k, const struct contact_cells *solids)
+static int make_rows(const struct making *k, const struct contact_cells *solids)
 {
     struct contact_mean *m = k->m;
     double *one = status_alloc((unsigned long)m->n + 1, sizeof *one);
@@ -166,6 +188,7 @@ static int make_rows(struct making *k, const struct contact_cells *solids)
         return STATUS_FAILED;
     }
     fill_rows(k, solids);
+    mirror_rows(m);
     weigh_rows(m, one);
     free(one);
     return list_reads(m);
@@ -189,7 +212,8 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
         }
         m->slices = (m->n + CONTACT_ROWS - 1) / CONTACT_ROWS;
         status = make_rows(&(struct making){ .m = m, .at = at, .share = share, .number = number,
-                                             .first = first },
+                                             .first = first,
+                                             .cell = contact_room_cell(at) },
                            solids);
     }
     free(number);

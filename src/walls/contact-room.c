@@ -3,9 +3,9 @@
 
 #include "base/status.h"
 #include "kernels/kernel.h"
-#include "shapes/shape-box.h"
 #include "shapes/shape.h"
 #include "state/period.h"
+#include "walls/contact-look.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,6 +26,60 @@ struct tally {
     struct contact_share sum;
 };
 
+static double length_of(const double *step)
+{
+    double r2 = 0;
+
+    for (int d = 0; d < DIM; d++)
+        r2 += step[d] * step[d];
+    return sqrt(r2);
+}
+
+double contact_room_cell(const struct part_places *at)
+{
+    return pow(at->p->scales->dx, DIM);
+}
+
+double contact_room_kernel(const struct part_places *at, double cell, double r)
+{
+    const double dx = at->p->scales->dx, least = at->kernel->kernel->singular ? dx / 2 : 0;
+
+    return kernel_w(at->kernel, fmax(r, least)) * cell;
+}
+
+/* --- cells around a particle --------------------------------------------------------- */
+
+static int cells_of(const struct contact_room *r)
+{
+    int cells = 1;
+
+    for (int d = 0; d < DIM; d++)
+        cells *= r->side;
+    return cells;
+}
+
+/* The step from a particle to the middle of cell k around it. */
+static void middle_of(const struct contact_room *r, int k, double *middle)
+{
+    for (int d = 0; d < DIM; d++, k /= r->side)
+        middle[d] = (k % r->side - r->side / 2) * r->at->p->scales->dx;
+}
+
+/* The same around each particle. */
+static int weigh_cells(struct contact_room *r)
+{
+    const double cell = contact_room_cell(r->at);
+    double middle[DIM];
+
+    r->side = 2 * (int)ceil(r->at->kernel->support / r->at->p->scales->dx) + 1;
+    r->weight = status_alloc((unsigned long)cells_of(r), sizeof *r->weight);
+    for (int k = 0; r->weight && k < cells_of(r); k++) {
+        middle_of(r, k, middle);
+        r->weight[k] = contact_room_kernel(r->at, cell, length_of(middle));
+    }
+    return r->weight ? STATUS_DONE : STATUS_FAILED;
+}
+
 int contact_room_create(struct contact_room *r, const struct part_places *at,
                         const struct contact_cells *solids)
 {
@@ -35,7 +89,7 @@ int contact_room_create(struct contact_room *r, const struct part_places *at,
     *r = (struct contact_room){ .at = at, .cells = solids };
     r->skin = status_alloc((unsigned long)n + 1, sizeof *r->skin);
     r->bounds = status_alloc((unsigned long)p->objects + 1, sizeof *r->bounds);
-    if (!r->skin || !r->bounds) {
+    if (!r->skin || !r->bounds || weigh_cells(r) != STATUS_DONE) {
         contact_room_free(r);
         return STATUS_FAILED;
     }
@@ -52,9 +106,13 @@ void contact_room_free(struct contact_room *r)
 {
     free(r->skin);
     free(r->bounds);
+    free(r->weight);
     r->skin = NULL;
     r->bounds = NULL;
+    r->weight = NULL;
 }
+
+/* --- what is open -------------------------------------------------------------------- */
 
 static bool in_bounds(double (*const bounds)[DIM], const double *x)
 {
@@ -102,20 +160,16 @@ static bool is_open(const struct tally *it, const double *step)
     return open;
 }
 
-double contact_room_kernel(const struct part_places *at, double r)
+/* Of a cube around `middle', its sides 2 half. */
+static enum contact_look look_at(const struct tally *it, const double *middle, double half)
 {
-    const double dx = at->p->scales->dx, least = at->kernel->kernel->singular ? dx / 2 : 0;
+    double low[DIM], high[DIM];
 
-    return kernel_w(at->kernel, fmax(r, least)) * pow(dx, DIM);
-}
-
-static double length_of(const double *step)
-{
-    double r2 = 0;
-
-    for (int d = 0; d < DIM; d++)
-        r2 += step[d] * step[d];
-    return sqrt(r2);
+    for (int d = 0; d < DIM; d++) {
+        low[d] = it->x[d] + middle[d] - half;
+        high[d] = it->x[d] + middle[d] + half;
+    }
+    return contact_look(it->room->at, it->room->bounds, it->group, it->skins > 0, low, high);
 }
 
 /* Steps to the corners of a cube around `middle`, its sides 2 half. */
@@ -149,12 +203,15 @@ static void add_side(struct tally *it, const double *step, double w)
  * halves where its corners do not agree; the last are measured by Gauss' points. */
 static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
 {
+    const enum contact_look look = look_at(it, middle, 0.995 * half); /* points lie within 0.99 */
     const unsigned all = (1u << POINTS) - 1;
     double step[POINTS][DIM];
     unsigned open;
 
+    if (look == CONTACT_SHUT)
+        return;
     corners(middle, 0.99 * half, step); /* faces often lie between cells */
-    open = open_ones(it, step);
+    open = look == CONTACT_OPEN ? all : open_ones(it, step);
     if (open != 0 && open != all && cuts > 0) {
         corners(middle, half / 2, step);
         for (int k = 0; k < POINTS; k++)
@@ -199,14 +256,14 @@ static bool across_of(const struct contact_room *r, int i, double *across)
 
     if (r->skin[i].alone)
         memcpy(across, r->skin[i].axis[DIM - 1], sizeof own);
-    for (int d = 0; shape && shape->kind == SHAPE_BOX && d < DIM; d++) {
-        if (shape->to[d] - shape->from[d] > 1.5 * dx)
+    for (int d = 0; shape && d < DIM; d++) {
+        if (!shape_is_thin(shape, d, 1.5 * dx))
             continue;
-        shape_box_own(shape, x, own);
+        shape_own(shape, x, own);
         for (int e = 0; e < DIM; e++) {
             memcpy(beside, x, sizeof beside);
             beside[e] += dx;
-            shape_box_own(shape, beside, there);
+            shape_own(shape, beside, there);
             across[e] = (there[d] - own[d]) / dx;
         }
         return true;
@@ -216,12 +273,10 @@ static bool across_of(const struct contact_room *r, int i, double *across)
 
 struct contact_share contact_room_share(const struct contact_room *r, int i)
 {
-    const double dx = r->at->p->scales->dx;
-    const int reach = (int)ceil(r->at->kernel->support / dx), side = 2 * reach + 1;
-    const int first = r->at->p->from[KIND_WALL];
+    const int first = r->at->p->from[KIND_WALL], cells = cells_of(r);
+    const double half = r->at->p->scales->dx / 2;
     struct tally it; /* large: not all of it is cleared */
-    double across[DIM];
-    int cells = 1;
+    double across[DIM], middle[DIM];
 
     it.room = r;
     it.x = r->cells->x[i];
@@ -232,18 +287,10 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
     it.across = across_of(r, i, across) ? across : NULL;
     it.side[0] = it.side[1] = 0;
     contact_cells_visit(r->cells, it.x, keep_skin, &it);
-    for (int d = 0; d < DIM; d++)
-        cells *= side;
-    for (int k = 0, at[3]; k < cells; k++) {
-        double middle[DIM];
-        at[0] = k % side;
-        at[1] = k / side % side;
-        at[2] = k / side / side;
-        for (int d = 0; d < DIM; d++)
-            middle[d] = (at[d] - reach) * dx;
-        const double w = contact_room_kernel(r->at, length_of(middle));
-        if (w > 0)
-            add_part(&it, middle, dx / 2, CUTS, w);
+    for (int k = 0; k < cells; k++) {
+        middle_of(r, k, middle);
+        if (r->weight[k] > 0)
+            add_part(&it, middle, half, CUTS, r->weight[k]);
     }
     it.sum.alone = it.across != NULL;
     if (it.across)

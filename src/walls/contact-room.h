@@ -26,6 +26,8 @@ struct contact_room {
     const struct contact_cells *cells; /* of all solids */
     struct contact_skin *skin;         /* [solids] of points of skins */
     double (*bounds)[2][DIM];          /* [objects] of shapes [m]  */
+    int side;                          /* cells along an axis that the kernel may see */
+    double *weight;                    /* [side^D] of these cells, 0: not seen */
 };
 
 struct contact_share {
@@ -38,8 +40,10 @@ int contact_room_create(struct contact_room *r, const struct part_places *at,
                         const struct contact_cells *solids);
 void contact_room_free(struct contact_room *r);
 
-/* dx^D W(r), cut at half a spacing where W grows without bound. */
-double contact_room_kernel(const struct part_places *at, double r);
+/* dx^D */
+double contact_room_cell(const struct part_places *at);
+/* dx^D W(r), cut at half a spacing where W grows without bound; cell = dx^D. */
+double contact_room_kernel(const struct part_places *at, double cell, double r);
 
 /* Of solid i, counted from the first. */
 struct contact_share contact_room_share(const struct contact_room *r, int i);

@@ -170,9 +170,10 @@ static void stiff_beams_are_predicted_by_their_stiffness(void **state)
 
 static double booked(const struct tank *t)
 {
-    const struct plan *p = t->plan;
+    const struct plan_book *b = &t->plan->book;
+    const double *book = t->ydot + tank_at(t, "book", NULL);
 
-    return t->ydot[tank_at(t, "book", NULL) + p->book.work + p->pressure->slot];
+    return book[b->work + t->plan->pressure->slot] + book[b->dissipated];
 }
 
 /* Power that pressure gives the fluid, stores, and gives the skin; *size: without signs. */

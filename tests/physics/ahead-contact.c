@@ -189,9 +189,10 @@ static void without_looking_far_it_is_the_law_of_now(void **state)
 
 static double booked(const struct tank *t)
 {
-    const struct plan *p = t->plan;
+    const struct plan_book *b = &t->plan->book;
+    const double *book = t->ydot + tank_at(t, "book", NULL);
 
-    return t->ydot[tank_at(t, "book", NULL) + p->book.work + p->pressure->slot];
+    return book[b->work + t->plan->pressure->slot] + book[b->dissipated];
 }
 
 /* Power of the fluid's motion, and of energies by (E1) of the fluid; its size. */

@@ -103,9 +103,10 @@ static int pressed(const struct tank *t)
 
 static double booked(const struct tank *t)
 {
-    const struct plan *p = t->plan;
+    const struct plan_book *b = &t->plan->book;
+    const double *book = t->ydot + tank_at(t, "book", NULL);
 
-    return t->ydot[tank_at(t, "book", NULL) + p->book.work + p->pressure->slot];
+    return book[b->work + t->plan->pressure->slot] + book[b->dissipated];
 }
 
 static void is_that_of_the_density_it_leads_to(void **state)

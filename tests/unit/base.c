@@ -1,5 +1,6 @@
 /* base.c -- tests of src/base: what becomes of messages. */
 #include "base/status.h"
+#include "base/waiting.h"
 
 #include <limits.h>
 #include <setjmp.h>
@@ -202,6 +203,46 @@ static void a_warning_names_the_program_and_is_no_failure(void **state)
     assert_string_equal(status_message(), "");
 }
 
+static void threads_spin_only_on_cores_of_their_own(void **state)
+{
+    (void)state;
+    assert_true(waiting_spins(2, 2, 2, 0) > 0);
+    assert_true(waiting_spins(4, 8, 8, 4) > 0);
+    assert_int_equal(waiting_spins(4, 8, 8, 5), 0);   /* others need them          */
+    assert_int_equal(waiting_spins(3, 2, 64, 0), 0);  /* it may not use more       */
+    assert_true(waiting_spins(2, 2, 64, 60) > 0);
+    assert_int_equal(waiting_spins(2, 64, 64, -1), 0); /* who knows                */
+    assert_int_equal(waiting_spins(1, 8, 8, 0), 0);   /* waits for nobody          */
+}
+
+static void what_the_user_says_of_waiting_stays(void **state)
+{
+    (void)state;
+    unsetenv("GOMP_SPINCOUNT");
+    setenv("OMP_WAIT_POLICY", "active", 1);
+    waiting_choose(2);
+    waiting_sleep();
+    assert_string_equal(getenv("OMP_WAIT_POLICY"), "active");
+    assert_null(getenv("GOMP_SPINCOUNT"));
+    unsetenv("OMP_WAIT_POLICY");
+    setenv("GOMP_SPINCOUNT", "7", 1);
+    waiting_choose(2);
+    assert_string_equal(getenv("GOMP_SPINCOUNT"), "7");
+}
+
+static void more_threads_than_processors_sleep(void **state)
+{
+    (void)state;
+    unsetenv("OMP_WAIT_POLICY");
+    unsetenv("GOMP_SPINCOUNT");
+    waiting_choose(100000);
+    assert_string_equal(getenv("OMP_WAIT_POLICY"), "passive");
+    assert_null(getenv("GOMP_SPINCOUNT"));
+    setenv("OMP_NUM_THREADS", "100000", 1);
+    waiting_choose(0);
+    assert_null(getenv("GOMP_SPINCOUNT"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -218,6 +259,9 @@ int main(void)
         cmocka_unit_test_setup(want_of_memory_is_forgiven_but_not_cleared, clean),
         cmocka_unit_test_setup(a_reserve_is_had_or_told, clean),
         cmocka_unit_test_setup(a_warning_names_the_program_and_is_no_failure, clean),
+        cmocka_unit_test(threads_spin_only_on_cores_of_their_own),
+        cmocka_unit_test(what_the_user_says_of_waiting_stays),
+        cmocka_unit_test(more_threads_than_processors_sleep),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

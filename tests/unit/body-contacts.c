@@ -32,10 +32,13 @@ struct contacts {
     int row;
 };
 
-static int create(const struct scales *s, int bodies, struct contacts **out)
+/* Where there are two bodies. */
+static int create(const struct contacts_scene *scene, struct contacts **out)
 {
-    (void)s;
-    assert_int_equal(bodies, 2);
+    *out = NULL;
+    if (scene->bodies < 2)
+        return STATUS_DONE;
+    assert_int_equal(scene->bodies, 2);
     *out = status_alloc(1, sizeof **out);
     return *out ? STATUS_DONE : STATUS_FAILED;
 }
@@ -58,35 +61,51 @@ static void start(const struct contacts *c, const struct layout *l, double *y)
     y[layout_at(l, c->row)] = 3;
 }
 
-static void meet(const struct contacts *c, const struct layout *l, double t, const double *y,
-                 int bodies, const struct contacts_body *body, double *ydot, double *power)
+static bool parts(const struct contacts *c, int i, int j)
 {
+    (void)c;
+    return i < 2 && j < 2;
+}
+
+static int meet(const struct contacts *c, const struct contacts_moment *m, char *text, size_t room)
+{
+    const struct contacts_body *body = m->body;
     const double gap = body[1].x[0][1] - body[0].x[0][1] - reach;
     const double force = gap < 0 ? -stiffness * gap : 0;
 
-    (void)t;
-    (void)y;
-    *power = 0;
-    for (int i = 0; i < bodies; i++)
+    (void)text;
+    (void)room;
+    *m->power = 0;
+    for (int i = 0; i < 2; i++)
         for (int j = 0; j < body[i].points; j++) {
             const double f = (i == 0 ? -force : force) / body[i].points;
             body[i].force[j][1] += f;
-            *power += f * body[i].u[j][1];
+            *m->power += f * body[i].u[j][1];
         }
-    ydot[layout_at(l, c->row)] = *power;
+    m->ydot[layout_at(m->layout, c->row)] = *m->power;
+    return STATUS_DONE;
 }
 
-static void limit(const struct contacts *c, struct limit *out)
+static void limit(const struct contacts *c, const struct contacts_moment *m, struct limit *out)
 {
     (void)c;
+    (void)m;
     out->rate = sqrt(stiffness * (1 / 2.0 + 1 / 1.0));
-    out->where = 1;
+    strcpy(out->part, "spring");
 }
 
-static const char *const column[] = { "contact", NULL };
+static const char *const column[] = { "contact" };
+
+static int columns(const struct contacts *c)
+{
+    (void)c;
+    return 1;
+}
+
 static const struct body_contacts spring = {
-    .about = "a spring between two bodies", .column = column, .create = create,
-    .free = free_contacts, .rows = rows, .start = start, .meet = meet, .limit = limit,
+    .about = "a spring between two bodies", .column = column, .columns = columns, .create = create,
+    .free = free_contacts, .rows = rows, .start = start, .parts = parts,
+    .meet = meet, .limit = limit,
 };
 const struct body_contacts *const bodies_contacts = &spring;
 
@@ -145,9 +164,8 @@ static void their_limit_counts(void **state)
     (void)state;
     tank_make(&t, SCENE("1.0"), BLOCKS, NULL);
     moment_limit(t.moment, 0, t.y, false, limits);
-    assert_string_equal(limits[0].part, "contacts");
+    assert_string_equal(limits[0].part, "spring");
     check_close(limits[0].rate, sqrt(1.5 * stiffness), 1e-9, "rate");
-    assert_int_equal(limits[0].where, 1);
     tank_free(&t);
 }
 

@@ -124,7 +124,7 @@ static void a_used_work_says_what_a_new_one_says(void **state)
 /* Of a solve of the whole: a work joins for itself. */
 static void works_join_for_themselves(void **state)
 {
-    const struct body_coupled *c = bodies_beam.joint.coupled;
+    const struct body_coupled *c = bodies_beam.role.coupled;
     double firm[BENCH_SKIN], weak[BENCH_SKIN], v[BENCH_DOFS], alone[BENCH_DOFS];
     struct body_work *other = NULL;
     struct bench b;
@@ -151,8 +151,8 @@ static void works_join_for_themselves(void **state)
 static void kinds_without_a_part_in_a_solve_of_the_whole_say_so(void **state)
 {
     (void)state;
-    assert_non_null(bodies_beam.joint.coupled);
-    assert_null(bodies_elastica.joint.coupled);
+    assert_non_null(bodies_beam.role.coupled);
+    assert_null(bodies_elastica.role.coupled);
 }
 
 int main(void)

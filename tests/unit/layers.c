@@ -1,7 +1,7 @@
 /* layers.c -- tests of layers that follow the outline of a wall: no gaps, no crowds. */
 #include "base/status.h"
 #include "shapes/shape-polygon.h"
-#include "fill/layers.h"
+#include "shapes/layers.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -366,6 +366,37 @@ static void bare_places_are_found(void **state)
 }
 #endif
 
+#if DIM == 3
+/* All points of three layers are inside, none deeper than 2.5 spacings, none nearer to another
+ * than 0.7, and nothing of the surface is further than 1.1 from a point. */
+static void a_cylinder_is_covered_by_its_layers(void **state)
+{
+    struct shape s = { .type = "cylinder", .kind = SHAPE_CYLINDER, .radius = 5.3 * dx,
+                       .height = 12.7 * dx, .centre = { 0.1, -0.2, 0.3 }, .axis = { 1, 2, -1 },
+                       .thickness = 3 * dx };
+    const double k[3] = { 1 / sqrt(6), 2 / sqrt(6), -1 / sqrt(6) }; /* e and f are across it */
+    const double e[3] = { 1 / sqrt(2), 0, 1 / sqrt(2) };
+    const double f[3] = { 1 / sqrt(3), -1 / sqrt(3), -1 / sqrt(3) };
+    struct points p = filled(&s);
+
+    (void)state;
+    for (long i = 0; i < p.n; i++) {
+        const double deep = shape_depth(&s, p.x[i]) / dx;
+        check(deep > 0.49 && deep < 2.51, "point %ld is %g dx deep", i, deep);
+    }
+    check(closest(&p) > 0.7 * dx, "two points are only %g dx apart", closest(&p) / dx);
+    for (int i = 0; i < 2000; i++) {
+        const double turn = 2.399963229728653 * i, up = s.height * (i / 1999.0 - 0.5);
+        double x[3];
+        for (int d = 0; d < 3; d++)
+            x[d] = s.centre[d] + s.radius * (cos(turn) * e[d] + sin(turn) * f[d]) + up * k[d];
+        check(nearest(&p, x, -1) < 1.1 * dx, "at %d the nearest point is %g dx away", i,
+              nearest(&p, x, -1) / dx);
+    }
+    points_free(&p);
+}
+#endif
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -381,6 +412,8 @@ int main(void)
         cmocka_unit_test(a_round_polygon_is_divided_evenly),
         cmocka_unit_test(a_thin_plate_is_filled),
         cmocka_unit_test(bare_places_are_found),
+#else
+        cmocka_unit_test(a_cylinder_is_covered_by_its_layers),
 #endif
     };
 

@@ -118,7 +118,7 @@ static void spread(void *self, const double *v, double *to)
     const struct moment_body *b = &p->moment->body[0];
 
     memset(p->a, 0, (size_t)p->n * DIM * sizeof *p->a);
-    b->kind->joint.coupled->drift(b->body, v, p->points);
+    b->kind->role.coupled->drift(b->body, v, p->points);
     for (int j = 0; j < b->skin; j++)
         if (slot_of(p, j) >= 0)
             memcpy(p->a + (size_t)slot_of(p, j) * DIM, p->points[j], sizeof p->points[j]);
@@ -135,7 +135,7 @@ static void gather(void *self, const double *x, double *v)
     for (int j = 0; j < b->skin; j++)
         if (slot_of(p, j) >= 0)
             memcpy(p->points[j], p->a + (size_t)slot_of(p, j) * DIM, sizeof p->points[j]);
-    b->kind->joint.coupled->pull(b->body, b->work, (const double (*)[DIM])p->points,
+    b->kind->role.coupled->pull(b->body, b->work, (const double (*)[DIM])p->points,
                            p->tau * sqrt(p->volume), v);
 }
 
@@ -144,7 +144,7 @@ static void solve(void *self, double *v)
     const struct pressure *p = self;
     const struct moment_body *b = &p->moment->body[0];
 
-    b->kind->joint.coupled->joined(b->body, b->work, v);
+    b->kind->role.coupled->joined(b->body, b->work, v);
 }
 
 /* Of the fluid's part; the beam's is left to the iterations. */
@@ -179,13 +179,13 @@ static void join_beam(struct pressure *p, double gamma)
     const struct moment_body *b = &p->moment->body[0];
 
     p->body = (struct operator_body){
-        .self = p, .n = b->kind->joint.coupled->unknowns(b->body), .eliminated = true,
+        .self = p, .n = b->kind->role.coupled->unknowns(b->body), .eliminated = true,
         .spread = spread, .gather = gather, .solve = solve,
     };
     p->points = test_calloc((size_t)b->skin, sizeof *p->points);
     p->modes = test_calloc((size_t)p->body.n, sizeof *p->modes);
     p->image = test_calloc((size_t)p->n, sizeof *p->image);
-    assert_int_equal(b->kind->joint.coupled->join(b->body, b->work, gamma, p->points[0]), 0);
+    assert_int_equal(b->kind->role.coupled->join(b->body, b->work, gamma, p->points[0]), 0);
 }
 
 void pressure_make(struct pressure *p, struct moment *m, const double *y, double stiffness,
@@ -233,7 +233,7 @@ void pressure_temper(struct pressure *p, double gamma)
         memset(mode, 0, n * sizeof *mode);
         memset(p->image, 0, (size_t)p->n * sizeof *p->image);
         mode[k] = 1;
-        b->kind->joint.coupled->inertia(b->body, b->work, gamma, mode, column);
+        b->kind->role.coupled->inertia(b->body, b->work, gamma, mode, column);
         spread(p, mode, p->image);
         for (int i = 0; i < p->n; i++)
             p->image[i] /= p->diagonal[i];
@@ -247,7 +247,7 @@ void pressure_temper(struct pressure *p, double gamma)
     test_free(mode);
     test_free(column);
     memset(p->points, 0, (size_t)b->skin * sizeof *p->points); /* nothing is joined but B */
-    assert_int_equal(b->kind->joint.coupled->join(b->body, b->work, gamma, p->points[0]), 0);
+    assert_int_equal(b->kind->role.coupled->join(b->body, b->work, gamma, p->points[0]), 0);
 }
 
 void pressure_free(struct pressure *p)

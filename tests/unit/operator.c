@@ -126,8 +126,8 @@ static void add_beam(struct pressure *p, double gamma, gsl_matrix *a)
         memset(at, 0, (size_t)p->n * DIM * sizeof *at);
         memset(column, 0, (size_t)p->n * sizeof *column);
         mode[k] = 1;
-        b->kind->joint.coupled->inertia(b->body, b->work, gamma, mode, row);
-        b->kind->joint.coupled->drift(b->body, mode, p->points);
+        b->kind->role.coupled->inertia(b->body, b->work, gamma, mode, row);
+        b->kind->role.coupled->drift(b->body, mode, p->points);
         for (int j = 0; j < b->skin; j++)
             if (p->list->slot[from + j] >= 0)
                 memcpy(at + p->list->slot[from + j] * DIM, p->points[j], sizeof p->points[j]);

@@ -484,6 +484,26 @@ static void groups_are_switched(void **state)
     scene_free(&scene);
 }
 
+/* Numbers and vectors that are off are not there; a text may be this word. */
+static void values_are_taken_away(void **state)
+{
+    const struct scene_node *wall;
+    struct scene *scene;
+
+    (void)state;
+    write_file("t.scene", "wall = { w = { v = [1, 2]; f = 3; s = \"some\"; }; };");
+    assert_int_equal(scene_read(in_directory("t.scene"), &scene), STATUS_DONE);
+    wall = scene_child(scene_child(scene_root(scene), "wall"), "w");
+    assert_int_equal(scene_override(scene, "wall.w.v=off"), STATUS_DONE);
+    assert_null(scene_child(wall, "v"));
+    assert_int_equal(scene_override(scene, "wall.f=off"), STATUS_DONE);
+    assert_null(scene_child(wall, "f"));
+    assert_int_equal(scene_override(scene, "wall.w.s=off"), STATUS_DONE);
+    assert_non_null(scene_child(wall, "s"));
+    assert_int_equal(scene_count(wall), 1);
+    scene_free(&scene);
+}
+
 /* --- includes ------------------------------------------------------------------------- */
 
 static void includes_are_looked_for_beside_the_file_that_asks(void **state)
@@ -855,6 +875,7 @@ int main(void)
         cmocka_unit_test(huge_and_deep_scenes_do_not_crash),
         cmocka_unit_test(long_lists_are_kept_whole),
         cmocka_unit_test(groups_are_switched),
+        cmocka_unit_test(values_are_taken_away),
         cmocka_unit_test(includes_are_looked_for_beside_the_file_that_asks),
         cmocka_unit_test(includes_that_cannot_be_are_refused),
         cmocka_unit_test(overrides_set_values_of_every_kind),

@@ -16,7 +16,8 @@
 static struct shape given(const char *type)
 {
     return (struct shape){ .type = type, .from = MISSING, .to = MISSING, .centre = MISSING,
-                           .radius = NAN, .high = { 1, 1, 1 }, .thickness = 0.1 };
+                           .axis = MISSING,
+                           .radius = NAN, .height = NAN, .high = { 1, 1, 1 }, .thickness = 0.1 };
 }
 
 static void assert_refused(struct shape s, const char *text)
@@ -96,7 +97,7 @@ static void parameters_describe_themselves(void **state)
     assert_string_equal(shape_params[0].key, "type");
     assert_ptr_equal(shape_params[0].words, shape_types);
     for (const struct param *row = shape_params + 1; row->key; row++) {
-        const bool place = !strcmp(row->unit, "m");
+        const bool place = !strcmp(row->unit, "m") || !strcmp(row->key, "axis");
 
         assert_true(strlen(row->about) > 10);
         assert_true(place ? isnan(row->fallback) : row->fallback == 0);
@@ -152,7 +153,7 @@ static void unknown_types_are_refused(void **state)
     assert_refused(given("cone"), "there is no type \"cone\"");
     assert_refused(given(NULL), "there is no type \"\"");
     assert_refused(given(DIM == 2 ? "sphere" : "disc"),
-                   DIM == 2 ? "one of box, polygon, disc or frame" : "one of box, sphere or frame");
+                   DIM == 2 ? "one of box, polygon, disc or frame" : "one of box, sphere, cylinder or frame");
 }
 
 static void keys_of_other_types_are_refused(void **state)
@@ -250,6 +251,120 @@ static void a_turned_box_stands_where_it_should(void **state)
     assert_true(fabs(inside(&a, DIM == 2 ? 1000 : 100) / pow(DIM == 2 ? 1000 : 100, DIM)
                      / (DIM == 2 ? 0.12 : 0.096) - 1) < 5e-3);
 }
+
+#if DIM == 3
+/* A turn by 120 degrees about (1,1,1) takes x to y, y to z, z to x. */
+static void a_turn_about_the_diagonal_exchanges_the_axes(void **state)
+{
+    const double from[3] = { 0.2, 0.4, 0.45 }, to[3] = { 0.8, 0.6, 0.55 };
+    const double low[3] = { 0.45, 0.2, 0.4 }, high[3] = { 0.55, 0.8, 0.6 };
+    struct shape a = box(from, to);
+    const struct shape b = box(low, high);
+    double l[3], h[3];
+
+    (void)state;
+    a.angle = 120;
+    for (int d = 0; d < 3; d++)
+        a.axis[d] = 7;
+    assert_accepted(&a);
+    for (double x = 0.01; x < 1; x += 0.0437)
+        for (double y = 0.01; y < 1; y += 0.0437)
+            for (double z = 0.01; z < 1; z += 0.0437)
+                assert_int_equal(shape_contains(&a, (double[3]){ x, y, z }),
+                                 shape_contains(&b, (double[3]){ x, y, z }));
+    shape_bounds(&a, l, h);
+    for (int d = 0; d < 3; d++)
+        assert_true(fabs(l[d] - b.from[d]) < 1e-14 && fabs(h[d] - b.to[d]) < 1e-14);
+}
+
+/* A box on its side, turned about x by 30 degrees: y goes towards z. */
+static void a_box_turns_about_any_axis(void **state)
+{
+    struct shape a = box((double[3]){ 0.1, 0.2, 0.4 }, (double[3]){ 0.9, 0.8, 0.6 });
+    const double c = cos(M_PI / 6), s = sin(M_PI / 6);
+
+    (void)state;
+    a.angle = 30;
+    a.axis[0] = 2;
+    a.axis[1] = a.axis[2] = 0;
+    for (int in = 0; in < 2; in++) {
+        const double v = 0.301 - 0.002 * in;
+        assert_int_equal(shape_contains(&a, (double[3]){ 0.5, 0.5 + c * v, 0.5 + s * v }), in);
+        assert_int_equal(shape_contains(&a, (double[3]){ 0.5, 0.5 - c * v, 0.5 - s * v }), in);
+    }
+    assert_false(shape_contains(&a, (double[3]){ 0.5, 0.5 + c * 0.299, 0.5 - s * 0.299 }));
+    assert_true(fabs(inside(&a, 100) / 1e6 / 0.096 - 1) < 5e-3);
+}
+
+static struct shape cylinder(double a, double b, double c)
+{
+    struct shape s = given("cylinder");
+
+    for (int d = 0; d < 3; d++)
+        s.centre[d] = 0.5;
+    s.axis[0] = a;
+    s.axis[1] = b;
+    s.axis[2] = c;
+    s.radius = 0.2;
+    s.height = 0.5;
+    assert_accepted(&s);
+    return s;
+}
+
+/* By counting, by how far it reaches, and by both ends. */
+static void a_cylinder_has_its_volume_and_direction(void **state)
+{
+    const double axis[3][3] = { { 0, 0, 3 }, { 1, 0, 0 }, { 1, -2, 0.5 } };
+
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        const struct shape s = cylinder(axis[k][0], axis[k][1], axis[k][2]);
+        const double n = sqrt(axis[k][0] * axis[k][0] + axis[k][1] * axis[k][1]
+                              + axis[k][2] * axis[k][2]);
+        double low[3], high[3];
+
+        /* a circle of 20 cells' radius among cells holds 0.6 % too many */
+        assert_true(fabs(inside(&s, 100) / 1e6 / (M_PI * 0.04 * 0.5) - 1) < 7e-3);
+        shape_bounds(&s, low, high);
+        for (int d = 0; d < 3; d++) {
+            const double e = axis[k][d] / n, reach = 0.25 * fabs(e) + 0.2 * sqrt(1 - e * e);
+            assert_true(fabs(low[d] - (0.5 - reach)) < 1e-12);
+            assert_true(fabs(high[d] - (0.5 + reach)) < 1e-12);
+        }
+        for (int end = -1; end <= 1; end += 2)
+            for (int in = 0; in < 2; in++) {
+                double x[3];
+                for (int d = 0; d < 3; d++)
+                    x[d] = 0.5 + end * (0.2501 - 0.0002 * in) * axis[k][d] / n;
+                assert_int_equal(shape_contains(&s, x), in);
+            }
+    }
+}
+
+static void senseless_cylinders_are_refused(void **state)
+{
+    struct shape s = cylinder(0, 0, 1);
+
+    (void)state;
+    s.height = NAN;
+    assert_refused(s, "a cylinder needs centre, radius and height");
+    s.height = 0;
+    assert_refused(s, "height is 0 m, but a cylinder needs one above 0");
+    s.height = 1;
+    s.radius = 0;
+    assert_refused(s, "radius is 0 m, but a cylinder needs one above 0");
+    s.radius = 1;
+    s.axis[1] = INFINITY;
+    assert_refused(s, "which is no direction");
+    s = given("box");
+    s.height = 1;
+    assert_refused(s, "a box takes no height");
+    s = ball(0, 0, 0, 1);
+    s.axis[0] = 1;
+    s.axis[1] = s.axis[2] = 0;
+    assert_refused(s, "a sphere takes no axis");
+}
+#endif
 
 static void a_ball_holds_its_volume(void **state)
 {
@@ -429,6 +544,8 @@ static void depth_is_the_way_to_the_outline(void **state)
     polygon.points = (struct param_points){ 5, corner };
     assert_accepted(&polygon);
     all[n++] = polygon;
+#else
+    all[n++] = cylinder(1, -2, 0.5);
 #endif
     for (int s = 0; s < n; s++)
         for (int i = 0; i < 200; i++) {
@@ -442,6 +559,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(depth_is_the_way_to_the_outline),
+#if DIM == 3
+        cmocka_unit_test(a_turn_about_the_diagonal_exchanges_the_axes),
+        cmocka_unit_test(a_box_turns_about_any_axis),
+        cmocka_unit_test(a_cylinder_has_its_volume_and_direction),
+        cmocka_unit_test(senseless_cylinders_are_refused),
+#endif
         cmocka_unit_test(sides_have_the_bits_of_their_names),
         cmocka_unit_test(parameters_describe_themselves),
         cmocka_unit_test(missing_keys_are_named),

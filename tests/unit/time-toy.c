@@ -188,6 +188,35 @@ void moment_body_book(struct moment *p, double t, const double *y, double share,
     (void)p, (void)t, (void)y, (void)share, (void)f;
 }
 
+/* It has no rigid bodies. */
+const char *moment_rigid_lacks(const struct plan *p)
+{
+    (void)p;
+    return "this scene has no rigid body";
+}
+
+int moment_rigid_ranges(const struct moment *p, int most, long (*range)[2])
+{
+    (void)p, (void)most, (void)range;
+    return 0;
+}
+
+int moment_rigid(struct moment *p, double t, const double *y, double *ydot)
+{
+    (void)p, (void)t, (void)y, (void)ydot;
+    return STATUS_FAILED;
+}
+
+void moment_rigid_limit(struct moment *p, double t, const double *y, struct limit limit[2])
+{
+    moment_limit(p, t, y, false, limit);
+}
+
+void moment_fluid_limit(struct moment *p, double t, const double *y, struct limit limit[2])
+{
+    moment_limit(p, t, y, false, limit);
+}
+
 const char *moment_refusal(const struct moment *p)
 {
     return p->counts.refused > 0 ? "the density of particle 0 is off" : "";

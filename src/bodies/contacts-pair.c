@@ -1,0 +1,179 @@
+/* contacts-pair.c -- two solids that may touch. */
+#include "bodies/contacts-pair.h"
+
+#include "base/status.h"
+#include "bodies/contacts-place.h"
+
+#include <math.h>
+
+static const double half = 0.5; /* of a corner where corners of both bodies meet (CT1) */
+
+static bool is_wall(const struct solid *s)
+{
+    return isinf(s->mass);
+}
+
+/* What a solid has not, as walls have no friction of their own, is the other's. */
+static double given(double rule, double a, double b)
+{
+    return !isnan(rule) ? rule : isnan(a) ? b : isnan(b) ? a : sqrt(a * b);
+}
+
+static int corners_of(const struct solid *guest, const struct solid *partner)
+{
+    return core_point(&partner->core) && !core_point(&guest->core)
+         ? 0 : core_corners(&guest->core);
+}
+
+/* Two points meet once. */
+static int corners_of_second(const struct contacts_pair *p)
+{
+    return core_point(&p->a->core) || p->b->flat ? 0 : corners_of(p->b, p->a);
+}
+
+static int edges_of_second(const struct contacts_pair *p)
+{
+    return p->b->flat ? 0 : core_edges(&p->b->core);
+}
+
+void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const struct solid *b,
+                        const struct contacts_rub *rub, bool alone)
+{
+    const double mass = 1 / (1 / a->mass + 1 / b->mass), speed = fmax(a->speed, b->speed);
+    const double balls = a->core.ball + b->core.ball;
+    const bool corners = !core_point(&a->core) && !core_point(&b->core);
+
+    p->a = a;
+    p->b = b;
+    p->depth = fmin(is_wall(b) ? a->depth : fmin(a->depth, b->depth), 0.25 * balls);
+    p->law = touch_law(mass, speed, p->depth, given(rub->restitution, a->restitution, b->restitution),
+                       given(rub->friction, a->friction, b->friction));
+    p->rate = touch_rate(speed, p->depth);
+    p->slow = touch_rate(speed, 0.25 * balls);
+    p->always = alone ? p->rate : 0;
+    p->share = corners && !is_wall(b) ? half : 1;
+    p->places = corners_of(a, b) + corners_of_second(p)
+              + core_edges(&a->core) * edges_of_second(p);
+}
+
+bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap)
+{
+    const double reach = core_reach(&p->a->core) + core_reach(&p->b->core)
+                       + fmax(p->a->film, p->b->film) + gap;
+    double square = 0;
+
+    if (p->b->flat)
+        return false;
+    for (int d = 0; d < DIM; d++)
+        square += s->apart[d] * s->apart[d];
+    return square >= reach * reach;
+}
+
+/* Both ways: a as the guest of b, b as that of a. */
+static void make_guests(const struct contacts_pair *p, const struct contacts_stand *s,
+                        struct contacts_guest guest[2])
+{
+    double back[DIM];
+
+    for (int d = 0; d < DIM; d++)
+        back[d] = -s->apart[d];
+    contacts_guest_make(&guest[0], p->a, s->a, p->b, s->b, s->apart);
+    contacts_guest_make(&guest[1], p->b, s->b, p->a, s->a, back);
+}
+
+/* Place i of the pair: which of both is the guest there, and where it touches. */
+static int find_spot(const struct contacts_pair *p, const struct contacts_guest guest[2], int i,
+                     int *which, struct contacts_spot *to)
+{
+    const int first = corners_of(p->a, p->b), second = corners_of_second(p);
+    const int edges = edges_of_second(p);
+    int status = STATUS_DONE;
+
+    *which = i >= first && i < first + second;
+    if (i < first + second) {
+        status = contacts_corner(&guest[*which], *which ? i - first : i, to);
+        to->share = p->share;
+    } else {
+        contacts_edges(&guest[0], (i - first - second) / edges, (i - first - second) % edges, to);
+    }
+    return status;
+}
+
+int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,
+                       const double *xi, double *xi_rate, struct body_push *on_a,
+                       struct body_push *on_b, double power[2])
+{
+    struct contacts_guest guest[2];
+
+    if (contacts_pair_far(p, s, 0)) {
+        for (int i = 0; i < p->places; i++)
+            touch_forget(xi + i * DIM, xi_rate + i * DIM);
+        return STATUS_DONE;
+    }
+    make_guests(p, s, guest);
+    for (int i = 0; i < p->places; i++) {
+        struct contacts_spot spot;
+        int which;
+        TRY(find_spot(p, guest, i, &which, &spot));
+        contacts_spot_push(&guest[which], &p->law, &spot, xi + i * DIM, xi_rate + i * DIM,
+                           which ? on_b : on_a, which ? on_a : on_b, power);
+    }
+    return STATUS_DONE;
+}
+
+/* The fastest that points of them come closer, whatever way they are turned. */
+static double closing(const struct contacts_pair *p, const struct contacts_stand *s)
+{
+    double square = 0, spin_a = 0, spin_b = 0;
+
+    for (int d = 0; d < DIM; d++)
+        square += (s->a->v[d] - s->b->v[d]) * (s->a->v[d] - s->b->v[d]);
+    for (int i = 0; i < TURNING_SPINS; i++) {
+        spin_a += s->a->spin[i] * s->a->spin[i];
+        spin_b += s->b->spin[i] * s->b->spin[i];
+    }
+    return sqrt(square) + sqrt(spin_a) * core_reach(&p->a->core)
+         + (spin_b > 0 ? sqrt(spin_b) * core_reach(&p->b->core) : 0);
+}
+
+double contacts_pair_rate(const struct contacts_pair *p, const struct contacts_stand *s)
+{
+    const double gap = touch_window(p->slow, closing(p, s));
+    struct contacts_guest guest[2];
+    double rate = p->always;
+
+    if (contacts_pair_far(p, s, gap))
+        return rate;
+    make_guests(p, s, guest);
+    for (int i = 0; i < p->places; i++) {
+        struct contacts_spot spot;
+        int which;
+        if (find_spot(p, guest, i, &which, &spot) != STATUS_DONE || !(spot.depth > -gap)
+            || !(spot.share > 0))
+            continue;
+        rate = fmax(rate, fmax(p->rate, touch_coming(spot.depth,
+                                                     contacts_spot_closing(&guest[which], &spot),
+                                                     p->depth)));
+    }
+    return rate;
+}
+
+double contacts_pair_depth(const struct contacts_pair *p, const struct contacts_stand *s)
+{
+    struct contacts_guest guest[2];
+    double most = 0;
+
+    if (contacts_pair_far(p, s, 0))
+        return 0;
+    make_guests(p, s, guest);
+    if (!p->b->flat && core_overlaps(&p->b->core, &p->a->core, guest[0].in.x, guest[0].in.R))
+        return HUGE_VAL;
+    for (int i = 0; i < p->places; i++) {
+        struct contacts_spot spot;
+        int which;
+        if (find_spot(p, guest, i, &which, &spot) != STATUS_DONE)
+            return HUGE_VAL;
+        most = spot.share > 0 ? fmax(most, spot.depth) : most;
+    }
+    return most;
+}

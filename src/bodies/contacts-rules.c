@@ -1,0 +1,60 @@
+/* contacts-rules.c -- which rule a pair of solids has. */
+#include "bodies/contacts-rules.h"
+
+#include "base/status.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *contacts_rules_path(const struct contacts_scene *s, int part)
+{
+    if (part < s->bodies)
+        return s->body[part].path;
+    return part < s->bodies + s->walls ? s->wall[part - s->bodies].path : "side";
+}
+
+/* A name is that of one solid, or of its group: all bodies, beams, walls or sides. */
+static bool fits(const char *name, const char *path)
+{
+    const size_t n = strcspn(path, ".");
+
+    return strcmp(name, path) == 0 || (strlen(name) == n && strncmp(name, path, n) == 0);
+}
+
+struct contacts_rub contacts_rules_of(const struct contacts_scene *s, const char *a, const char *b)
+{
+    struct contacts_rub to = { NAN, NAN };
+
+    for (int i = 0; i < s->rules; i++) {
+        const struct contacts_rule *r = &s->rule[i];
+        if (!(fits(r->of, a) && fits(r->with, b)) && !(fits(r->of, b) && fits(r->with, a)))
+            continue;
+        to.restitution = isnan(r->restitution) ? to.restitution : r->restitution;
+        to.friction = isnan(r->friction) ? to.friction : r->friction;
+    }
+    return to;
+}
+
+static bool is_there(const struct contacts_scene *s, const char *name)
+{
+    for (int i = 0; i <= s->bodies + s->walls; i++)
+        if (fits(name, contacts_rules_path(s, i)))
+            return true;
+    return false;
+}
+
+int contacts_rules_check(const struct contacts_scene *s)
+{
+    for (int i = 0; i < s->rules; i++) {
+        const struct contacts_rule *r = &s->rule[i];
+        const char *stranger = !is_there(s, r->of) ? r->of : !is_there(s, r->with) ? r->with : NULL;
+        if (stranger)
+            return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: there is no `%s`: name one solid, as "
+                               "body.NAME, beam.NAME or wall.NAME, or all of a kind by body, beam, wall "
+                               "or side (of the domain)", r->where, r->name, stranger);
+        if (isnan(r->restitution) && isnan(r->friction))
+            return status_fail(STATUS_BAD_SCENE, "%s: contact.%s gives neither friction nor "
+                               "restitution, and so says nothing; give one of them", r->where, r->name);
+    }
+    return STATUS_DONE;
+}

@@ -1,0 +1,209 @@
+/* share-list.c -- the list of pairs of all ranks, and what its rows need of others. */
+#include "eval/share.h"
+
+#include "base/status.h"
+#include "ranks/ranks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* As the list asks itself: did this particle, now at x, move further than half the margin, is it
+ * inside and was outside, is it nowhere? */
+static bool moved(const struct moment *m, int row, const double *x)
+{
+    const struct list *l = m->own;
+    const double *was = m->share->built + (size_t)row * DIM, limit = l->def.skin / 2;
+    double far = 0;
+
+    for (int d = 0; d < DIM; d++)
+        far += (x[d] - was[d]) * (x[d] - was[d]);
+    return l->slot[row] < 0 ? list_inside(&l->def, x) || !(far < INFINITY) : !(far <= limit * limit);
+}
+
+/* May the list be old?  Solids are where they are on all ranks. */
+static bool may_be_old(const struct moment *m, const struct view *v)
+{
+    const struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    bool old = !m->own->stands;
+
+    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1] && !old; i++)
+        old = moved(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM);
+    for (int i = p->from[KIND_WALL]; i < p->n && m->plan->moving_walls && !old; i++)
+        old = moved(m, i, p->x[i]);
+    return old;
+}
+
+/* Marks rows of fluid that others own and that are neighbours of rows here; in s->halo. */
+static void mark_needed(const struct moment *m, bool *needed)
+{
+    const struct moment_share *s = m->share;
+    const struct list *l = m->own;
+
+    for (int g = 0; g < l->groups; g++)
+        for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
+            const struct list_segment *of = &l->segment[k];
+            for (int i = 0; of->partner == KIND_FLUID && i < of->rows * l->lanes; i++)
+                if (of->j[i] < l->listed && s->owner[l->order[of->j[i]]] != s->me)
+                    needed[l->order[of->j[i]]] = true;
+        }
+}
+
+/* What a rank asks another for. */
+struct request {
+    int rank, row;
+};
+
+/* Owners hear who needs which of their rows, and so know what to send to whom. */
+static int answer(struct moment_share *s, const struct request *asked, int n)
+{
+    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
+    int status = ranks_agree(to && row ? STATUS_DONE : STATUS_FAILED);
+
+    for (int i = 0; i < n && status == STATUS_DONE; i++) {
+        to[i] = asked[i].rank;
+        row[i] = asked[i].row;
+    }
+    ranks_route_free(&s->route);
+    if (status == STATUS_DONE)
+        status = ranks_route_create(&s->route, SHARE_HALO * sizeof(double), n, to, row);
+    free(to);
+    free(row);
+    return status;
+}
+
+/* Asks for s->halo [n], sorted by owner. */
+static int request(struct moment_share *s, int n)
+{
+    struct request *mine = status_alloc((size_t)n + 1, sizeof *mine), *asked = NULL;
+    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
+    struct ranks_route *questions = NULL;
+    int status = ranks_agree(mine && to && row ? STATUS_DONE : STATUS_FAILED);
+
+    for (int i = 0; i < n && status == STATUS_DONE; i++) {
+        mine[i] = (struct request){ s->me, s->halo[i] };
+        to[i] = s->owner[s->halo[i]];
+        row[i] = i;
+    }
+    if (status == STATUS_DONE)
+        status = ranks_route_create(&questions, sizeof *mine, n, to, row);
+    if (status == STATUS_DONE) {
+        asked = status_alloc((size_t)ranks_route_coming(questions) + 1, sizeof *asked);
+        status = ranks_agree(asked ? STATUS_DONE : STATUS_FAILED);
+    }
+    if (status == STATUS_DONE) {
+        ranks_route_go(questions, sizeof *mine, mine, asked);
+        status = answer(s, asked, ranks_route_coming(questions));
+    }
+    ranks_route_free(&questions);
+    free(mine);
+    free(asked);
+    free(to);
+    free(row);
+    return status;
+}
+
+/* Where all particles are, as the list is made. */
+static void note_places(const struct moment *m)
+{
+    const struct particles *p = m->particles;
+    const size_t fluid = (size_t)particles_count(p, KIND_FLUID);
+
+    memcpy(m->share->built, m->share->x, fluid * DIM * sizeof *m->share->x);
+    memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
+}
+
+/* After a rebuild. */
+static int find_halo(struct moment *m)
+{
+    struct moment_share *s = m->share;
+    bool *needed = status_alloc((size_t)s->n + 1, sizeof *needed);
+    int n = 0;
+
+    TRY(ranks_agree(needed ? STATUS_DONE : STATUS_FAILED));
+    mark_needed(m, needed);
+    for (int r = 0; r < s->ranks; r++)
+        for (int i = s->from[r][KIND_FLUID]; i < s->from[r][KIND_FLUID + 1]; i++)
+            if (needed[s->row[i]])
+                s->halo[n++] = s->row[i];
+    free(needed);
+    note_places(m);
+    return request(s, n);
+}
+
+/* Own rows of y, packed as they travel, and by field. */
+static void read_own(struct moment_share *s, const struct view *v)
+{
+    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++) {
+        const size_t row = (size_t)s->row[i];
+        double *to = s->seen + row * SHARE_HALO;
+        memcpy(to, v->x[KIND_FLUID] + row * DIM, DIM * sizeof *to);
+        memcpy(to + DIM, v->u[KIND_FLUID] + row * DIM, DIM * sizeof *to);
+        to[2 * DIM] = v->rho[KIND_FLUID][row];
+        memcpy(s->x + row * DIM, to, DIM * sizeof *to);
+        memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
+        s->rho[row] = to[2 * DIM];
+    }
+}
+
+static void hear_halo(struct moment_share *s)
+{
+    const int n = ranks_route_coming(s->route);
+
+    ranks_route_go(s->route, SHARE_HALO * sizeof *s->seen, s->seen, s->in);
+    for (int i = 0; i < n; i++) {
+        const size_t row = (size_t)s->halo[i];
+        const double *from = s->in + (size_t)i * SHARE_HALO;
+        memcpy(s->x + row * DIM, from, DIM * sizeof *from);
+        memcpy(s->u + row * DIM, from + DIM, DIM * sizeof *from);
+        s->rho[row] = from[2 * DIM];
+    }
+}
+
+static void hear_solids(struct moment_share *s, struct view *v)
+{
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        double *rho = s->rho + v->p->from[k];
+        if (!v->rho[k])
+            continue;
+        share_gather(s, v->p, (enum kind)k, 1, v->rho[k], rho);
+        v->rho[k] = rho;
+    }
+}
+
+int share_remake(const struct moment *run, struct list *list)
+{
+    const struct particles *p = run->particles;
+    struct cloud cloud = { 0 };
+
+    memcpy(cloud.from, p->from, sizeof cloud.from);
+    for (int k = 0; k < KINDS; k++)
+        cloud.x[k] = run->share->built + (size_t)p->from[k] * DIM;
+    return run->plan->engine->sum->list->update(list, &cloud);
+}
+
+int share_list(struct evaluation *e, struct cloud *cloud)
+{
+    struct moment *m = e->m;
+    struct moment_share *s = m->share;
+    struct view *v = &e->view;
+    double old = may_be_old(m, v);
+    const long builds = m->own->builds;
+
+    read_own(s, v);
+    v->x[KIND_FLUID] = cloud->x[KIND_FLUID] = s->x;
+    v->u[KIND_FLUID] = s->u;
+    v->rho[KIND_FLUID] = s->rho;
+    ranks_most(1, &old);
+    if (old > 0) {
+        share_gather(s, v->p, KIND_FLUID, DIM, s->x, s->x);
+        TRY(m->plan->engine->sum->list->update(m->own, cloud));
+        if (m->own->builds != builds)
+            TRY(find_halo(m));
+    }
+    hear_halo(s);
+    hear_solids(s, v);
+    return STATUS_DONE;
+}
+

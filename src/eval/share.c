@@ -1,0 +1,116 @@
+/* share.c -- what ranks have to tell all others: rows, refusals, forces on solids. */
+#include "eval/share.h"
+
+#include "base/status.h"
+#include "ranks/ranks.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- from all to all -------------------------------------------------------------------- */
+
+static int rows_of(const struct moment_share *s, int rank, enum kind k)
+{
+    return s->from[rank][k + 1] - s->from[rank][k];
+}
+
+void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
+                  const double *from, double *to)
+{
+    const int first = p->from[k], mine = s->from[s->me][k];
+    const double *at = s->all;
+
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = rows_of(s, r, k);
+    for (int i = 0; i < s->count[s->me]; i++)
+        memcpy(s->pack + (size_t)i * c, from + (size_t)(s->row[mine + i] - first) * c,
+               c * sizeof *from);
+    ranks_gather(s->count, c * sizeof *from, s->pack, s->all);
+    for (int r = 0; r < s->ranks; r++)
+        for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++, at += c)
+            memcpy(to + (size_t)(s->row[i] - first) * c, at, c * sizeof *to);
+}
+
+/* The kind whose particles a row of the layout holds, KINDS: none. */
+static int kind_of(const struct plan_rows *of, int row)
+{
+    if (row == of->x || row == of->u)
+        return KIND_FLUID;
+    for (int k = 0; k < KINDS; k++)
+        if (row == of->density[k])
+            return k;
+    return KINDS;
+}
+
+const double *moment_whole(struct moment *m, const double *y)
+{
+    struct moment_share *s = m->share;
+    const struct layout *l = &m->layout;
+
+    if (!s)
+        return y;
+    memmove(s->whole, y, (size_t)layout_size(l) * sizeof *y);
+    for (int i = 0; i < l->rows; i++) {
+        const int k = kind_of(&m->plan->row, i);
+        if (k < KINDS)
+            share_gather(s, m->particles, (enum kind)k, (size_t)l->row[i].components,
+                        s->whole + l->row[i].offset, s->whole + l->row[i].offset);
+    }
+    return s->whole;
+}
+
+void share_forces(struct moment *m)
+{
+    struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    const int *slot = m->list->slot;
+
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        const int first = p->from[k], n = particles_count(p, (enum kind)k);
+        double *f = s->in;
+
+        for (int i = 0; i < n; i++)
+            if (slot[first + i] >= 0)
+                memcpy(f + (size_t)i * DIM, m->work->f + (size_t)slot[first + i] * DIM,
+                       DIM * sizeof *f);
+        share_gather(s, p, (enum kind)k, DIM, f, f);
+        for (int i = 0; i < n; i++)
+            if (slot[first + i] >= 0)
+                memcpy(m->work->f + (size_t)slot[first + i] * DIM, f + (size_t)i * DIM,
+                       DIM * sizeof *f);
+    }
+}
+
+void share_silence(const struct moment *m, double *ydot)
+{
+    const struct moment_share *s = m->share;
+    const struct layout *l = &m->layout;
+
+    for (int i = 0; i < l->rows; i++) {
+        const int k = kind_of(&m->plan->row, i);
+        const size_t c = (size_t)l->row[i].components;
+        for (int j = 0; k < KINDS && j < l->row[i].n; j++)
+            if (!s->mine[m->particles->from[k] + j])
+                memset(ydot + l->row[i].offset + (size_t)j * c, 0, c * sizeof *ydot);
+    }
+}
+
+int share_agree(struct moment *m, int status)
+{
+    struct {
+        char refusal[sizeof m->refusal];
+        struct moment_culprit culprit[MOMENT_COMPLAINTS];
+    } said;
+    const int id = m->culprit[MOMENT_DENSITY_OUT].particle;
+    const bool refuses = status != STATUS_DONE;
+    const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
+
+    memcpy(said.refusal, m->refusal, sizeof said.refusal);
+    memcpy(said.culprit, m->culprit, sizeof said.culprit);
+    if (ranks_first(refuses ? 0 : HUGE_VAL, place, &said, sizeof said) < 0)
+        return STATUS_DONE;
+    memcpy(m->refusal, said.refusal, sizeof said.refusal);
+    memcpy(m->culprit, said.culprit, sizeof said.culprit);
+    return STATUS_FAILED;
+}
+

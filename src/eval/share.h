@@ -1,0 +1,62 @@
+/* share.h -- a moment whose particles are shared between ranks.
+ *
+ * All ranks hold y and the particles in full, but each answers for its own rows: it owns them,
+ * finds their neighbours and gives their rates; in rates, rows of others are 0.  What pairs
+ * read of neighbours that others own comes with each evaluation (the halo), what solids press
+ * with and are pressed with from all to all.  The list of pairs has all particles in the places
+ * that it has on one rank, made of positions that all ranks have then, so no sum changes a bit.
+ *
+ * A moment for looking has no share: it looks at a y that is whole (moment_whole()). */
+#ifndef EVAL_SHARE_H
+#define EVAL_SHARE_H
+
+#include "eval/passes.h"
+
+struct ranks_route;
+
+enum { SHARE_HALO = 2 * DIM + 1 }; /* numbers of a particle: place, velocity, density */
+
+struct moment_share {
+    int ranks, me, n;      /* n: particles                                     */
+    bool *mine;            /* [n] by row                                       */
+    int *owner;            /* [n] rank                                         */
+    int *row;              /* [n] by rank, ascending                           */
+    int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
+                              row[from[r][k + 1] - 1]                          */
+    int *count;            /* [ranks] scratch                                  */
+    double *seen;          /* [fluid][SHARE_HALO] own rows as they travel      */
+    double *x, *u, *rho;   /* [fluid][DIM] [fluid][DIM] [n] own rows and the halo now, of
+                              others some time ago                             */
+    double *built;         /* [n][DIM] where the list was made                 */
+    struct ranks_route *route; /* of own rows to others; NULL                  */
+    int *halo;             /* [n] rows that come                               */
+    double *in;            /* [n][SHARE_HALO] what comes                             */
+    double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
+    double *whole;         /* [size] y of all                                  */
+};
+
+/* share-make.c */
+void share_free(struct moment_share **share); /* NULL is welcome */
+
+/* Rows of a kind, c numbers each, of their owners to all; `from` and `to` may be the same. */
+void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
+                  const double *from, double *to);
+
+/* share-list.c */
+
+/* The list of pairs, and a view with what the rows of it need. */
+int share_list(struct evaluation *e, struct cloud *cloud);
+
+/* Makes another list, of a moment for looking, what the run's would be on one rank. */
+int share_remake(const struct moment *run, struct list *list);
+
+/* All ranks refuse a density that one refuses: the first in the order of the list. */
+int share_agree(struct moment *m, int status);
+
+/* Forces of pairs on solids, of all ranks, in their places. */
+void share_forces(struct moment *m);
+
+/* Rates of rows of other ranks are 0. */
+void share_silence(const struct moment *m, double *ydot);
+
+#endif

@@ -1,0 +1,149 @@
+/* mpi.c -- ranks by Open MPI: beginning, end, and what all know. */
+#include "ranks/copies.h"
+#include "ranks/ranks.h"
+
+#include "base/status.h"
+
+#include <math.h>
+#include <mpi.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+static int count = 1, me;
+
+/* A library of Open MPI does not see who launched it where that is of another MPI, and finds
+ * itself alone. */
+static int refuse_copies(void)
+{
+    return count > 1 ? STATUS_DONE : ranks_refuse_copies((struct status_advice){
+        .cause = "The mpirun that started them is not that of Open MPI",
+        .remedy = "take `mpirun.openmpi -n N', or a launcher of the batch system that knows "
+                  "PMIx (Slurm: srun --mpi=pmix)" });
+}
+
+int ranks_begin(int *argc, char ***argv)
+{
+    int level;
+
+    MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &level);
+    MPI_Comm_size(MPI_COMM_WORLD, &count);
+    MPI_Comm_rank(MPI_COMM_WORLD, &me);
+    status_hush(me > 0);
+    return refuse_copies();
+}
+
+/* mpirun ends all ranks as soon as one has ended with a status: there is nothing left to say. */
+void ranks_end(void)
+{
+    signal(SIGTERM, SIG_IGN);
+    MPI_Finalize();
+}
+
+int ranks_count(void)
+{
+    return count;
+}
+
+int ranks_me(void)
+{
+    return me;
+}
+
+/* The message of another rank becomes that of this one, whatever it had. */
+static void take_over(int status, const char *message)
+{
+    status_forgive();
+    if (message[0])
+        status_fail(status, "%s", message);
+}
+
+/* What a rank brings; as many bytes of it travel as are said. */
+struct bid {
+    double key;
+    int64_t order, rank;
+    char said[RANKS_SAID];
+};
+
+static bool before(const struct bid *a, const struct bid *b)
+{
+    if (a->key != b->key)
+        return a->key < b->key;
+    return a->order != b->order ? a->order < b->order : a->rank < b->rank;
+}
+
+/* Of two bids the first, whichever comes from where. */
+static void keep_first(void *in, void *kept, int *n, MPI_Datatype *type)
+{
+    int bytes;
+
+    MPI_Type_size(*type, &bytes);
+    for (int i = 0; i < *n; i++) {
+        char *a = (char *)in + (size_t)i * (size_t)bytes, *b = (char *)kept + (size_t)i * (size_t)bytes;
+        if (before((struct bid *)a, (struct bid *)b))
+            memcpy(b, a, (size_t)bytes);
+    }
+}
+
+int ranks_first(double key, long order, void *said, size_t bytes)
+{
+    struct bid mine = { key, order, me, { 0 } };
+    MPI_Datatype type;
+    MPI_Op op;
+
+    memcpy(mine.said, said, bytes);
+    if (count > 1) {
+        MPI_Type_contiguous((int)(offsetof(struct bid, said) + (bytes + 7) / 8 * 8), MPI_BYTE, &type);
+        MPI_Type_commit(&type);
+        MPI_Op_create(keep_first, 1, &op);
+        MPI_Allreduce(MPI_IN_PLACE, &mine, 1, type, op, MPI_COMM_WORLD);
+        MPI_Op_free(&op);
+        MPI_Type_free(&type);
+    }
+    if (!(mine.key < HUGE_VAL))
+        return -1;
+    memcpy(said, mine.said, bytes);
+    return (int)mine.rank;
+}
+
+int ranks_agree(int status)
+{
+    struct {
+        int status;
+        char message[STATUS_LINE];
+    } said = { .status = status };
+    int first;
+
+    if (status != STATUS_DONE)
+        snprintf(said.message, sizeof said.message, "%s", status_message());
+    first = ranks_first(status == STATUS_DONE ? HUGE_VAL : 0, me, &said, sizeof said);
+    if (first >= 0 && first != me)
+        take_over(said.status, said.message);
+    return first < 0 ? STATUS_DONE : said.status;
+}
+
+void ranks_most(int n, double *x)
+{
+    if (count > 1)
+        MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+}
+
+void ranks_add(int n, int64_t *x)
+{
+    if (count > 1)
+        MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+}
+
+void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
+{
+    int first[count];
+    MPI_Datatype row;
+
+    first[0] = 0;
+    for (int r = 1; r < count; r++)
+        first[r] = first[r - 1] + rows[r - 1];
+    MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
+    MPI_Type_commit(&row);
+    MPI_Allgatherv(mine, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
+    MPI_Type_free(&row);
+}
