@@ -11,7 +11,7 @@ static int keep_tally(struct run_tally *t, struct archive *a)
     TRY(archive_integers(a, "tally.steps", &t->steps, 1));
     TRY(archive_integers(a, "tally.limited", t->limited, 3));
     TRY(archive_integers(a, "tally.rejected", &t->rejected, 1));
-    TRY(archive_integers(a, "tally.doubted", &t->doubted, 1));
+    TRY(archive_integers(a, "tally.doubted", t->doubted, INPUT_BODIES));
     TRY(archive_numbers(a, "tally.density", t->density, 2));
     TRY(archive_numbers(a, "tally.speed", &t->speed, 1));
     return archive_numbers(a, "tally.t", &t->t, 1);

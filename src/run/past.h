@@ -25,6 +25,7 @@
 
 #include "eval/observe.h"
 #include "measure/running.h"
+#include "plan/input.h"
 
 /* What is counted while it goes. */
 struct run_tally {
@@ -33,7 +34,7 @@ struct run_tally {
     double density[2];       /* least and largest of the fluid [kg/m^3]       */
     double speed;            /* largest of the fluid [m/s]                    */
     double t;                /* reached [s]                                   */
-    long doubted;            /* bodies that a warning was of, bit by bit      */
+    long doubted[INPUT_BODIES]; /* whether a warning was of this body: 0, 1   */
 };
 
 /* What rows of tables have shown so far. */

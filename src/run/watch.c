@@ -41,9 +41,10 @@ int run_watch(struct run *r, double t, const double *y)
 
     for (int i = 0; i < plan_bodies(r->plan); i++) {
         TRY(observe_judge(r->moment, i, t, y, doubt, sizeof doubt));
-        if (doubt[0] && !(r->past.tally.doubted & 1L << i))
-            status_warn("%s", doubt);
-        r->past.tally.doubted |= (long)(doubt[0] != '\0') << i;
+        if (!doubt[0] || r->past.tally.doubted[i])
+            continue;
+        status_warn("%s", doubt);
+        r->past.tally.doubted[i] = 1;
     }
     TRY(observe_meeting(r->moment, t, y));
     return observe_runaway(r->moment, t, y);
