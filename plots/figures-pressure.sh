@@ -34,7 +34,7 @@ done
 cd "$1/pressure"
 echo '# nothing: these figures belong to no single run' > constants.gp
 
-ways='tait tait-30U standard look-ahead pcisph mps mps-enhanced'
+ways='tait tait-30U standard look-ahead look-ahead-contact pcisph mps mps-enhanced'
 
 # scene WAY SHIPPED: the shipped scene as one of that way; 59.4 m/s are 30 U
 scene()
@@ -49,6 +49,7 @@ walls = "ghost";' "$2" ;;
 walls = "own-density";' "$2" ;;
     look-ahead) sed 's/^eos = .*/eos = { type = "look-ahead"; };/; /density-healing/d; $ a\
 walls = "own-density";' "$2" ;;
+    look-ahead-contact) sed 's/^eos = .*/eos = { type = "look-ahead"; };/; /density-healing/d' "$2" ;;
     no-tension) sed 's/^eos = .*/eos = { type = "look-ahead"; tension = false; };/; $ a\
 walls = "own-density";' "$2" ;;
     mps-enhanced) sed '$ a\

@@ -149,7 +149,8 @@ part_rows() {
             row all "$scene" default "kernel.type=$kernel" until=0.01
         done
         for eos in $(names eos); do row all "$scene" default "eos.type=$eos" until=0.03; done
-        for walls in $(names walls); do row all "$scene" default "walls=$walls" until=0.03; done
+        for walls in $(names walls | grep -v potential); do row all "$scene" default "walls=$walls" until=0.03; done
+        row all "$scene" default walls=potential effects.contact-potential={} until=0.03
         for norm in max p8 wrms; do row all "$scene" default norm=$norm until=0.03; done
         for tol in 1e-1 1e-3; do row all "$scene" default tol=$tol until=0.03; done
         for effect in artificial-stress.strength=0.2 laminar-viscosity.mu=1 \

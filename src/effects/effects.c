@@ -6,6 +6,7 @@ extern const struct part LANE_NAME(effects_summation);
 extern const struct part LANE_NAME(effects_pressure_force);
 extern const struct part LANE_NAME(effects_pressure_printed);
 extern const struct part LANE_NAME(effects_artificial_stress);
+extern const struct part LANE_NAME(effects_contact_potential);
 extern const struct part LANE_NAME(effects_artificial_viscosity);
 extern const struct part LANE_NAME(effects_laminar_viscosity);
 extern const struct part LANE_NAME(effects_stress_viscosity);
@@ -25,6 +26,7 @@ const struct part *const effects_table[] = {
     &LANE_NAME(effects_pressure_force),
     &LANE_NAME(effects_pressure_printed),
     &LANE_NAME(effects_artificial_stress),
+    &LANE_NAME(effects_contact_potential),
     &LANE_NAME(effects_artificial_viscosity),
     &LANE_NAME(effects_laminar_viscosity),
     &LANE_NAME(effects_stress_viscosity),

@@ -31,6 +31,14 @@ struct coupling {
         [KIND_WALL] = KIND_BIT(KIND_FLUID), [KIND_SKIN] = KIND_BIT(KIND_FLUID),          \
     }
 
+/* Fluid with solids only. */
+#define EFFECTS_ACT_SOLIDS                                                               \
+    {                                                                                    \
+        [KIND_FLUID] = KIND_SOLIDS,                                                      \
+        [KIND_WALL] = KIND_BIT(KIND_FLUID), [KIND_WALL_SLIP] = KIND_BIT(KIND_FLUID),     \
+        [KIND_SKIN] = KIND_BIT(KIND_FLUID), [KIND_SKIN_SLIP] = KIND_BIT(KIND_FLUID),     \
+    }
+
 /* Fluid with fluid only. */
 #define EFFECTS_ACT_FLUID                                                                \
     {                                                                                    \

@@ -147,6 +147,41 @@ static int check_walls(const struct plan *p, const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* The wall model whose only law this is; NULL: none has it. */
+static const struct part *walls_of(const struct plan *p, const char *effect)
+{
+    for (int i = 0; p->engine->walls[i]; i++) {
+        const char *only = p->engine->walls[i]->as.wall->only;
+        if (only && strcmp(only, effect) == 0)
+            return p->engine->walls[i];
+    }
+    return NULL;
+}
+
+/* An effect that takes the place of all others between fluid and solids, and its wall model: one
+ * without the other would count twice, or not at all. */
+static int check_only(const struct plan *p, const struct scene *scene)
+{
+    const char *only = p->in.walls->as.wall->only;
+
+    if (only && has_solids(p) && !find_effect(p, only))
+        return status_fail(STATUS_BAD_SCENE, "%s: with walls = \"%s\" nothing but effects.%s acts between "
+                           "fluid and solids, and the scene does not name it: name effects.%s = { }",
+                           scene_path(scene), p->in.walls->name, only, only);
+    for (int i = 0; i < p->parts; i++) {
+        const struct part *part = p->part[i].part, *walls = walls_of(p, part->name);
+        if (walls && walls != p->in.walls)
+            return status_fail(STATUS_BAD_SCENE, "%s: %s would push beside the pressure of walls = "
+                               "\"%s\", and so count twice: set walls = \"%s\"", scene_path(scene),
+                               p->part[i].path, p->in.walls->name, walls->name);
+        if (only && part->as.operator && part->as.operator->stiff(p->part[i].self))
+            return status_fail(STATUS_BAD_SCENE, "%s: %s is implicit, and so acts on solids, but with "
+                               "walls = \"%s\" effects.%s alone does: set its side = \"explicit\"",
+                               scene_path(scene), p->part[i].path, p->in.walls->name, only);
+    }
+    return STATUS_DONE;
+}
+
 /* What is allowed and still hardly meant. */
 static void doubt_tension(const struct plan *p)
 {
@@ -200,6 +235,7 @@ int plan_agree(const struct plan *p, const struct scene *scene)
     TRY(check_needs(p, scene));
     TRY(check_density(p, scene));
     TRY(check_walls(p, scene));
+    TRY(check_only(p, scene));
     TRY(check_drift(p, scene));
     doubt_tension(p);
     advise_side(p);

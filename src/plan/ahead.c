@@ -27,7 +27,8 @@ static bool walls_predict(const struct plan *p)
 {
     const struct part_wall *wall = p->in.walls->as.wall;
 
-    return wall->as_fluid && p->passes.fields == 0 && (!wall->press || wall->press->mean);
+    return wall->as_fluid && !wall->only && p->passes.fields == 0
+           && (!wall->press || wall->press->mean);
 }
 
 /* Is there a beam that its mass alone moves? */

@@ -109,7 +109,7 @@ void plan_start_density(const struct plan *p, double *y)
             rho[i] = p->scales.rho0;
         if (k == KIND_FLUID)
             start_fluid(p, rho);
-        else
+        else if (!p->in.walls->as.wall->only)
             start_solids(p, k, rho);
     }
     plan_start_press(p, y);

@@ -13,8 +13,8 @@ static const struct object *sliding(const struct plan *p)
     return NULL;
 }
 
-static int check_sliding(const struct scene *scene, const struct object *slides,
-                         const struct plan_part *part)
+static int check_sliding(const struct plan *p, const struct scene *scene,
+                         const struct object *slides, const struct plan_part *part)
 {
     if (slides && slides->kind == KIND_WALL_SLIP)
         return status_fail(STATUS_BAD_SCENE, "%s: wall.%s has a velocity of its surface, but "
@@ -24,6 +24,11 @@ static int check_sliding(const struct scene *scene, const struct object *slides,
         return status_fail(STATUS_BAD_SCENE, "%s: wall.%s.surface drags the fluid along by a "
                            "viscosity, of which the scene has none: name effects.laminar-viscosity "
                            "= { mu = ...; }", scene_path(scene), slides->name);
+    if (slides && p->in.walls->as.wall->only)
+        return status_fail(STATUS_BAD_SCENE, "%s: wall.%s.surface drags nothing along where effects.%s "
+                           "alone acts between fluid and solids; take other walls than \"%s\"",
+                           scene_path(scene), slides->name, p->in.walls->as.wall->only,
+                           p->in.walls->name);
     return STATUS_DONE;
 }
 
@@ -44,7 +49,7 @@ static int find_part(struct plan *p, const struct scene *scene, const struct pla
                                one->path);
         *part = one;
     }
-    return check_sliding(scene, slides, *part);
+    return check_sliding(p, scene, slides, *part);
 }
 
 int plan_face_make(struct plan *p, const struct scene *scene)
@@ -55,7 +60,8 @@ int plan_face_make(struct plan *p, const struct scene *scene)
     if (p->in.fluids == 0) /* a belt drags bodies, too */
         return STATUS_DONE;
     TRY(find_part(p, scene, &part));
-    if (!part || particles_count(p->particles, KIND_WALL)
+    if (!part || p->in.walls->as.wall->only
+        || particles_count(p->particles, KIND_WALL)
                  + particles_count(p->particles, KIND_SKIN) == 0)
         return STATUS_DONE;
     if (!(o = p->face = status_alloc(1, sizeof *o)))

@@ -5,6 +5,8 @@
 #include "base/status.h"
 #include "space/laws.h"
 
+#include <string.h>
+
 /* The density of solids that a wall model settles by itself has no rate. */
 static bool owns(const struct plan *p, const struct part_law *law, int owner)
 {
@@ -21,13 +23,24 @@ static const unsigned *kinds_of(const struct plan_part *part)
     return law->kinds ? law->kinds(part->self) : law->acts;
 }
 
+/* Partner kinds that a part may have, where one effect alone acts between fluid and solids. */
+static unsigned may_meet(const struct plan *p, const struct plan_part *part, int owner)
+{
+    const char *only = p->in.walls->as.wall->only;
+
+    if (!only || strcmp(part->part->name, only) == 0)
+        return ~0u;
+    return KIND_BIT(owner) & KIND_SOLIDS ? ~KIND_BIT(KIND_FLUID) : ~KIND_SOLIDS;
+}
+
 static int add_law(struct plan *p, struct pairs_table *table, const struct plan_part *part,
                    int owner, int partner)
 {
     const struct part_law *law = engine_law(p->engine, part->part);
     struct pairs_table *t = &table[owner * KINDS + partner];
 
-    if (!(kinds_of(part)[owner] & KIND_BIT(partner)) || !owns(p, law, owner))
+    if (!(kinds_of(part)[owner] & may_meet(p, part, owner) & KIND_BIT(partner))
+        || !owns(p, law, owner))
         return STATUS_DONE;
     if (t->n == PAIRS_LAWS)
         return status_fail(STATUS_BAD_SCENE, "more than %d effects between particles", PAIRS_LAWS);
@@ -136,7 +149,7 @@ static void add_field(struct plan *p, const struct plan_part *part)
     for (int k = 0; k < KINDS; k++) {
         const bool solid = KIND_BIT(k) & KIND_SOLIDS;
         if (!(solid && (part->part->provides & FIELD_DENSITY) && !p->in.walls->as.wall->as_fluid))
-            f->meets[k] = part->part->as.summed->meets[k];
+            f->meets[k] = part->part->as.summed->meets[k] & may_meet(p, part, k);
         p->list_def.acts[k] |= f->meets[k];
     }
 }

@@ -25,6 +25,9 @@ const char *mps_serves(const struct plan *p)
     if (p->passes.press)
         return "it presses through the particles of walls, and walls = \"contact\" presses "
                "through their faces; set walls = \"own-density\"";
+    if (p->in.walls->as.wall->only)
+        return "it presses through the particles of walls, and these have no pressure; set walls = "
+               "\"own-density\"";
     if (plan_drifts(p))
         return plan_drifts(p);
     if (p->stiff)

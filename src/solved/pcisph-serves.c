@@ -39,7 +39,7 @@ const char *pcisph_serves(const struct plan *p)
     if (p->passes.filters)
         return "it keeps pressures as densities, which effects.shepard-filter would mix; leave that "
                "effect out";
-    if (p->passes.press)
+    if (p->passes.press || p->in.walls->as.wall->only)
         return "solids need a pressure of their own; set walls = \"own-density\"";
     if (p->kernel[PART_DENSITY] != p->kernel[PART_PRESSURE]
         && strcmp(p->in.pcisph.delta, "toth") != 0)

@@ -224,6 +224,7 @@ struct part_wall {
     bool as_fluid;            /* from the part that gives the fluid its own,
                                  and solids store energy by it                */
     const char *const *with;  /* effects that may give the fluid its density, NULL-ended */
+    const char *only;         /* the effect that alone acts between fluid and solids; NULL: all do */
     const struct part_press *press; /* NULL: solids press by their density     */
 };
 

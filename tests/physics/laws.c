@@ -53,6 +53,8 @@ static const struct {
     { "walls = \"adami\";" TANK_EFFECTS, NOWHERE },
     { "walls = \"adami\"; effects = { summation = { }; pressure = { }; };", NOWHERE },
     { "walls = \"own-density\";" TANK_EFFECTS "eos = { type = \"look-ahead\"; };", EVERYWHERE },
+    { "walls = \"potential\"; effects = { continuity = { }; pressure = { }; contact-potential = { };"
+      " artificial-viscosity = { alpha = 0.1; }; density-diffusion = { delta = 0.1; }; };", EVERYWHERE },
     { "walls = \"contact\";" TANK_EFFECTS, EVERYWHERE },
     { "walls = \"contact\";" TANK_EFFECTS "eos = { type = \"linear\"; k = 250.0; };", EVERYWHERE },
 };
