@@ -15,7 +15,7 @@ dash_of(i) = i > 7 ? 2 : 1
 
 set terminal pngcairo size 1500, 1900 font 'Sans,16'
 set output '../pressure-ways.png'
-set multiplot layout 6, 2 margins 0.085, 0.80, 0.045, 0.98 spacing 0.075, 0.025
+set multiplot layout 6, 2 margins 0.085, 0.785, 0.045, 0.98 spacing 0.075, 0.025
 set logscale xy
 set format y '10^{%T}'
 set dashtype 2 (8, 5)
@@ -25,11 +25,23 @@ do for [row = 1:6] {
         set xlabel row < 6 ? '' : side ? 'CPU time / s' : 'sums over pairs' offset 0, 0.4
         set format x row < 6 ? '' : '10^{%T}'
         if (side) { set xrange [0.03:300] } else { set xrange [700:300000] }
-        if (row == 1 && side) { set key at screen 0.815, 0.97 left top Left reverse samplen 3 spacing 1.3 } \
-        else { unset key }
+        unset key
         plot for [i = 1:words(ways)] only(table[row], word(ways, i)) \
             using (column(4 + side)):(shown(row, column(column_of_row[row]))) \
-            with linespoints lw 2.2 ps 1.4 pt shape(i) dt dash_of(i) lc rgb pick(i) title word(ways, i)
+            with linespoints lw 2.2 ps 1.4 pt shape(i) dt dash_of(i) lc rgb pick(i) notitle
     }
 }
+# The legend: a key beside a low plot would leave out what does not fit beside it.
+unset border
+unset tics
+unset label
+unset xlabel
+unset ylabel
+unset logscale
+set margins at screen 0.792, at screen 0.99, at screen 0.05, at screen 0.98
+set xrange [0:1]
+set yrange [0:1]
+set key at graph 0, 1 left top Left reverse samplen 3 spacing 1.3
+plot for [i = 1:words(ways)] NaN with linespoints lw 2.2 ps 1.4 pt shape(i) dt dash_of(i) \
+    lc rgb pick(i) title word(ways, i)
 unset multiplot
