@@ -1,8 +1,9 @@
 /* sunk.c -- fluid that is where solids are.
  *
- * In a wall: deeper in its shape than half a spacing, where its first particles stand.  In
- * a beam: behind the outermost layer of its skin; a particle there is surrounded by points
- * of the skin, so that no half of its neighbourhood is free of them. */
+ * In a wall or a rigid body: deeper in its shape than half a spacing, where its first particles
+ * stand.  In a beam, which is there in two dimensions: behind the outermost layer of its skin; a
+ * particle there is surrounded by points of the skin, so that no half of its neighbourhood is
+ * free of them. */
 #include "eval/block.h"
 #include "eval/inside.h"
 
@@ -65,23 +66,64 @@ static bool in_skin(const struct moment *m, const struct buckets *skins, int obj
     return is_surrounded(&s);
 }
 
+/* A rigid body where it is. */
+struct rigid {
+    bool known;                /* it is one                        */
+    struct solid solid;
+    struct solid_place at;
+};
+
+static void stand(const struct moment *m, const double *y, int i, struct rigid *to)
+{
+    const struct moment_body *b = &m->body[i];
+
+    to->known = b->kind->role.solid != NULL;
+    if (!to->known)
+        return;
+    b->kind->role.solid->facts(b->body, &to->solid);
+    b->kind->role.solid->stand(b->body, &m->layout, y, &to->at);
+}
+
+/* Deeper than that: its outline is a ball's radius, which is half a spacing and more, from its
+ * core. */
+static bool holds(const struct rigid *r, const struct scales *s, const double *x, double depth)
+{
+    double step[DIM], own[DIM], nearest[DIM], square = 0;
+
+    for (int d = 0; d < DIM; d++)
+        step[d] = period_nearest(s, d, x[d] - r->at.x[d]);
+    solid_own(&r->at, step, own);
+    core_nearest(&r->solid.core, own, nearest);
+    for (int d = 0; d < DIM; d++)
+        square += (own[d] - nearest[d]) * (own[d] - nearest[d]);
+    return sqrt(square) < r->solid.core.ball - depth || (square == 0 && !core_point(&r->solid.core));
+}
+
+/* Where all solids are. */
+struct places {
+    struct block *block;     /* [walls]  */
+    struct rigid *rigid;     /* [bodies] */
+    struct buckets skins;
+};
+
 /* Object that x is in, -1: none. */
-static int solid_at(const struct moment *m, const struct block *block,
-                    const struct buckets *skins, const double *x)
+static int solid_at(const struct moment *m, const struct places *at, const double *x)
 {
     const struct plan *p = m->plan;
 
     for (int i = 0; i < p->walls; i++)
-        if (block_holds(&block[i], x, half * p->scales.dx))
+        if (block_holds(&at->block[i], x, half * p->scales.dx))
             return p->wall[i].object;
     for (int i = 0; i < p->bodies; i++)
-        if (p->body[i].object >= 0 && in_skin(m, skins, p->body[i].object, x))
+        if (p->body[i].object >= 0
+            && (at->rigid[i].known ? holds(&at->rigid[i], &p->scales, x, half * p->scales.dx)
+                                   : in_skin(m, &at->skins, p->body[i].object, x)))
             return p->body[i].object;
     return -1;
 }
 
-static void count(const struct moment *m, const struct view *v, const struct block *block,
-                  const struct buckets *skins, struct observe_sunk *out)
+static void count(const struct moment *m, const struct view *v, const struct places *at,
+                  struct observe_sunk *out)
 {
     const struct plan *p = m->plan;
 
@@ -92,7 +134,7 @@ static void count(const struct moment *m, const struct view *v, const struct blo
         int solid;
 
         period_home(&p->scales, now, x);
-        if (!list_inside(&p->list_def, now) || (solid = solid_at(m, block, skins, x)) < 0)
+        if (!list_inside(&p->list_def, now) || (solid = solid_at(m, at, x)) < 0)
             continue;
         if (out->n++ == 0) {
             out->particle = id;
@@ -102,23 +144,40 @@ static void count(const struct moment *m, const struct view *v, const struct blo
     }
 }
 
+static void free_places(struct places *at)
+{
+    buckets_free(&at->skins);
+    free(at->block);
+    free(at->rigid);
+}
+
+static int make_places(const struct moment *m, double t, const double *y, struct places *at)
+{
+    const struct particles *all = m->particles;
+    const struct plan *p = m->plan;
+
+    *at = (struct places){ .block = status_alloc(p->walls + 1, sizeof *at->block),
+                           .rigid = status_alloc(p->bodies + 1, sizeof *at->rigid) };
+    if (!at->block || !at->rigid)
+        return STATUS_FAILED;
+    for (int i = 0; i < p->walls; i++)
+        block_make(&at->block[i], p, i, t);
+    for (int i = 0; i < p->bodies; i++)
+        stand(m, y, i, &at->rigid[i]);
+    return buckets_create(&at->skins, (const double (*)[DIM])all->x + all->from[KIND_SKIN],
+                          all->n - all->from[KIND_SKIN], around * p->scales.dx);
+}
+
 void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out)
 {
-    const struct particles *all = run->particles;
-    const struct plan *p = run->plan;
-    struct buckets skins = { 0 };
-    struct block *block;
+    struct places at;
     struct view v;
 
     *out = (struct observe_sunk){ .t = t, .particle = -1 };
-    if (p->row.x < 0 || !(block = status_alloc(p->walls + 1, sizeof *block)))
+    if (run->plan->row.x < 0)
         return;
     moment_view(run, t, y, &v);
-    for (int i = 0; i < p->walls; i++)
-        block_make(&block[i], p, i, t);
-    if (buckets_create(&skins, (const double (*)[DIM])all->x + all->from[KIND_SKIN],
-                       all->n - all->from[KIND_SKIN], around * p->scales.dx) == STATUS_DONE)
-        count(run, &v, block, &skins, out);
-    buckets_free(&skins);
-    free(block);
+    if (make_places(run, t, y, &at) == STATUS_DONE)
+        count(run, &v, &at, out);
+    free_places(&at);
 }

@@ -182,6 +182,14 @@ static const char *const obstacles =
     "  velocity = [0.1, 0.0, 0.0]; }; };";
 #endif
 
+#if DIM == 2
+#define TURNED_BOX "body = { box = { at = [0.05, 0.055]; size = [0.025, 0.025]; angle = 30.0;" \
+                   " density = 500.0; }; };"
+#else
+#define TURNED_BOX "body = { box = { at = [0.05, 0.05, 0.1]; size = [0.06, 0.06, 0.06];"       \
+                   " angle = [0.0, -30.0, 0.0]; density = 500.0; }; };"
+#endif
+
 static void particles_in_a_wall_are_counted(void **state)
 {
     const double radius = DIM == 2 ? 0.015 : 0.025;
@@ -205,6 +213,40 @@ static void particles_in_a_wall_are_counted(void **state)
     expect_sunk(&t, 0, x, NULL);
     x[0] = -0.6 * s->dx;
     expect_sunk(&t, 0, x, "tank");
+    tank_free(&t);
+}
+
+/* A box that is turned by 30 degrees, above the water: places in its frame, from its centre. */
+static void particles_in_a_body_are_counted(void **state)
+{
+    const double half = DIM == 2 ? 0.0125 : 0.03, cosine = cos(M_PI / 6), sine = sin(M_PI / 6);
+    const double centre[3] = { 0.05, DIM == 2 ? 0.055 : 0.05, 0.1 };
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, tank_water, tank_frame, TANK_EFFECTS, TURNED_BOX, NULL);
+    const double dx = plan_scales(t.plan)->dx;
+    const struct {
+        double along, up; /* in the plane that it is turned in */
+        const char *in;
+    } look[] = {
+        { 0, 0, "box" }, { half - 0.6 * dx, 0, "box" }, { half - 0.4 * dx, 0, NULL },
+        { 0, -half + 0.6 * dx, "box" }, { 0, -half + 0.4 * dx, NULL },
+        { half - 0.6 * dx, half - 0.6 * dx, "box" },
+        { half - 0.1 * dx, -half - 0.3 * dx, NULL }, /* below an edge: points of the skin are all around */
+        { half + 0.5 * dx, 0, NULL },
+    };
+    for (size_t i = 0; i < sizeof look / sizeof look[0]; i++) {
+        double x[DIM];
+        memcpy(x, centre, DIM * sizeof *x);
+        x[0] += cosine * look[i].along - sine * look[i].up;
+        x[DIM - 1] += sine * look[i].along + cosine * look[i].up;
+        expect_sunk(&t, 0, x, look[i].in);
+    }
+#if DIM == 3
+    expect_sunk(&t, 0, (double[3]){ 0.05 + half * cosine, 0.05 + half - 0.1 * dx,
+                                    0.1 + half * sine - 0.9 * dx }, NULL);
+#endif
     tank_free(&t);
 }
 
@@ -235,6 +277,7 @@ int main(void)
         cmocka_unit_test(border_counts_at_once),
         cmocka_unit_test(the_impossible_is_refused_by_name),
         cmocka_unit_test(particles_in_a_wall_are_counted),
+        cmocka_unit_test(particles_in_a_body_are_counted),
 #if DIM == 2
         cmocka_unit_test(particles_in_a_beam_are_counted),
 #endif
