@@ -69,6 +69,7 @@ shipped_rows() {
     ship few rolling-disc until=0.3
     ship all floating-disc until=0.1
     ship all moored-box until=0.1
+    ship few box-in-waves spacing=0.025 until=0.1
     ship few pendulum-gate until=0.1
     ship all sinking-block until=0.02
     ship all seed-003-blocks until=0.02

@@ -38,4 +38,18 @@ echo "gate: a period of $period s, of a thin plate 1.32 s, without water 1.04 s"
 claim 'a plate swings under water as theory says within 5 %' "($period / 1.32 - 1)^2 < 0.05^2"
 claim 'its momentum closes' "$(number gate momentum_defect) < 1e-5"
 
+# Amplitude and mean with the waves' period over three periods.
+amplitude='t > 4.49 && t < 7.49 { w = 2 * 3.14159265358979 / 1.5; c += x * cos(w * t); s += x * sin(w * t); n++ }
+    END { print 2 * sqrt(c * c + s * s) / n }'
+well waves "$scenes/box-in-waves.scene" spacing=0.025 until=7.5
+heave=$(field waves box.y "$amplitude")
+sway=$(field waves box.x "$amplitude")
+roll=$(field waves box.angle "$amplitude")
+echo "waves: heave $heave m for 0.0239 m, sway $sway m for 0.0358 m, roll $roll for 0.0641"
+claim 'a box goes up and down with the wave within 10 %' "($heave / 0.0239 - 1)^2 < 0.1^2"
+claim 'it goes to and fro with the water within 15 %' "($sway / 0.0358 - 1)^2 < 0.15^2"
+claim 'it rolls with the slope within 15 %' "($roll / 0.0641 - 1)^2 < 0.15^2"
+claim 'its drift is small' "($(field waves box.x 't > 6 { n++; sum += x } END { print sum / n - 2 }') / 0.3)^2 < 0.3^2"
+claim 'its energy closes in waves' "$(number waves energy_defect_max) < 1e-3 * $(number waves energy_initial)"
+
 finish
