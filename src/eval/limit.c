@@ -92,6 +92,16 @@ void moment_rigid_limit(struct moment *m, double t, const double *y, struct limi
     keep_bodies(m, t, y, false, limit);
 }
 
+void moment_contact_limit(struct moment *m, double t, const double *y, struct limit *out)
+{
+    struct limit limit[2];
+
+    begin(limit);
+    if (m->plan->contacts.kind && m->plan->contacts.kind->limit)
+        keep_contacts(m, t, y, limit);
+    *out = limit[0];
+}
+
 void moment_swing(const struct moment *m, double most, struct limit *out)
 {
     const struct plan *p = m->plan;

@@ -145,6 +145,10 @@ int moment_rigid(struct moment *moment, double t, const double *y, double *ydot)
 void moment_rigid_limit(struct moment *moment, double t, const double *y, struct limit limit[2]);
 void moment_fluid_limit(struct moment *moment, double t, const double *y, struct limit limit[2]);
 
+/* Of contacts alone, for methods that know no bound of stability: a step much longer than 1/rate
+ * goes past a contact, and neither errors nor books see what it missed.  Rate 0: nothing is near. */
+void moment_contact_limit(struct moment *moment, double t, const double *y, struct limit *out);
+
 /* Of bodies with an implicit side: the highest frequency of a first mode that is not above
  * `most` [rad/s], with the body's name; rate 0: there is none. */
 void moment_swing(const struct moment *moment, double most, struct limit *out);

@@ -102,15 +102,27 @@ static const char *largest_error(struct cvode *c)
     return moment_entry(c->rates.moment, vector_largest(c->spare));
 }
 
-static void report(struct cvode *c, double planned, struct method_step *out)
+/* touch: what contacts allowed. */
+static void report(struct cvode *c, double planned, const struct limit *touch,
+                   struct method_step *out)
 {
     const bool cut = c->h < planned * (1 - 1e-9);
+    const bool bound = !cut && c->h * touch->rate > 1 - 1e-9;
 
     *out = (struct method_step){ .t = c->t, .h = c->h,
-                                 .limiter = cut ? METHOD_OUTPUT : METHOD_ERROR,
+                                 .limiter = cut ? METHOD_OUTPUT : bound ? METHOD_STABILITY
+                                                                        : METHOD_ERROR,
                                  .rejected = c->rejected + repeated(c) };
     snprintf(out->where, sizeof out->where, "%.95s",
-             cut ? "end of the segment" : largest_error(c));
+             cut ? "end of the segment" : bound ? touch->part : largest_error(c));
+}
+
+/* A longest step of 0 is none. */
+static int bound_step(struct cvode *c, struct limit *touch)
+{
+    moment_contact_limit(c->rates.moment, c->t, vector_data(c->y), touch);
+    return CVodeSetMaxStep(c->cvode, touch->rate > 0 ? 1 / touch->rate : 0) == 0
+         ? STATUS_DONE : cvode_refuse(c, "a longest step");
 }
 
 /* What CVODE meant to take; 0 before its first step. */
@@ -127,6 +139,7 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
 {
     struct cvode *c = self;
     const double t_old = c->t;
+    struct limit touch;
     sunrealtype t;
     int flag;
     long bad;
@@ -137,7 +150,8 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
     sundials_forget();
     if (!c->launched)
         TRY(launch(c));
-    const double planned = planned_step(c);
+    TRY(bound_step(c, &touch));
+    const double planned = touch.rate > 0 ? fmin(planned_step(c), 1 / touch.rate) : planned_step(c);
     const long before = repeated(c);
     if (CVodeSetStopTime(c->cvode, t_stop) != 0)
         return cvode_refuse(c, "the end of a segment");
@@ -152,7 +166,7 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
     c->h = t - t_old;
     if (!c->floored)
         TRY(set_floor(c));
-    report(c, repeated(c) > before || t < t_stop ? 0 : planned, out);
+    report(c, repeated(c) > before || t < t_stop ? 0 : planned, &touch, out);
     return STATUS_DONE;
 }
 

@@ -2,7 +2,8 @@
  *
  * SUNDIALS' CVODE takes the steps and chooses their length and order; ours are the
  * weights, the norm and the whole right-hand side.  It knows no bound of stability:
- * a step that is too long is seen by its error, or by a solve that does not converge. */
+ * a step that is too long is seen by its error, or by a solve that does not converge.
+ * Contacts are the exception: a step past one is seen by nothing, so they bound steps. */
 #ifndef TIME_CVODE_H
 #define TIME_CVODE_H
 

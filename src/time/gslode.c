@@ -160,10 +160,26 @@ static void rotate(struct gslode *x, double t)
     x->known += x->known < GSLODE_NODES;
 }
 
+/* Contacts bound steps that errors choose: a step past one is seen by nothing. */
+static double bounded(const struct gslode *x, double h, struct limit *touch)
+{
+    *touch = (struct limit){ .rate = 0 };
+    if (x->def.seconds > 0)
+        return h;
+    moment_contact_limit(x->rates.moment, x->node[0].t, x->node[0].y, touch);
+    return touch->rate > 0 ? fmin(h, 1 / touch->rate) : h;
+}
+
+static const char *limiter_name(const struct gslode *x, bool cut, const struct limit *touch, double h)
+{
+    return cut ? "end of the segment" : h * touch->rate > 1 - 1e-9 ? touch->part : culprit(x);
+}
+
 int gslode_step(void *self, double t_stop, struct method_step *out)
 {
     struct gslode *x = self;
     const double t = x->node[0].t, left = t_stop - t;
+    struct limit touch;
     double h, next;
     bool shortened;
 
@@ -174,7 +190,7 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
         TRY(begin(x, t_stop));
     if (x->known == GSLODE_NODES)
         x->known--; /* the oldest gives its place to the step */
-    const double asked = x->h, slack = x->def.seconds > 0 ? CONSTANT_SLACK : 1e-12;
+    const double asked = bounded(x, x->h, &touch), slack = x->def.seconds > 0 ? CONSTANT_SLACK : 1e-12;
     h = asked >= left * (1 - slack) ? left : asked;
     if (accept(x, &h, &next, &shortened) != STATUS_DONE)
         return collapse(x, h);
@@ -182,11 +198,11 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
     rotate(x, h == left ? t_stop : t + h);
     x->h = cut ? asked : next;
     *out = (struct method_step){ .t = x->node[0].t, .h = x->node[0].t - t,
-                                 .limiter = cut                ? METHOD_OUTPUT
-                                          : x->def.seconds > 0 ? METHOD_STABILITY
-                                                               : METHOD_ERROR,
+                                 .limiter = cut ? METHOD_OUTPUT
+                                          : x->def.seconds > 0 || h * touch.rate > 1 - 1e-9
+                                                ? METHOD_STABILITY : METHOD_ERROR,
                                  .rejected = x->rejected };
-    snprintf(out->where, sizeof out->where, "%.95s", cut ? "end of the segment" : culprit(x));
+    snprintf(out->where, sizeof out->where, "%.95s", limiter_name(x, cut, &touch, h));
     return STATUS_DONE;
 }
 
