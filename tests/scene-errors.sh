@@ -292,6 +292,7 @@ bad_key 'override out of range' 'until=-1' until -1 'command line'
 bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
 bad_key 'override of an unknown body' 'body.mass=3' body 'command line'
 bad_key 'override of an object that is not there' 'fluid.middle.dye=1' fluid.middle
+bad_key 'a value that the file does not have is off' 'output.checkpoint=off' output.checkpoint 'says nothing of that'
 bad_key 'a value that is needed is off' 'beam.plate.E=off' beam.plate.E missing Pa
 
 # files

@@ -60,8 +60,17 @@ const char *scene_value_expected(const struct param *row, int dimension)
     return text;
 }
 
+/* KEY=off of the command line, which takes away what a file says; this one says nothing. */
+static bool takes_nothing(const struct scene_node *node)
+{
+    return !node->at.file && node->kind == SCENE_TEXT && strcmp(node->text, "off") == 0;
+}
+
 static int refuse_kind(const struct scene_wish *w, const struct scene_node *node)
 {
+    if (takes_nothing(node))
+        return status_fail(STATUS_BAD_SCENE, "command line: %s = off takes away what the scene says, and "
+                           "it says nothing of that: leave it out (%s)", w->name, w->row->about);
     return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is %s, but %s is expected (%s)",
                        scene_where(node), w->name, shown(node), kind_text(node),
                        scene_value_expected(w->row, w->dimension), w->row->about);
