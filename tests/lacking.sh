@@ -49,6 +49,9 @@ silent
 expect 0 "$scenes/dam-break.scene" effects.density-diffusion=off effects.density-healing=off
 silent # there is nothing that a load would bend
 
+expect 0 "$scenes/block-stack.scene" body.top.uplift=true body.left.film=0.1
+says 'body.top.uplift does nothing, as the scene has no fluid' 'body.left.film does nothing'
+
 expect 0 "$scenes/closed-tank.scene"
 silent
 sed '/^gravity/d' "$scenes/still-water.scene" >weightless.scene

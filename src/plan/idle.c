@@ -243,6 +243,21 @@ static void doubt_top(const struct scene_node *root, const struct input *in)
                     scene_where(scene_child(root, "effects")));
 }
 
+/* Keys of bodies that are about the water around them. */
+static void doubt_dry(const struct scene_node *root, const struct input *in)
+{
+    static const char *const keys[] = { "uplift", "film" };
+
+    for (int i = 0; i < in->bodies && in->fluids == 0; i++) {
+        const struct body_identity *b = &in->body[i].kind->identity;
+        const struct scene_node *node = scene_child(scene_child(root, b->group), in->body[i].name);
+        for (int k = 0; k < 2; k++)
+            if (key_given(b->params, in->body[i].params, keys[k]))
+                status_warn("%s: %s.%s does nothing, as the scene has no fluid", where(node, keys[k]),
+                            in->body[i].path, keys[k]);
+    }
+}
+
 int idle_scene(const struct scene *scene, const struct input *in)
 {
     const struct scene_node *root = scene_root(scene);
@@ -251,6 +266,7 @@ int idle_scene(const struct scene *scene, const struct input *in)
     doubt_frame(root, in);
     doubt_kernels(root, in);
     doubt_top(root, in);
+    doubt_dry(root, in);
     idle_methods(root, in);
     return STATUS_DONE;
 }
