@@ -3,7 +3,7 @@
 table = '../compare.csv'
 set datafile missing NaN
 eval read_names
-first_swept = 20                       # before it: method to energy_defect
+first_swept = 21                       # before it: method to energy_defect
 sweeps = column_of('t_end') - first_swept
 c_end = column_of('t_end')
 c_run = column_of('run')
@@ -99,10 +99,10 @@ do for [k = 1:n_reasons] {
 if (others > 0) { reasons = reasons.sprintf("and %d more: see compare.md\n", others) }
 reason_lines = n_reasons + (others > 0)
 
-# Quantities with an error, in columns 13 to 19, and whether a row has it.
-quantities = 7
-array quantity[quantities] = ['position', 'front', 'tip', 'impulse', 'force', 'probe', 'energy']
-array axis[quantities] = ['positions [spacings]', 'front / its way', 'tip / its largest', \
+# Quantities with an error, in columns 13 to 20, and whether a row has it.
+quantities = 8
+array quantity[quantities] = ['position', 'front', 'tip', 'body', 'impulse', 'force', 'probe', 'energy']
+array axis[quantities] = ['positions [spacings]', 'front / its way', 'tip / its largest', 'bodies / their way', \
     'impulse / its largest', 'peak force', 'probes / their largest', sprintf('energy defect [%s]', dim == 2 ? 'J/m' : 'J')]
 error(q) = abs(column(12 + q))
 has_error(q) = strcol(3) eq 'done' && strcol(12 + q) ne 'nan' && strcol(12 + q) ne '0'

@@ -6,7 +6,7 @@ load 'style.gp'
 load 'comparison.gp'
 
 # An error above this is none: it stands at the top edge.
-array most[quantities] = [10, 1, 1, 1, 1, 1, E0 > 0 ? E0 : 1e300]
+array most[quantities] = [10, 1, 1, 1, 1, 1, 1, E0 > 0 ? E0 : 1e300]
 good(q) = strcol(3) eq 'done' && error(q) > 0 && error(q) <= most[q] ? error(q) : NaN
 at_edge(q) = strcol(3) eq 'failed' || strcol(3) eq 'stopped' || error(q) > most[q] ? 0.965 : NaN
 sign(i) = strcol(3) eq 'failed' ? 2 : strcol(3) eq 'stopped' ? 12 : 8

@@ -87,7 +87,7 @@ says "CPU time; error at most | position | front | impulse | force | energy [J/m
     "| leapfrog@4 | failed | the fluid has run away" "| cks43 20 | refused | "
 head -n 1 dam/compare.csv | grep -q '^# units: ' || complain "compare.csv has no line of units"
 columns=method,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit
-columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_impulse,error_force,error_probe,energy_defect
+columns=$columns,pair_passes,h_mean,error_position,error_front,error_tip,error_body,error_impulse,error_force,error_probe,energy_defect
 sed -n 2p dam/compare.csv | grep -q -x "$columns,t_end,run,reference,message" || complain "compare.csv has other columns"
 [ "$(wc -l <dam/compare.csv)" = 8 ] || complain "compare.csv has not a row for each run"
 row dam cks43 1e-1 status "done"
@@ -238,6 +238,12 @@ grep -q "could not draw" said && complain "a figure of the beam's runs is not dr
 drawn beam cost-against-beam.E cost-against-beam.elements step-lengths work-precision \
     work-precision-energy work-precision-tip
 grep -q '"reference_method": "imex4"' beam/compare.json || complain "another reference with a beam"
+
+# --- rigid bodies -----------------------------------------------------------------------------------
+expect 0 "$scenes/../../tests/scenes/falling-cube.scene" --until 0.2 output.interval=5e-3 --methods erk4 --tols 1e-2,1e-4 \
+    --reference erk4:1e-6 -o cube
+holds "a > 0 && a < 1e-1 && b < a / 10" "$(field cube erk4 1e-2 error_body)" "$(field cube erk4 1e-4 error_body)"
+drawn cube step-lengths work-precision work-precision-body work-precision-energy
 
 # --- stopped, and on from there ----------------------------------------------------------------------
 for signal in INT TERM; do

@@ -93,6 +93,13 @@ double error_tip(const struct table *run, const struct table *reference)
     return error_of(run, reference, &(struct what){ ends, true });
 }
 
+double error_body(const struct table *run, const struct table *reference)
+{
+    static const char *const centre[] = { ".x", ".y", ".z", NULL };
+
+    return error_of(run, reference, &(struct what){ centre, true });
+}
+
 static const char *const impulses[] = { ".ix", ".iy", ".iz", NULL };
 
 double error_impulse(const struct table *run, const struct table *reference)

@@ -11,7 +11,7 @@
 #include <string.h>
 
 const char *const result_errors[RESULT_ERRORS] = {
-    "position", "front", "tip", "impulse", "force", "probe"
+    "position", "front", "tip", "body", "impulse", "force", "probe"
 };
 
 /* Passes over pairs, with each product by the matrix of an implicit viscosity as one,
@@ -82,6 +82,7 @@ void result_compare(struct result *r, const char *dir, int i, const char *refere
     r->error[RESULT_POSITION] = both(here, there, error_positions) / dx;
     r->error[RESULT_FRONT] = both_named(dir, reference, "front.csv", error_front);
     r->error[RESULT_TIP] = both_named(dir, reference, "beam.csv", error_tip);
+    r->error[RESULT_BODY] = both_named(dir, reference, "bodies.csv", error_body);
     r->error[RESULT_IMPULSE] = both_named(dir, reference, "forces.csv", error_impulse);
     r->error[RESULT_FORCE] = both_named(dir, reference, "forces.csv", error_force);
     r->error[RESULT_PROBE] = both_named(dir, reference, "probes.csv", error_probe);

@@ -3,8 +3,8 @@
 #define STUDY_RESULT_H
 
 enum result_error {
-    RESULT_POSITION, RESULT_FRONT, RESULT_TIP, RESULT_IMPULSE, RESULT_FORCE, RESULT_PROBE,
-    RESULT_ERRORS
+    RESULT_POSITION, RESULT_FRONT, RESULT_TIP, RESULT_BODY, RESULT_IMPULSE, RESULT_FORCE,
+    RESULT_PROBE, RESULT_ERRORS
 };
 
 struct result { /* NAN: not known */
@@ -26,10 +26,10 @@ void result_read(struct result *r, const char *dir);
  * Positions: root mean square over the fluid's particles of the distance between a
  * particle here and there, in spacings dx, in picture i here and i_reference there:
  *     sqrt(sum |x - x_ref|^2 / N) / dx
- * Front, tip, impulse: root mean square in time of the difference, over the largest that the
+ * Front, tip, body, impulse: root mean square in time of the difference, over the largest that the
  * reference shows:  sqrt(mean_t sum_c (v_c - r_c)^2) / max_t sqrt(sum_c r_c^2)
- * with columns c: front.csv x; beam.csv *.tip_x, *.tip_y; forces.csv *.ix, *.iy, *.iz, each
- * without its value at the start.
+ * with columns c: front.csv x; beam.csv *.tip_x, *.tip_y; bodies.csv *.x, *.y, *.z; forces.csv
+ * *.ix, *.iy, *.iz, each without its value at the start.
  * Probe: the same of all columns of probes.csv, of those *.mean where there are such, as they
  * are.
  * Force: |F - F_r| / F_r, F the largest force on an object as a mean over a fiftieth of the

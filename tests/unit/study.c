@@ -158,6 +158,8 @@ static void test_impulse_and_tip(void **state)
                "t,a.fx,a.ix,b.iy\n0,0,0,0\n1,0,3,4\n"), sqrt((1 + 4) / 2.) / 5, 1e-14);
     near(apart(error_tip, "t,p.tip_x,p.tip_y,p.tip_angle\n0,0,0,0\n1,1,7,9\n",
                "t,p.tip_x,p.tip_y,p.tip_angle\n0,0,0,0\n1,3,4,0\n"), sqrt(13 / 2.) / 5, 1e-14);
+    near(apart(error_body, "t,b.x,b.z,b.vx,b.contact_x\n0,5,1,0,0\n1,8,1,7,9\n",
+               "t,b.x,b.z,b.vx,b.contact_x\n0,1,1,0,0\n1,4,5,2,3\n"), sqrt(16. / 2) / 5, 1e-14);
     assert_true(isnan(apart(error_tip, "t,a.ix\n0,0\n1,1\n", "t,a.ix\n0,0\n1,2\n")));
     assert_true(isnan(apart(error_impulse, "t,a.ix\n0,0\n1,1\n", "t,b.ix\n0,0\n1,2\n")));
 }
