@@ -31,7 +31,9 @@ double fixed_solved_length(struct fixed *x)
     return by(x)->length(x->own, x->number, x->t, x->y, x->f, &x->limit);
 }
 
+/* Each of many ranks takes the whole step, and so needs the rates of all rows. */
 int fixed_solved_advance(struct fixed *x, double h)
 {
-    return by(x)->step(x->own, x->t_old, h, x->y_old, x->f_old, x->y, x->rates);
+    return by(x)->step(x->own, x->t_old, h, x->y_old, moment_whole(x->moment, x->f_old), x->y,
+                       x->rates);
 }
