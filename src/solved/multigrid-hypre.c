@@ -237,6 +237,6 @@ static void solve(void *self, const double *residual, double *near)
 }
 
 const struct precondition precondition_multigrid = {
-    .name = "multigrid", .row = 200, .entry = 30, .create = create, .free = drop, .make = make,
+    .name = "multigrid", .row = 180, .entry = 20, .create = create, .free = drop, .make = make,
     .solve = solve,
 };
