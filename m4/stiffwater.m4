@@ -232,9 +232,36 @@ AC_DEFUN([SW_MPI], [
     AS_IF([test -z "$sw_mpi_lacks"], [have_mpi=yes],
       [SW_MPI_LACKS])])
   AM_CONDITIONAL([HAVE_MPI], [test $have_mpi = yes])
+  have_hypre=no
+  AS_IF([test $have_mpi = yes], [SW_HYPRE])
+  AM_CONDITIONAL([HAVE_HYPRE], [test $have_hypre = yes])
   AC_PATH_PROGS([MPIRUN], [mpirun.openmpi mpirun], [no])
 ])
 
+AC_DEFUN([SW_HYPRE], [
+  AC_ARG_WITH([hypre],
+    [AS_HELP_STRING([--without-hypre], [no multigrid for the method mps
+      @<:@with it where HYPRE is found@:>@])],
+    [], [with_hypre=maybe])
+  HYPRE_CFLAGS="-isystem /usr/include/hypre" HYPRE_LIBS=-lHYPRE
+  AS_IF([test "$with_hypre" != no], [
+    AC_MSG_CHECKING([for HYPRE with Open MPI])
+    SW_TRY_LINK([$OMPI_CFLAGS $HYPRE_CFLAGS], [$HYPRE_LIBS $OMPI_LIBS],
+      [#include <HYPRE_parcsr_ls.h>
+      #ifdef HYPRE_USING_OPENMP
+      #error sums that depend on the number of threads
+      #endif],
+      [HYPRE_Solver solver;
+      HYPRE_Init();
+      return HYPRE_BoomerAMGCreate(&solver);],
+      [have_hypre=yes])
+    AC_MSG_RESULT([$have_hypre])
+    AS_IF([test $have_hypre = no && test "$with_hypre" = yes], [AC_MSG_ERROR([HYPRE is missing, or is one
+  with OpenMP, whose bits depend on the number of threads. On Debian: apt-get install libhypre-dev])])])
+  AS_IF([test $have_hypre = no], [HYPRE_CFLAGS= HYPRE_LIBS=])
+  AC_SUBST([HYPRE_CFLAGS])
+  AC_SUBST([HYPRE_LIBS])
+])
 AC_DEFUN([SW_MPI_LACKS], [
   sw_mpi_says="$sw_mpi_lacks is missing, which programs for many machines need.
   On Debian: apt-get install libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev"
@@ -276,6 +303,9 @@ AC_DEFUN([SW_SUMMARY], [
   AS_IF([test $sundials_mpi = yes], [sw_mpi=" (with MPI)"], [sw_mpi=])
   AS_IF([test $have_mpi = yes], [sw_ranks="Open MPI, Zoltan"],
     [sw_ranks="no (Open MPI and Zoltan are needed)"])
+  AS_IF([test $have_hypre = yes], [sw_multigrid=HYPRE],
+    [test $have_mpi = yes], [sw_multigrid="no (on Debian: apt-get install libhypre-dev)"],
+    [sw_multigrid="no (HYPRE and many ranks are needed)"])
   AS_IF([test $have_cmocka = no], [sw_tests="no cmocka: make check will not build"],
     [sw_tests="yes"])
   AS_IF([test "$GNUPLOT" = no], [sw_gnuplot="no (no figures until it is installed)"],
@@ -291,6 +321,7 @@ Stiffwater $PACKAGE_VERSION
   OpenMP      $sw_openmp
   sanitizer   $enable_sanitizer
   many ranks  $sw_ranks
+  multigrid   $sw_multigrid
   tests       $sw_tests
   gnuplot     $sw_gnuplot
   prefix      $prefix

@@ -42,7 +42,7 @@ int main(int argc, char **argv)
     if (c.command == CLI_RESUME)
         status = dimension_of_run(&c, &dimension);
     if (status == STATUS_DONE)
-        status = c.ranks > 1 ? cli_exec_ranks(&c, dimension, argv) : cli_exec(dimension, argv);
+        status = c.ranks > 0 ? cli_exec_ranks(&c, dimension, argv) : cli_exec(dimension, argv);
     fprintf(stderr, "stiffwater: %s\n", status_message());
     return status_is_starved() ? STATUS_FAILED : status;
 }

@@ -44,7 +44,7 @@ STIFFWATER_LANES=2 well cube2 "$top_srcdir/tests/scenes/still-cube.scene" until=
 STIFFWATER_LANES=8 well cube8 "$top_srcdir/tests/scenes/still-cube.scene" until=0.02 --threads=1
 [ "$(hash cube2)" = "$(hash cube8)" ] && good '3D: the same bits' || wrong '3D: the same bits'
 
-# (M18): noise where gamma kappa is above 4/3, quiet below, by gamma and by re. Measured: 0.84, 0.07; 0.69, 0.04.
+# (M18): noise where gamma kappa is above 4/3, quiet below, by gamma and by re. Measured: 0.51, 0.001; 0.71, 0.004.
 noise() {
     well "$1" "$still" method=mps walls=own-density until=0.3 output.interval=0.001 "$2" "$3"
     column "$1/probes" bed | awk '$1 > 0.1 { n++; s += $2; q += $2 * $2 }

@@ -100,16 +100,30 @@ bits() {
     good "$1 on $2 ranks: $(value "$1" steps) steps, $(value "$1" rebuilds) lists, $(hash "$1")"
 }
 
-# Water that falls, hits a wall and climbs it; in a tank that moves; without any wall, all round;
-# in three dimensions.
+# Water that falls, hits a wall and climbs it; the same with a pressure that is solved for, beside a
+# piston, and in three dimensions; in a tank that moves; without any wall, all round; in three
+# dimensions.
 numbers='1 2 3 4'
 [ -z "${STIFFWATER_LONG-}" ] || numbers='1 2 3 4 8'
 same dam 2 dam-break spacing=0.005 until=0.25
+same pressed 2 mps-dam-break spacing=7.3e-3 until=0.1
 numbers='3'
+same pushed 2 wave-maker until=0.05 method=mps walls=own-density 'wall.piston.from=[-0.06, -0.06]'
+same cube 3 ../../tests/scenes/still-cube until=0.02
 same tank 2 sloshing-tank until=0.3
 same vortex 2 taylor-green until=0.2
 same drop 2 elliptic-drop until=0.002
 same column 3 dam-break-3d spacing=0.0555 until=0.02
+
+# What one step of a solve refuses, all refuse, and say once.
+ranks 2 "$top_builddir/stiffwater-2d-mpi" run "$scenes/mps-dam-break.scene" until=0.001 mps.iterations=1 \
+    -q -o "$out/few"
+if [ $code = 1 ] && [ "$(grep -c 'no pressure is found' "$out/said")" = 1 ]; then
+    good "a solve that fails on all ranks is told once"
+else
+    wrong "a solve that fails on all ranks is told once: status $code"
+    cat "$out/said"
+fi
 
 # --- as a user starts them --------------------------------------------------------------------
 go three "$scenes/dam-break.scene" spacing=0.005 until=0.25 --ranks 3

@@ -10,6 +10,7 @@ static const char *const sources[] = { "bundle", "number-density", "hs", "ecs", 
 static const char *const laplacians[] = { "bundle", "standard", "hl", NULL };
 static const char *const gradients[] = { "bundle", "minimum", "cmps", "gc", NULL };
 static const char *const constants[] = { "lattice", "published", NULL };
+static const char *const preconditioners[] = { "ic0", "multigrid", NULL };
 static const char *const switches[] = { "bundle", "on", "off", NULL };
 
 #define AT(member) .offset = offsetof(struct settings_mps, member)
@@ -66,6 +67,9 @@ const struct param settings_mps_params[] = {
       .about = "of the Poisson equation, over its source, at which the solve ends" },
     { .key = "iterations", .unit = "", .type = PARAM_INTEGER, AT(iterations), .fallback = 2000,
       .min = 1, .max = 1e6, .about = "of one solve; if more are needed the run fails" },
+    { .key = "preconditioner", WORD(preconditioner, preconditioners),
+      .about = "of the conjugate gradients: an incomplete Cholesky factor without fill (ic0), or a "
+      "cycle of HYPRE's BoomerAMG (multigrid), which the programs with MPI have: run --ranks 1" },
     { 0 },
 };
 

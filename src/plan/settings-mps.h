@@ -25,6 +25,7 @@ struct settings_mps {
     double nu;               /* [m^2/s]                                        */
     double residual;         /* of the Poisson equation, in its source         */
     int iterations;          /* at most, of a solve                            */
+    const char *preconditioner; /* "ic0", "multigrid"                          */
 };
 extern const struct param settings_mps_params[];
 

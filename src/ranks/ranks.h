@@ -6,7 +6,7 @@
  *
  * Each process has a rank, 0 .. ranks_count() - 1.  The serial programs have one, and what
  * stands here does nothing for them (alone.c); those with MPI are linked with mpi*.c instead.
- * Nobody else includes mpi.h.
+ * No other file includes mpi.h, but for solved/multigrid-hypre.c, whose library does.
  *
  * All but ranks_count(), ranks_me() and what is asked of a cut is collective: all ranks call
  * it, in the same order.  No answer depends on the order in which messages arrive. */

@@ -35,7 +35,7 @@ const char *mps_serves(const struct plan *p)
                "the fluid mps.nu";
     if (p->in.mps.re > ceil(p->in.kernel.support))
         return "mps.re is larger than walls are thick (kernel.support)";
-    return NULL;
+    return precondition_named(p->in.mps.preconditioner)->lacks;
 }
 
 /* The first layer of walls, where fluid touches them: of a frame the one beside the domain. */
@@ -63,19 +63,19 @@ static void find_faces(struct mps *s)
 
 static const double more = 0.1, margin = 0.4; /* of the list, beyond radii and beside that [spacings] */
 
-/* The list; of near.h what is there for pairs, of poisson.h the same for those of fluid, and of
- * lower halves the half that is written; of both, what is there for particles; the arrays of
- * struct mps. */
+/* The list; of near.h what is there for pairs, of poisson.h and of the preconditioner the same for
+ * those of fluid; of all, what is there for particles; the arrays of struct mps. */
 double mps_memory(const struct plan *p)
 {
     const struct settings_mps *key = &p->in.mps;
     const double reach = fmax(key->re, fmax(key->re_gradient, key->re_laplacian)) + more;
     const double n = p->particles->n;
-    const double near = 4 + 16 * DIM + 8, poisson = 13 * 8 + 5,
+    const struct precondition *how = precondition_named(key->preconditioner);
+    const double near = 4 + 16 * DIM + 8, poisson = 11 * 8 + 5 + how->row,
                  arrays = 7 * 8 + 2 + 8 * DIM * (3 + MPS_WORKS);
 
     return memory_list(p, reach + margin) + 4 * memory_pairs(p, reach, true)
-         + 1.5 * (4 + 8) * memory_pairs(p, reach, false) + (near + poisson + arrays) * n;
+         + (4 + 8 + how->entry) * memory_pairs(p, reach, false) + (near + poisson + arrays) * n;
 }
 
 /* All kinds that there are own their pairs with all others. */
@@ -116,7 +116,8 @@ static int take_memory(struct mps *s)
     if (!s->face || !s->role || !s->du || !s->was || !s->gave.push)
         return STATUS_FAILED;
     TRY(given_make(s->moment));
-    TRY(poisson_create(all->n, s->key->iterations, &s->poisson));
+    TRY(poisson_create(all->n, s->key->iterations, precondition_named(s->key->preconditioner),
+                       &s->poisson));
     return make_list(s);
 }
 

@@ -40,19 +40,18 @@ static int refuse_loose(struct mps *s, int i, int joined)
     return STATUS_FAILED;
 }
 
-static int refuse_solve(struct mps *s, const struct operator_report *report)
+static int refuse_solve(struct mps *s)
 {
-    char why[120], where[120];
+    char where[120];
     int worst = 0;
 
     for (int i = 1; i < s->near.n; i++)
         if (fabs(s->source[i]) > fabs(s->source[worst]))
             worst = i;
-    operator_refusal(report, why, sizeof why);
     place_text(s, worst, where, sizeof where);
     snprintf(s->moment->refusal, sizeof s->moment->refusal, "mps: no pressure is found: %.110s (to "
              "%g allowed, mps.residual, in %d, mps.iterations); its source is largest at %.100s, "
-             "n = %.3g n0; allow more, or set mps.compressibility", why, s->key->residual,
+             "n = %.3g n0; allow more, or set mps.compressibility", s->poisson.why, s->key->residual,
              s->key->iterations, where, s->number[worst] / s->density.n0);
     return STATUS_FAILED;
 }
@@ -172,7 +171,7 @@ static int find_pressure(struct mps *s, const double *y)
     const int status = poisson_solve(&s->poisson, s->source, s->key->residual, s->p, &report);
     s->moment->counts.products += report.products;
     if (status != STATUS_DONE)
-        return refuse_solve(s, &report);
+        return refuse_solve(s);
     for (int i = 0; i < s->near.n && mps_is(s->key->clamp, "on"); i++)
         s->p[i] = fmax(s->p[i], 0);
     for (int i = 0; i < s->near.n; i++)

@@ -1,4 +1,4 @@
-/* poisson.c -- the matrix, its factor, and the solve. */
+/* poisson.c -- the matrix and the solve. */
 #include "solved/poisson.h"
 
 #include "base/status.h"
@@ -11,29 +11,28 @@ enum { WORTH_THREADS = 4096 };
 
 /* --- memory ---------------------------------------------------------------------- */
 
-int poisson_create(int size, int iterations, struct poisson *s)
+int poisson_create(int size, int iterations, const struct precondition *how, struct poisson *s)
 {
     const size_t n = (size_t)size + 1;
 
-    *s = (struct poisson){ .size = size, .iterations = iterations };
+    *s = (struct poisson){ .how = how, .size = size, .iterations = iterations };
     s->diagonal = status_alloc(n, sizeof(double));
     s->residual = status_alloc(n, sizeof(double));
-    s->factor.diagonal = status_alloc(n, sizeof(double));
     s->from = status_alloc(n, sizeof *s->from);
-    s->lower_from = status_alloc(n, sizeof *s->lower_from);
     s->queue = status_alloc(n, sizeof *s->queue);
     s->tied = status_alloc(n, sizeof *s->tied);
-    if (!s->diagonal || !s->residual || !s->factor.diagonal || !s->from || !s->lower_from
-        || !s->queue || !s->tied)
+    if (!s->diagonal || !s->residual || !s->from || !s->queue || !s->tied)
         return STATUS_FAILED;
+    TRY(how->create(size, &s->own));
     return operator_solver_create(size, iterations, &s->solver);
 }
 
 void poisson_free(struct poisson *s)
 {
     free(s->diagonal), free(s->residual), free(s->from), free(s->column), free(s->value);
-    free(s->lower_from), free(s->lower_column), free(s->queue), free(s->tied);
-    free(s->factor.diagonal), free(s->factor.lower);
+    free(s->queue), free(s->tied);
+    if (s->how)
+        s->how->free(&s->own);
     operator_solver_free(&s->solver);
     *s = (struct poisson){ 0 };
 }
@@ -42,14 +41,11 @@ static int take_entries(struct poisson *s, size_t entries)
 {
     if (entries <= s->room && s->column)
         return STATUS_DONE;
-    free(s->column), free(s->value), free(s->lower_column), free(s->factor.lower);
+    free(s->column), free(s->value);
     s->room = entries + entries / 8 + 64;
     s->column = status_alloc(s->room, sizeof *s->column);
     s->value = status_alloc(s->room, sizeof *s->value);
-    s->lower_column = status_alloc(s->room, sizeof *s->lower_column);
-    s->factor.lower = status_alloc(s->room, sizeof *s->factor.lower);
-    return s->column && s->value && s->lower_column && s->factor.lower ? STATUS_DONE
-                                                                        : STATUS_FAILED;
+    return s->column && s->value ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* --- the matrix ------------------------------------------------------------------ */
@@ -64,9 +60,9 @@ struct rows {
 };
 
 /* Puts an entry where columns ascend; the row has had `n` so far. */
-static void insert(int *column, double *value, size_t n, int j, double a)
+static void insert(int *column, double *value, int n, int j, double a)
 {
-    size_t k = n;
+    int k = n;
 
     for (; k > 0 && column[k - 1] > j; k--) {
         column[k] = column[k - 1];
@@ -77,11 +73,11 @@ static void insert(int *column, double *value, size_t n, int j, double a)
 }
 
 /* Row i: its entries off the diagonal go to column, value [their number, returned]. */
-static size_t make_row(const struct rows *of, int i, int *column, double *value,
+static int make_row(const struct rows *of, int i, int *column, double *value,
                        double *diagonal)
 {
     const struct near *near = of->near;
-    size_t n = 0;
+    int n = 0;
     double step[DIM];
 
     *diagonal = 1;
@@ -101,24 +97,18 @@ static size_t make_row(const struct rows *of, int i, int *column, double *value,
 }
 
 /* Rows stand where their neighbours do, near->from, with gaps; then side by side. */
-static void close_gaps(struct poisson *s, const struct near *near, const size_t *length)
+static void close_gaps(struct poisson *s, const struct near *near, const int *length)
 {
-    size_t at = 0, lower = 0;
+    size_t at = 0;
 
     for (int i = 0; i < s->n; i++) {
-        const size_t first = near->from[i], n = length[i];
+        const size_t first = near->from[i], n = (size_t)length[i];
         memmove(s->column + at, s->column + first, n * sizeof *s->column);
         memmove(s->value + at, s->value + first, n * sizeof *s->value);
         s->from[i] = at;
-        s->lower_from[i] = lower;
-        for (size_t k = at; k < at + n && s->column[k] < i; k++) {
-            s->lower_column[lower] = s->column[k];
-            s->factor.lower[lower++] = s->value[k];
-        }
         at += n;
     }
     s->from[s->n] = at;
-    s->lower_from[s->n] = lower;
 }
 
 int poisson_assemble(struct poisson *s, const struct near *near, const char *role,
@@ -130,15 +120,11 @@ int poisson_assemble(struct poisson *s, const struct near *near, const char *rol
     s->n = near->n;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < s->n; i++)
-        s->lower_from[i] = make_row(&of, i, s->column + near->from[i],
-                                    s->value + near->from[i], &s->diagonal[i]);
-    close_gaps(s, near, s->lower_from);
-    memcpy(s->factor.diagonal, s->diagonal, (size_t)s->n * sizeof(double));
+        s->queue[i] = make_row(&of, i, s->column + near->from[i], s->value + near->from[i],
+                               &s->diagonal[i]);
+    close_gaps(s, near, s->queue);
     for (int i = s->n; i < s->size; i++)
         s->diagonal[i] = 1;
-    s->factor.n = s->n;
-    s->factor.from = s->lower_from;
-    s->factor.column = s->lower_column;
     return STATUS_DONE;
 }
 
@@ -206,7 +192,7 @@ static void precondition(void *self, const double *residual, double *near)
 {
     const struct poisson *s = self;
 
-    cholesky_solve(&s->factor, residual, near);
+    s->how->solve(s->own, residual, near);
     for (int i = s->n; i < s->size; i++)
         near[i] = residual[i];
 }
@@ -230,6 +216,7 @@ int poisson_solve(struct poisson *s, const double *b, double exact, double *p,
 {
     struct operator a = { .self = s, .n = s->size, .width = 1, .diagonal = s->diagonal,
                           .apply = multiply, .precondition = precondition };
+    const struct precondition_matrix matrix = { s->n, s->diagonal, s->from, s->column, s->value };
     const double size = begin(s, b, p);
 
     *report = (struct operator_report){ 0 };
@@ -237,10 +224,10 @@ int poisson_solve(struct poisson *s, const double *b, double exact, double *p,
         memset(p, 0, (size_t)s->n * sizeof *p);
         return STATUS_DONE;
     }
-    if (cholesky_factor(&s->factor) != 0) {
-        report->cause = OPERATOR_NOT_POSITIVE;
-        return STATUS_FAILED;
-    }
+    TRY(s->how->make(s->own, &matrix, s->why, sizeof s->why));
     a.near = exact * size;
-    return operator_solve(s->solver, &a, p, s->residual, report);
+    if (operator_solve(s->solver, &a, p, s->residual, report) == STATUS_DONE)
+        return STATUS_DONE;
+    operator_refusal(report, s->why, sizeof s->why);
+    return STATUS_FAILED;
 }

@@ -1,5 +1,5 @@
 /* poisson.h -- the Poisson equation of pressure between particles, as a sparse symmetric matrix,
- * solved by conjugate gradients with IC(0) (ICCG).
+ * solved by preconditioned conjugate gradients.
  *
  *     sum over j of a_ij (p_i - p_j) + e_i p_i = b_i                             (M7)
  *
@@ -10,8 +10,8 @@
 #define SOLVED_POISSON_H
 
 #include "implicit/operator.h"
-#include "solved/cholesky.h"
 #include "solved/near.h"
+#include "solved/precondition.h"
 
 enum poisson_role { POISSON_DUMMY, POISSON_SURFACE, POISSON_UNKNOWN };
 
@@ -24,22 +24,22 @@ struct poisson {
     size_t *from;          /* [n+1] entries of row i off the diagonal, ascending   */
     int *column;
     double *value;
-    size_t *lower_from;    /* [n+1] those below the diagonal, for IC(0)            */
-    int *lower_column;
     double *residual;      /* [n] scratch of a solve                               */
-    struct cholesky factor;
+    const struct precondition *how;
+    void *own;             /* of `how`                                             */
     struct operator_solver *solver;
     size_t room;
     int size, iterations;  /* particles that there can be; products allowed        */
-    int *queue;            /* [size] places to go on from                          */
+    int *queue;            /* [size] scratch: lengths of rows; places to go on from */
     bool *tied;            /* [size] is there a surface that p is measured from?   */
+    char why[120];         /* a solve was refused                                  */
 };
 
-/* For at most `size` particles and so many products in a solve. */
-int poisson_create(int size, int iterations, struct poisson *out);
+/* For at most `size` particles and so many products in a solve, preconditioned so. */
+int poisson_create(int size, int iterations, const struct precondition *how, struct poisson *out);
 void poisson_free(struct poisson *s);
 
-/* Makes matrix and factor; e [1/m^2] of all.  STATUS_FAILED: no memory. */
+/* Makes the matrix; e [1/m^2] of all.  STATUS_FAILED: no memory. */
 int poisson_assemble(struct poisson *s, const struct near *near, const char *role,
                      poisson_weight *weight, const void *self, double e);
 
@@ -48,7 +48,7 @@ int poisson_assemble(struct poisson *s, const struct near *near, const char *rol
 int poisson_loose(struct poisson *s, const char *role, int *joined);
 
 /* p comes in as a guess, 0 where there is no unknown, as b.  Ends when the residual is
- * `exact` times b.  STATUS_FAILED: a refusal, see the report. */
+ * `exact` times b.  STATUS_FAILED: a refusal, see `why`. */
 int poisson_solve(struct poisson *s, const double *b, double exact, double *p,
                   struct operator_report *report);
 

@@ -3,6 +3,7 @@
 #include "time/fixed.h"
 
 #include "plan/solver.h"
+#include "ranks/ranks.h"
 
 static const struct plan_solved *by(const struct fixed *x)
 {
@@ -31,7 +32,10 @@ double fixed_solved_length(struct fixed *x)
     return by(x)->length(x->own, x->number, x->t, x->y, x->f, &x->limit);
 }
 
+/* Each of many ranks takes the whole step, and so needs the rates of all rows.  All refuse what one
+ * refuses, as for want of memory. */
 int fixed_solved_advance(struct fixed *x, double h)
 {
-    return by(x)->step(x->own, x->t_old, h, x->y_old, x->f_old, x->y, x->rates);
+    return ranks_agree(by(x)->step(x->own, x->t_old, h, x->y_old, moment_whole(x->moment, x->f_old),
+                                   x->y, x->rates));
 }
