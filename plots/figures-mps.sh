@@ -8,7 +8,7 @@
 #     top_srcdir=PATH sh .../figures-mps.sh DIR [SPACINGS...]
 #
 # SPACINGS: how many in L, default 20 40 80 160 224.  Runs stay in DIR/mps/, and one that is done is
-# not done again.  Twenty CPU minutes; without the program with MPI and HYPRE ten, and no multigrid.
+# not done again.  Twenty CPU minutes; without the program with MPI and HYPRE half, and no multigrid.
 #
 # A table, WHICH-gamma, has a row a run: particles of the fluid, products a step, CPU s.
 set -e
