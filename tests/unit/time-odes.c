@@ -251,6 +251,35 @@ static void ab3_is_not_disturbed_by_a_short_step(void **state)
         fail_msg("errors %g and %g, %d steps more", error[0], error[1], more);
 }
 
+/* --- contacts ------------------------------------------------------------------ */
+
+/* Errors would let each step longer; ab3 asks for all bounds at once, not for this one. */
+static void contacts_bound_what_errors_choose(void **state)
+{
+    const double longest = 1e-3;
+
+    (void)state;
+    for (int i = 0; i < METHODS; i++) {
+        struct moment p;
+        struct method_step step = { .t = 0 };
+        double most = 0;
+        int bound = 0;
+        if (methods[i] == &ab3_kind.method)
+            continue;
+        make(&p, methods[i], 4);
+        p.touch = 1 / longest;
+        void *self = begin(methods[i], &p, 1e-4, 0);
+        while (step.t < 0.2) {
+            assert_int_equal(methods[i]->step(self, 0.2, &step), STATUS_DONE);
+            most = fmax(most, step.h);
+            bound += strcmp(step.where, "contact") == 0;
+        }
+        if (!(most < longest * (1 + 1e-9) && bound > 100))
+            fail_msg("%s: a step of %g, %d bound", methods[i]->name, most, bound);
+        end(methods[i], &self);
+    }
+}
+
 /* --- bits ---------------------------------------------------------------------- */
 
 static void looking_does_not_change_the_run(void **state)
@@ -412,6 +441,7 @@ int main(void)
         cmocka_unit_test(only_bdf_and_ab3_serve_beams),
         cmocka_unit_test(ab3_asks_once_a_step),
         cmocka_unit_test(ab3_is_not_disturbed_by_a_short_step),
+        cmocka_unit_test(contacts_bound_what_errors_choose),
         cmocka_unit_test(looking_does_not_change_the_run),
         cmocka_unit_test(a_restart_forgets_the_past),
         cmocka_unit_test(a_refusal_shortens_the_step),

@@ -217,6 +217,19 @@ void moment_fluid_limit(struct moment *p, double t, const double *y, struct limi
     moment_limit(p, t, y, false, limit);
 }
 
+void moment_contact_limit(struct moment *p, double t, const double *y, struct limit *out)
+{
+    (void)t, (void)y;
+    *out = (struct limit){ .rate = p->touch, .where = -1, .part = "contact" };
+}
+
+/* One rank has all. */
+const double *moment_whole(struct moment *p, const double *y)
+{
+    (void)p;
+    return y;
+}
+
 const char *moment_refusal(const struct moment *p)
 {
     return p->counts.refused > 0 ? "the density of particle 0 is off" : "";

@@ -18,6 +18,7 @@ enum { TOY_PARTICLES = 3 };
 struct moment {
     double stiffness, damping; /* of the beam; stiffness 0: there is none      */
     double wave, decay;        /* rates that moment_limit() reports              */
+    double touch;              /* rate that moment_contact_limit() reports       */
     double off;                /* refuses further than this from the exact
                                   density; 0: never                            */
     double refuse_after;       /* refuses beyond this time; 0: never           */
