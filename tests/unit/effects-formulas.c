@@ -113,14 +113,33 @@ static void density_diffusion(const struct pair_particle *a, const struct pair_p
              * p.r * p.r * p.g / softened(p.r);
 }
 
+/* Wendland's C2. */
+static double kernel(double r)
+{
+    const double H = effects_scales.support, q = r / H;
+    const double sigma = DIM == 2 ? 7 / M_PI : 21 / (2 * M_PI);
+
+    return q < 1 ? sigma / pow(H, DIM) * pow(1 - q, 4) * (1 + 4 * q) : 0;
+}
+
+/* (W7) F = -n s U^2 m_a m_b/m (W(r)/W(dx))^(n-1) gradW/W(dx) */
+static void contact_potential(const struct pair_particle *a, const struct pair_particle *b,
+                              struct pair_answer *to)
+{
+    const struct geometry p = look(a, b);
+    const double U = effects_scales.speed, near = effects_scales.nearby;
+
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = -EFFECTS_POWER * EFFECTS_STRENGTH * U * U * a->m * b->m / effects_scales.mass
+                 * pow(kernel(p.r) / near, EFFECTS_POWER - 1) * p.g / near * p.x[d];
+}
+
 /* (P3) F = -m_a m_b (R_a + R_b) (W(r)/W(dx))^4 gradW, R = strength max(0, -p)/rho^2 */
 static void artificial_stress(const struct pair_particle *a, const struct pair_particle *b,
                               struct pair_answer *to)
 {
     const struct geometry p = look(a, b);
-    const double H = effects_scales.support, q = p.r / H;
-    const double sigma = DIM == 2 ? 7 / M_PI : 21 / (2 * M_PI);
-    const double W = q < 1 ? sigma / pow(H, DIM) * pow(1 - q, 4) * (1 + 4 * q) : 0;
+    const double W = kernel(p.r);
     const double R = EFFECTS_STRENGTH * (fmax(0, -a->p2) + fmax(0, -b->p2));
 
     for (int d = 0; d < DIM; d++)
@@ -185,6 +204,7 @@ pair_formula *effects_formula(const char *name)
         { "viscosity-printed", viscosity_printed },
         { "density-diffusion", density_diffusion },
         { "artificial-stress", artificial_stress },
+        { "contact-potential", contact_potential },
     };
 
     for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++)

@@ -45,5 +45,6 @@ pair_formula *effects_formula(const char *name); /* NULL: not known here */
 #define EFFECTS_MU 1.9
 #define EFFECTS_DELTA 0.13
 #define EFFECTS_STRENGTH 0.23
+#define EFFECTS_POWER 5
 
 #endif

@@ -15,7 +15,7 @@ const struct scales effects_scales = {
     .dimension = DIM, .dx = 0.1, .support = 0.3, .hs = 0.15, .rho0 = 1000, .c0 = 20,
     .gamma = 7, .speed = 2, .g = { 1.1, -9.81, 0.7 }, .fluid = true,
     .wave = 1, .laplace_density = 1, .laplace_viscosity = 1, .laplacian = 300, .centre = 25,
-    .nearby = 11,
+    .nearby = 11, .mass = 7,
 };
 
 enum { TRIES = 2000, WIDTHS = 3 };
@@ -66,7 +66,7 @@ static struct pair_particle random_particle(void)
     return p;
 }
 
-/* Sets a number or a flag of a law, if it has one of that name. */
+/* Sets a number, whole or not, or a flag of a law, if it has one of that name. */
 static void set(const struct pair_law *law, const char *key, double value)
 {
     for (const struct param *r = law->part->params; r && r->key; r++) {
@@ -75,6 +75,8 @@ static void set(const struct pair_law *law, const char *key, double value)
             continue;
         if (r->type == PARAM_FLAG)
             *(bool *)(void *)to = value != 0;
+        else if (r->type == PARAM_INTEGER)
+            *(int *)(void *)to = (int)value;
         else
             *(double *)(void *)to = value;
     }
@@ -90,6 +92,7 @@ static struct pair_law law_make(const struct part *part, const struct scales *sc
     set(&law, "mu", EFFECTS_MU);
     set(&law, "delta", EFFECTS_DELTA);
     set(&law, "strength", EFFECTS_STRENGTH);
+    set(&law, "n", EFFECTS_POWER);
     set(&law, "k", 2.3);
     set(&law, "only_approaching", only_approaching);
     if (part->prepare)
