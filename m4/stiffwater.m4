@@ -316,6 +316,7 @@ Stiffwater $PACKAGE_VERSION
   compiler    $CC $OPT_CFLAGS, pair engine $HOT_CFLAGS, yours: $CFLAGS
   SUNDIALS    $SUNDIALS_version$sw_mpi
   GSL         $GSL_version
+  Qhull       $QHULL_version
   HDF5        $HDF5_version
   lanes       $sw_lanes
   OpenMP      $sw_openmp
