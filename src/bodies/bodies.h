@@ -197,7 +197,10 @@ struct body_push {
 
 /* What contacts ask of a body that keeps its shape. */
 struct body_solid {
-    void (*facts)(const struct body *b, struct solid *out);
+    int (*solids)(const struct body *b); /* that it is for them, fixed to each other */
+    void (*facts)(const struct body *b, int i, struct solid *out); /* of one of these */
+    double (*depth)(const struct body *b, const double *own); /* of a place in its frame below
+                                                         its surface; outside below 0 [m] */
     void (*stand)(const struct body *b, const struct layout *l, const double *y,
                   struct solid_place *out);
     void (*push)(struct body_work *w, const struct body_push *push); /* until the next one */

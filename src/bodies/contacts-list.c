@@ -41,9 +41,13 @@ enum { SIDES = 2 * DIM };
 static int take_memory(struct contacts *c, const struct contacts_scene *s)
 {
     const size_t all = (size_t)s->bodies + (size_t)s->walls;
+    size_t solids = (size_t)s->walls * SIDES + SIDES;
 
-    c->solid = status_alloc(all * SIDES + SIDES, sizeof *c->solid);
-    c->part_of = status_alloc(all * SIDES + SIDES, sizeof *c->part_of);
+    for (int i = 0; i < s->bodies; i++)
+        solids += s->body[i].kind->role.solid
+                ? (size_t)s->body[i].kind->role.solid->solids(s->body[i].body) : 0;
+    c->solid = status_alloc(solids, sizeof *c->solid);
+    c->part_of = status_alloc(solids, sizeof *c->part_of);
     c->known = status_alloc(all + 1, sizeof *c->known);
     c->skinned = status_alloc(all + 1, sizeof *c->skinned);
     return c->solid && c->part_of && c->known && c->skinned ? STATUS_DONE : STATUS_FAILED;
@@ -67,11 +71,13 @@ static void know(struct contacts *c, int part)
 
 static int list_bodies(struct contacts *c, const struct contacts_scene *s)
 {
-    for (int i = 0; i < s->bodies; i++)
-        if (s->body[i].kind->role.solid) {
-            s->body[i].kind->role.solid->facts(s->body[i].body, &c->solid[c->solids]);
+    for (int i = 0; i < s->bodies; i++) {
+        const struct body_solid *role = s->body[i].kind->role.solid;
+        for (int k = 0; role && k < role->solids(s->body[i].body); k++) {
+            role->facts(s->body[i].body, k, &c->solid[c->solids]);
             know(c, i);
         }
+    }
     return c->solids;
 }
 
@@ -108,9 +114,11 @@ static void list_walls(struct contacts *c, const struct contacts_scene *s, int b
     list_sides(c, named & ~framed, s->bodies + s->walls, margin);
 }
 
-/* Does body i feel that solid? */
+/* Does solid i, of a body, feel that solid? */
 static bool meets(const struct contacts *c, int i, int solid)
 {
+    if (c->part_of[solid] == c->part_of[i])
+        return false;
     return c->part_of[solid] < c->bodies + c->walls
            || (c->solid[i].stops & c->solid[solid].stops) != 0;
 }

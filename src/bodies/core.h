@@ -1,17 +1,18 @@
 /* core.h -- the core of a solid, for contacts: a smaller body, a ball around each of whose
  * points makes the solid, so that distances to it have normals that never jump.
  *
- * A core is a box about the centre; one without sides is a point, that of a disc or sphere. */
+ * A core is a box about the centre, or a convex polytope.  A box without sides is a point, that
+ * of a disc or sphere, one with one side the line of a rod. */
 #ifndef BODIES_CORE_H
 #define BODIES_CORE_H
 
+#include "shapes/polytope.h"
 #include "space/kinds.h"
-
-#include <stdbool.h>
 
 struct core {
     double ball;      /* radius of the ball [m]                              */
     double half[DIM]; /* half of its sides, all 0: a point [m]               */
+    const struct polytope *hull; /* NULL: it is that box; lent               */
 };
 
 bool core_point(const struct core *c);

@@ -12,12 +12,12 @@
 static const double pi = 3.14159265358979323846;
 
 #if DIM == 2
-static const char *const shapes[] = { "box", "disc", NULL };
+static const char *const shapes[] = { "box", "disc", "polygon", NULL };
 static const char *const directions[] = { "x", "y", "turn", NULL };
 #define MASS "kg/m"
 #define TURN_TYPE PARAM_NUMBER
 #else
-static const char *const shapes[] = { "box", "sphere", NULL };
+static const char *const shapes[] = { "box", "sphere", "cylinder", "hull", NULL };
 static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 #define MASS "kg"
 #define TURN_TYPE PARAM_VECTOR
@@ -25,12 +25,21 @@ static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 
 const struct param rigid_def_params[] = {
     { .key = "shape", .unit = "", AT(shape), .type = PARAM_WORD, .words = shapes,
-      .about = "a box has a size, a disc (2D) or sphere (3D) a radius" },
+      .about = "a box has a size, a disc (2D) or sphere (3D) a radius, a cylinder (3D) that and a height, "
+               "a polygon (2D) or convex hull (3D) points" },
     { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
-      .required = 1, .about = "its centre at t = 0" },
+      .required = 1, .about = "its centre at t = 0; of a polygon or hull where the origin of its points is" },
     { .key = "size", .unit = "m", AT(size), .max = 1e6, .type = PARAM_VECTOR,
       .about = "sides of a box, along its own axes" },
-    { .key = "radius", .unit = "m", AT(radius), .max = 1e6, .about = "of a disc or sphere" },
+    { .key = "radius", .unit = "m", AT(radius), .max = 1e6, .about = "of a disc, sphere or cylinder" },
+#if DIM == 3
+    { .key = "height", .unit = "m", AT(height), .max = 1e6,
+      .about = "of a cylinder, along its own third axis" },
+#endif
+    { .key = "points", .unit = "m", AT(points), .min = -1e6, .max = 1e6, .type = PARAM_POINTS,
+      .fallback = NAN,
+      .about = "2D: corners of a polygon in turn, either way round; 3D: points whose convex hull it is; "
+               "from `at`, before it is turned" },
     { .key = "density", .unit = "kg/m^3", AT(density), .max = 1e6,
       .about = "of the material; give this or mass, 0 is not given" },
     { .key = "mass", .unit = MASS, AT(mass), .max = 1e12,
@@ -77,99 +86,46 @@ void rigid_def_turned(const struct rigid_def *d, double *q)
     for (int i = 0; i < TURNING_SPINS; i++)
         angle[i] = d->angle[i] * pi / 180;
     turning_about(angle, q);
+#if DIM == 3
+    double about[4];
+
+    memcpy(about, q, sizeof about);
+    if (turning_known(d->frame))
+        turning_product(about, d->frame, q);
+#endif
 }
 
-bool rigid_def_round(const struct rigid_def *d)
+void rigid_def_tell(const struct rigid_def *d, const double *q, const double *spin,
+                    double *told_q, double *told_spin)
 {
-    return strcmp(d->shape, "box") != 0;
-}
+    memcpy(told_q, q, TURNING_NUMBERS * sizeof *q);
+    memcpy(told_spin, spin, TURNING_SPINS * sizeof *spin);
+#if DIM == 2
+    (void)d;
+#else
+    double back[4] = { d->frame[0], -d->frame[1], -d->frame[2], -d->frame[3] }, R[3][3];
 
-static int check_size(const struct rigid_def *d, const char *path)
-{
-    double least = HUGE_VAL, most = 0;
-
-    for (int i = 0; i < DIM; i++) {
-        least = fmin(least, d->size[i]);
-        most = fmax(most, d->size[i]);
+    if (!turning_known(d->frame))
+        return;
+    turning_product(q, back, told_q);
+    turning_matrix(d->frame, R);
+    for (int i = 0; i < 3; i++) {
+        told_spin[i] = 0;
+        for (int k = 0; k < 3; k++)
+            told_spin[i] += R[i][k] * spin[k];
     }
-    if (rigid_def_round(d) && most > 0)
-        return status_fail(STATUS_BAD_SCENE, "%s: a %s has no size; leave it out, and set radius",
-                           path, d->shape);
-    if (rigid_def_round(d) && !(d->radius > 0))
-        return status_fail(STATUS_BAD_SCENE, "%s: radius = %g m makes no %s; set a radius above 0",
-                           path, d->radius, d->shape);
-    if (rigid_def_round(d) && d->uplift)
-        return status_fail(STATUS_BAD_SCENE, "%s: uplift is for the flat faces of a box, and a %s has "
-                           "none; leave it out", path, d->shape);
-    if (!rigid_def_round(d) && d->radius > 0)
-        return status_fail(STATUS_BAD_SCENE, "%s: a box has no radius; leave it out, and set size, "
-                           "or set shape = \"%s\"", path, shapes[1]);
-    if (!rigid_def_round(d) && !(least > 0))
-        return status_fail(STATUS_BAD_SCENE, "%s: a side of %g m makes no box; set size, %d numbers "
-                           "above 0 (m)", path, least, DIM);
-    return STATUS_DONE;
+#endif
 }
 
-int rigid_def_check(const struct rigid_def *d, const char *path)
+int rigid_def_check(const struct rigid_def *d, double volume, const char *path)
 {
-    TRY(check_size(d, path));
     if (d->density > 0 && d->mass > 0)
         return status_fail(STATUS_BAD_SCENE, "%s: both density = %g kg/m^3 and mass = %g " MASS
                            " are given, and density times volume is %g " MASS "; leave one of "
-                           "them out", path, d->density, d->mass,
-                           d->density * rigid_def_volume(d));
+                           "them out", path, d->density, d->mass, d->density * volume);
     if (!(d->density > 0 || d->mass > 0))
         return status_fail(STATUS_BAD_SCENE, "%s: neither density nor mass is given, so the body "
                            "has no inertia; set density (kg/m^3, wood is 500, PVC 1350) or mass "
                            "(of the whole body, " MASS ")", path);
     return STATUS_DONE;
-}
-
-double rigid_def_volume(const struct rigid_def *d)
-{
-    double sides = 1;
-
-    if (rigid_def_round(d))
-        return DIM == 2 ? pi * d->radius * d->radius : 4 * pi / 3 * pow(d->radius, 3);
-    for (int i = 0; i < DIM; i++)
-        sides *= d->size[i];
-    return sides;
-}
-
-double rigid_def_surface(const struct rigid_def *d)
-{
-    double faces = 0;
-
-    if (rigid_def_round(d))
-        return DIM * rigid_def_volume(d) / d->radius;
-    for (int i = 0; i < DIM; i++)
-        faces += 2 * rigid_def_volume(d) / d->size[i];
-    return faces;
-}
-
-double rigid_def_mass(const struct rigid_def *d)
-{
-    return d->mass > 0 ? d->mass : d->density * rigid_def_volume(d);
-}
-
-double rigid_def_reach(const struct rigid_def *d)
-{
-    double square = 0;
-
-    for (int i = 0; i < DIM; i++)
-        square += 0.25 * d->size[i] * d->size[i];
-    return rigid_def_round(d) ? d->radius : sqrt(square);
-}
-
-void rigid_def_inertia(const struct rigid_def *d, double *to)
-{
-    const double m = rigid_def_mass(d);
-
-    for (int i = 0; i < TURNING_SPINS; i++) {
-        const double a = d->size[(i + 1) % DIM], b = d->size[DIM == 2 ? 0 : (i + 2) % DIM];
-        if (rigid_def_round(d))
-            to[i] = (DIM == 2 ? 1 / 2.0 : 2 / 5.0) * m * d->radius * d->radius;
-        else
-            to[i] = m / 12 * (a * a + b * b);
-    }
 }

@@ -9,10 +9,14 @@
 #include <stdbool.h>
 
 struct rigid_def {
-    const char *shape;    /* "box", "disc" (2D), "sphere" (3D)                */
-    double at[3];         /* centre                                 [m]       */
+    const char *shape;    /* "box"; 2D "disc", "polygon"; 3D "sphere", "cylinder", "hull" */
+    double at[3];         /* centre, or where the origin of points is [m]     */
     double size[3];       /* sides of a box                         [m]       */
-    double radius;        /* of the others                          [m]       */
+    double radius;        /* disc, sphere, cylinder                 [m]       */
+    double height;        /* cylinder, along its third axis         [m]       */
+    struct param_points points; /* polygon: corners in turn; hull   [m]       */
+    double frame[4];      /* 3D: of its axes of inertia in those that a scene tells it by, a
+                             quaternion; all 0: they are those                */
     double density, mass; /* [kg/m^3], [kg, 2D: kg/m]; 0: not given           */
     double angle[3];      /* [TURNING_SPINS] as turning_about()     [deg]     */
     double velocity[3];   /* of the centre at t = 0                 [m/s]     */
@@ -31,23 +35,14 @@ struct rigid_def {
 
 extern const struct param rigid_def_params[];
 
-/* Refuses (BAD_SCENE) what cannot stand; path is "body.NAME". */
-int rigid_def_check(const struct rigid_def *d, const char *path);
-
-bool rigid_def_round(const struct rigid_def *d); /* a disc or sphere? */
-
-/* Volume [m^3, 2D: m^2], surface [m^2, 2D: m], mass [kg, 2D: kg/m]. */
-double rigid_def_volume(const struct rigid_def *d);
-double rigid_def_surface(const struct rigid_def *d);
-double rigid_def_mass(const struct rigid_def *d);
+/* Refuses (BAD_SCENE) a mass that cannot be; path is "body.NAME", volume [m^3, 2D: m^2]. */
+int rigid_def_check(const struct rigid_def *d, double volume, const char *path);
 
 /* q at t = 0, [TURNING_NUMBERS]. */
 void rigid_def_turned(const struct rigid_def *d, double *q);
 
-/* Half the longest way through it [m]. */
-double rigid_def_reach(const struct rigid_def *d);
-
-/* Principal moments of inertia to [TURNING_SPINS] [kg m^2, 2D: kg m]. */
-void rigid_def_inertia(const struct rigid_def *d, double *to);
+/* q and spin as the scene's axes have them, of those of its axes of inertia. */
+void rigid_def_tell(const struct rigid_def *d, const double *q, const double *spin,
+                    double *told_q, double *told_spin);
 
 #endif

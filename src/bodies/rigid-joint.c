@@ -52,14 +52,8 @@ static void turn_further(const double *axis, double angle, double *turn)
 #else
     const double w = cos(0.5 * angle), s = sin(0.5 * angle), old[4] = { turn[0], turn[1], turn[2],
                                                                         turn[3] };
-    double u[3], side[3];
 
-    for (int d = 0; d < 3; d++)
-        u[d] = s * axis[d];
-    cross(u, old + 1, side);
-    turn[0] = w * old[0] - u[0] * old[1] - u[1] * old[2] - u[2] * old[3];
-    for (int d = 0; d < 3; d++)
-        turn[1 + d] = w * old[1 + d] + old[0] * u[d] + side[d];
+    turning_product((double[4]){ w, s * axis[0], s * axis[1], s * axis[2] }, old, turn);
 #endif
 }
 

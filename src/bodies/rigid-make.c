@@ -2,7 +2,6 @@
 #include "bodies/rigid-make.h"
 
 #include "base/status.h"
-#include "bodies/rigid-skin.h"
 #include "bodies/rigid-solid.h"
 #include "bodies/skin.h"
 #include "state/scales.h"
@@ -15,6 +14,8 @@ void rigid_make_free(struct body **body)
 {
     if (*body) {
         free((*body)->arm);
+        free((*body)->core);
+        rigid_figure_free(&(*body)->figure);
         rigid_ties_free(&(*body)->def);
     }
     free(*body);
@@ -24,18 +25,18 @@ void rigid_make_free(struct body **body)
 /* The water before a face holds a light body as a spring does:
  *   rate = 0.56 c0 sqrt(rho0/(dx M/A))                                              (RB4)
  * with its mass per wetted area, measured on a column of water below a free piston. */
-static double fastest(const struct rigid_def *d, const struct scales *s)
+static double fastest(const struct body *b, const struct scales *s)
 {
     if (!s->fluid)
         return 0;
-    return 0.56 * s->c0 * sqrt(s->rho0 * rigid_def_surface(d) / (s->dx * rigid_def_mass(d)));
+    return 0.56 * s->c0 * sqrt(s->rho0 * b->figure.surface / (s->dx * b->mass));
 }
 
 /* Without water, a speed that its own motion has. */
 static void measure(struct body *b, const struct scales *s)
 {
     double v2 = 0, spin2 = 0, g2 = 0;
-    const double reach = rigid_def_reach(&b->def);
+    const double reach = b->figure.reach;
 
     for (int d = 0; d < DIM; d++) {
         b->g[d] = s->g[d];
@@ -54,12 +55,12 @@ static void measure(struct body *b, const struct scales *s)
 }
 
 /* Of the lattice in the box around it; those near its border become points. */
-static double sites(const struct rigid_def *d, double dx)
+static double sites(const struct rigid_figure *f, double dx)
 {
     double n = dx > 0;
 
     for (int k = 0; dx > 0 && k < DIM; k++)
-        n *= fmax(1, (rigid_def_round(d) ? 2 * d->radius : d->size[k]) / dx);
+        n *= fmax(1, f->span[k] / dx);
     return n;
 }
 
@@ -82,22 +83,30 @@ static void tie(struct body *b)
         b->rate = b->decay = 0; /* nothing moves it but time */
 }
 
-static int build(struct body *b, const struct scales *s)
+/* Without water it has none. */
+static int lay_skin(struct body *b, const struct scales *s)
 {
     const int layers = b->def.layers > 0 ? b->def.layers
                                          : s->dx > 0 ? (int)ceil(s->support / s->dx) : 0;
+    struct points skin = { .n = 0 };
+    int code = STATUS_DONE;
 
-    TRY(skin_check(sites(&b->def, s->dx), b->path));
-    b->mass = rigid_def_mass(&b->def);
-    rigid_def_inertia(&b->def, b->inertia);
-    b->rate = fastest(&b->def, s);
+    TRY(skin_check(sites(&b->figure, s->dx), b->path));
+    if (s->dx > 0)
+        code = b->figure.form->skin(&b->figure, s->dx, layers, &skin);
+    b->points = (int)skin.n;
+    b->arm = skin.x;
+    return code;
+}
+
+static int build(struct body *b, const struct scales *s)
+{
+    b->mass = rigid_figure_mass(&b->figure, &b->def);
+    rigid_figure_inertia(&b->figure, b->mass, b->inertia);
+    b->rate = fastest(b, s);
     tie(b);
     measure(b, s);
-    b->points = rigid_skin(&b->def, s->dx, layers, NULL);
-    b->arm = status_alloc((unsigned long)b->points + 1, sizeof *b->arm);
-    if (!b->arm)
-        return STATUS_FAILED;
-    rigid_skin(&b->def, s->dx, layers, b->arm);
+    TRY(lay_skin(b, s));
     return rigid_solid_make(b, s);
 }
 
@@ -109,13 +118,14 @@ int rigid_make(const void *params, const struct scales *s, const char *name, con
 
     (void)name;
     *out = NULL;
-    TRY(rigid_def_check(params, path));
     b = status_alloc(1, sizeof *b);
     if (!b)
         return STATUS_FAILED;
     b->def = *(const struct rigid_def *)params;
     snprintf(b->path, sizeof b->path, "%s", path);
-    code = rigid_ties_prepare(&b->def, path);
+    code = rigid_figure_make(&b->def, path, &b->figure);
+    if (code == STATUS_DONE)
+        code = rigid_ties_prepare(&b->def, path);
     if (code == STATUS_DONE)
         code = build(b, s);
     if (code != STATUS_DONE)

@@ -3,7 +3,7 @@
 #define BODIES_RIGID_MAKE_H
 
 #include "bodies/bodies.h"
-#include "bodies/rigid-def.h"
+#include "bodies/rigid-figure.h"
 #include "bodies/rigid-joint.h"
 #include "bodies/rigid-spring.h"
 
@@ -17,8 +17,10 @@ struct body {
     int points;
     double (*arm)[DIM];                  /* [points], in the frame of the body [m]  */
     int row[4];                          /* x, turn, v, spin                       */
-    double margin, ball, depth, film;    /* of contacts: rounds edges; of a corner; d_U; gap to
-                                            walls [m]                              */
+    double margin, depth, film;          /* of contacts: rounds edges; d_U; gap to walls [m] */
+    struct rigid_figure figure;
+    int cores;
+    struct core *core;                   /* [cores] what contacts take it for     */
     struct rigid_joint joint;
     int joint_row[3];                    /* with a joint: q, q', time             */
     struct rigid_rope rope[RIGID_SPRINGS]; /* [def.ties.springs]                  */

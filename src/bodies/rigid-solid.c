@@ -11,46 +11,58 @@
 
 static const double wave = 2.7, most = 0.25; /* (RT5) */
 
-static double least_size(const struct rigid_def *d)
+static int take_cores(struct body *b)
 {
-    double least = 2 * d->radius;
+    const struct rigid_form *form = b->figure.form;
 
-    for (int i = 0; i < DIM && !rigid_def_round(d); i++)
-        least = i ? fmin(least, d->size[i]) : d->size[i];
-    return least;
+    if (form->kernels)
+        TRY(form->kernels(&b->figure, b->margin));
+    b->cores = form->cores(&b->figure, b->margin, NULL);
+    b->core = status_alloc((size_t)b->cores, sizeof *b->core);
+    if (!b->core)
+        return STATUS_FAILED;
+    form->cores(&b->figure, b->margin, b->core);
+    return STATUS_DONE;
 }
 
 int rigid_solid_make(struct body *b, const struct scales *s)
 {
     const struct rigid_def *d = &b->def;
-    const double least = least_size(d), own = s->fluid ? fmin(0.5 * s->dx, 0.5 * least) : least / 20;
+    const double least = b->figure.least, own = s->fluid ? fmin(0.5 * s->dx, 0.5 * least) : least / 20;
     const double soft = s->fluid ? fmin(most, wave * b->speed / (s->c0 + b->speed)) : most;
 
     b->margin = d->margin > 0 ? d->margin : own;
     b->film = s->fluid ? d->film * s->dx : 0;
-    b->ball = rigid_def_round(d) ? d->radius : b->margin;
     b->depth = (d->softness > 0 ? d->softness : soft) * 2 * b->margin;
-    if (rigid_def_round(d) || b->margin <= 0.5 * least)
-        return STATUS_DONE;
-    return status_fail(STATUS_BAD_SCENE, "%s: a margin of %g m rounds off more than half of its "
-                       "shortest side, %g m; set a smaller margin", b->path, b->margin, least);
+    if (!(b->margin <= 0.5 * least) && !b->figure.form->rounds)
+        return status_fail(STATUS_BAD_SCENE, "%s: a margin of %g m rounds off more than half of its "
+                           "shortest side, %g m; set a smaller margin", b->path, b->margin, least);
+    return take_cores(b);
 }
 
-static void facts(const struct body *b, struct solid *out)
+static int solids(const struct body *b)
+{
+    return b->cores;
+}
+
+static void facts(const struct body *b, int i, struct solid *out)
 {
     double q[TURNING_NUMBERS];
 
-    *out = (struct solid){ .path = b->path, .core.ball = b->ball, .mass = b->mass,
+    *out = (struct solid){ .path = b->path, .core = b->core[i], .mass = b->mass,
                            .margin = b->margin,
                            .film = b->film, .uplift = b->def.uplift, .stops = b->def.stops,
                            .speed = b->speed, .depth = b->depth,
                            .restitution = b->def.restitution, .friction = b->def.friction };
     memcpy(out->inertia, b->inertia, sizeof out->inertia);
-    for (int d = 0; d < DIM && !rigid_def_round(&b->def); d++)
-        out->core.half[d] = 0.5 * b->def.size[d] - b->ball;
     rigid_def_turned(&b->def, q);
     turning_matrix(q, out->start.R);
     memcpy(out->start.x, b->def.at, sizeof out->start.x);
+}
+
+static double depth(const struct body *b, const double *own)
+{
+    return b->figure.form->depth(&b->figure, own);
 }
 
 static void stand(const struct body *b, const struct layout *l, const double *y,
@@ -80,4 +92,5 @@ void rigid_solid_add(const struct body_work *w, double *force, double *moment, d
         moment[i] += w->push.moment[i];
 }
 
-const struct body_solid rigid_solid = { .facts = facts, .stand = stand, .push = push };
+const struct body_solid rigid_solid = { .solids = solids, .facts = facts, .depth = depth,
+                                       .stand = stand, .push = push };

@@ -20,7 +20,7 @@ int rigid_state_row(struct body *b, struct layout *l, int *row, enum layout_clas
 /* A quaternion turns by half the angle. */
 static int free_rows(struct body *b, struct layout *l)
 {
-    const double reach = rigid_def_reach(&b->def), half = DIM == 2 ? 1 : 0.5;
+    const double reach = b->figure.reach, half = DIM == 2 ? 1 : 0.5;
 
     TRY(rigid_state_row(b, l, &b->row[0], LAYOUT_POSITION, "x", "m", 1, DIM, b->length));
     TRY(rigid_state_row(b, l, &b->row[1], LAYOUT_POSITION, "turn", DIM == 2 ? "rad" : "", 1,
@@ -37,7 +37,7 @@ static double lever(const struct body *b)
 
     for (int d = 0; d < DIM; d++)
         arm2 += b->joint.arm[d] * b->joint.arm[d];
-    return b->joint.kind == RIGID_HINGE ? sqrt(arm2) + rigid_def_reach(&b->def) : 1;
+    return b->joint.kind == RIGID_HINGE ? sqrt(arm2) + b->figure.reach : 1;
 }
 
 static int joint_rows(struct body *b, struct layout *l)

@@ -9,7 +9,6 @@
 
 #include "base/status.h"
 #include "bodies/rigid-hold.h"
-#include "bodies/rigid-skin.h"
 #include "bodies/rigid-solid.h"
 #include "bodies/rigid-state.h"
 
@@ -206,11 +205,11 @@ static void rigid_pose(const struct body *b, struct body_work *w, const struct l
     rigid_state_read(b, w, l, y);
     memcpy(out->x, w->x, sizeof out->x);
     memcpy(out->v, w->v, sizeof out->v);
-    memcpy(out->spin, w->spin, TURNING_SPINS * sizeof *out->spin);
+    rigid_def_tell(&b->def, w->turn, w->spin, out->turn, out->spin);
     for (int i = 0; i < TURNING_NUMBERS; i++)
-        length += w->turn[i] * w->turn[i];
+        length += out->turn[i] * out->turn[i];
     for (int i = 0; i < TURNING_NUMBERS; i++)
-        out->turn[i] = w->turn[i] / (DIM == 2 ? 1 : sqrt(length));
+        out->turn[i] /= DIM == 2 ? 1 : sqrt(length);
     gather(b, w, force, out->force, moment);
     turn_moment(w, moment, out->moment);
     rigid_solid_add(w, out->contact, moment, support);
@@ -219,7 +218,7 @@ static void rigid_pose(const struct body *b, struct body_work *w, const struct l
 
 static bool rigid_holds(const struct body *b, const double *x)
 {
-    return rigid_skin_holds(&b->def, x);
+    return rigid_figure_holds(&b->figure, &b->def, x);
 }
 
 static bool rigid_tied(const struct body *b)
@@ -237,7 +236,7 @@ static const struct body_watch watch = { .event = rigid_event, .holds = rigid_ho
 
 const struct body_kind bodies_rigid = {
     .identity = {
-        .name = "rigid", .about = "rigid body: a box, a disc (2D) or a sphere (3D)",
+        .name = "rigid", .about = "rigid body: a box; a disc or polygon (2D); a sphere, cylinder or hull (3D)",
         .equation = "M V' = F + M g, I Omega' = R^T T - Omega x I Omega  (RB3)",
         .source = "Goldstein 1980; k_q: Baumgarte 1972",
         .group = "body", .size = sizeof(struct rigid_def), .params = rigid_def_params,

@@ -115,4 +115,20 @@ void turning_gyration(const double *inertia, const double *spin, double *to)
     }
 }
 
+void turning_product(const double *q, const double *first, double *to)
+{
+    const double *a = q + 1, *b = first + 1;
+
+    to[0] = q[0] * first[0] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[1 + i] = q[0] * b[i] + first[0] * a[i] + (a[j] * b[k] - a[k] * b[j]);
+    }
+}
+
+bool turning_known(const double *q)
+{
+    return square(q) > 0;
+}
+
 #endif

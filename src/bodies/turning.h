@@ -8,6 +8,8 @@
 
 #include "space/kinds.h"
 
+#include <stdbool.h>
+
 enum {
     TURNING_NUMBERS = DIM == 2 ? 1 : 4, /* of q: an angle [rad], or w, x, y, z */
     TURNING_SPINS = DIM == 2 ? 1 : 3,   /* of a spin or a moment               */
@@ -31,5 +33,13 @@ void turning_moment(const double *arm, const double *force, double *to);
 
 /* -Omega x I Omega of (RB3), with the principal moments I [TURNING_SPINS]; 0 in the plane. */
 void turning_gyration(const double *inertia, const double *spin, double *to);
+
+#if DIM == 3
+/* The turn q after the turn `first`: q first. */
+void turning_product(const double *q, const double *first, double *to);
+
+/* Is q a turn?  All numbers 0 are none. */
+bool turning_known(const double *q);
+#endif
 
 #endif

@@ -69,34 +69,39 @@ static bool in_skin(const struct moment *m, const struct buckets *skins, int obj
 /* A rigid body where it is. */
 struct rigid {
     bool known;                /* it is one                        */
-    struct solid solid;
+    double reach;              /* from its centre [m]              */
     struct solid_place at;
 };
 
 static void stand(const struct moment *m, const double *y, int i, struct rigid *to)
 {
     const struct moment_body *b = &m->body[i];
+    const struct body_solid *role = b->kind->role.solid;
 
-    to->known = b->kind->role.solid != NULL;
-    if (!to->known)
+    *to = (struct rigid){ .known = role != NULL };
+    if (!role)
         return;
-    b->kind->role.solid->facts(b->body, &to->solid);
-    b->kind->role.solid->stand(b->body, &m->layout, y, &to->at);
+    role->stand(b->body, &m->layout, y, &to->at);
+    for (int k = 0; k < role->solids(b->body); k++) {
+        struct solid solid;
+        role->facts(b->body, k, &solid);
+        to->reach = fmax(to->reach, core_reach(&solid.core));
+    }
 }
 
-/* Deeper than that: its outline is a ball's radius, which is half a spacing and more, from its
- * core. */
-static bool holds(const struct rigid *r, const struct scales *s, const double *x, double depth)
+static bool in_rigid(const struct moment_body *b, const struct rigid *r, const struct scales *s,
+                     const double *x)
 {
-    double step[DIM], own[DIM], nearest[DIM], square = 0;
+    double step[DIM], own[DIM], square = 0;
 
-    for (int d = 0; d < DIM; d++)
+    for (int d = 0; d < DIM; d++) {
         step[d] = period_nearest(s, d, x[d] - r->at.x[d]);
+        square += step[d] * step[d];
+    }
+    if (square > r->reach * r->reach)
+        return false;
     solid_own(&r->at, step, own);
-    core_nearest(&r->solid.core, own, nearest);
-    for (int d = 0; d < DIM; d++)
-        square += (own[d] - nearest[d]) * (own[d] - nearest[d]);
-    return sqrt(square) < r->solid.core.ball - depth || (square == 0 && !core_point(&r->solid.core));
+    return b->kind->role.solid->depth(b->body, own) > half * s->dx;
 }
 
 /* Where all solids are. */
@@ -116,7 +121,7 @@ static int solid_at(const struct moment *m, const struct places *at, const doubl
             return p->wall[i].object;
     for (int i = 0; i < p->bodies; i++)
         if (p->body[i].object >= 0
-            && (at->rigid[i].known ? holds(&at->rigid[i], &p->scales, x, half * p->scales.dx)
+            && (at->rigid[i].known ? in_rigid(&m->body[i], &at->rigid[i], &p->scales, x)
                                    : in_skin(m, &at->skins, p->body[i].object, x)))
             return p->body[i].object;
     return -1;

@@ -5,7 +5,7 @@
 
 #include "base/status.h"
 #include "bodies/bodies.h"
-#include "bodies/rigid-def.h"
+#include "bodies/rigid-figure.h"
 #include "state/scales.h"
 #include "time/method.h"
 
@@ -80,6 +80,17 @@ static struct rigid_def box_def(unsigned held)
 {
     return (struct rigid_def){ .shape = "box", .at = { 0.3, 0.4, 0.5 }, .size = { 0.1, 0.2, 0.06 },
                                .mass = 3, .angle = { 20, -50, 70 }, .held = held };
+}
+
+/* All that a figure of these owns is there after the end of it. */
+static struct rigid_figure inertia_of(struct rigid_def def, double *inertia)
+{
+    struct rigid_figure figure;
+
+    assert_int_equal(rigid_figure_make(&def, "body.it", &figure), STATUS_DONE);
+    rigid_figure_inertia(&figure, rigid_figure_mass(&figure, &def), inertia);
+    rigid_figure_free(&figure);
+    return figure;
 }
 
 static struct rigid_def ball_def(void)
@@ -158,7 +169,7 @@ static void angular_momentum_is_that_of_the_forces(void **state)
     double l[2], moment = 0, inertia[SPINS], X[2][DIM];
 
     (void)state;
-    rigid_def_inertia(&box, inertia);
+    inertia_of(box, inertia);
     make(&one, &box, 11);
     load(&one);
     const double h = 1e-5;
@@ -190,14 +201,14 @@ static void inertia_is_that_of_its_points(void **state)
         double inertia[SPINS], sum[SPINS] = { 0 };
         def.layers = 100;
         make(&one, &def, 1);
-        rigid_def_inertia(&def, inertia);
+        const struct rigid_figure figure = inertia_of(def, inertia);
         assert_int_equal(bodies_rigid.skin(one.body, one.x, NULL), one.points);
         for (int i = 0; i < one.points; i++) {
             double r2 = DIM * scales.dx * scales.dx / 12; /* that of its own cell */
             for (int d = 0; d < DIM; d++)
                 r2 += pow(one.x[i][d] - def.at[d], 2);
             for (int s = 0; s < SPINS; s++)
-                sum[s] += r2 * rigid_def_mass(&def) / one.points / (DIM == 2 ? 1 : 1.5);
+                sum[s] += r2 * rigid_figure_mass(&figure, &def) / one.points / (DIM == 2 ? 1 : 1.5);
         }
         double all = 0, found = 0;
         for (int s = 0; s < SPINS; s++) {
@@ -205,7 +216,7 @@ static void inertia_is_that_of_its_points(void **state)
             found += sum[s];
         }
         near(found / all, 1, 0.021, def.shape);
-        near(one.points * pow(scales.dx, DIM) / rigid_def_volume(&def), 1, 0.02, "points fill it");
+        near(one.points * pow(scales.dx, DIM) / figure.volume, 1, 0.02, "points fill it");
         end(&one);
     }
 }

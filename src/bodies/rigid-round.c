@@ -1,0 +1,80 @@
+/* rigid-round.c -- a rigid body that is a disc or sphere. */
+#include "bodies/rigid-form.h"
+
+#include "base/status.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+static int measure(const struct rigid_def *d, const char *path, struct rigid_figure *to)
+{
+    (void)path;
+    to->radius = to->reach = d->radius;
+    to->least = 2 * d->radius;
+    to->volume = DIM == 2 ? pi * d->radius * d->radius : 4 * pi / 3 * pow(d->radius, 3);
+    to->surface = DIM * to->volume / d->radius;
+    for (int i = 0; i < DIM; i++)
+        to->span[i] = 2 * d->radius;
+    for (int i = 0; i < TURNING_SPINS; i++)
+        to->gyration[i] = (DIM == 2 ? 1 / 2.0 : 2 / 5.0) * d->radius * d->radius;
+    return STATUS_DONE;
+}
+
+/* Point i of n on a circle; on a sphere along a spiral of equal areas (Swinbank, Purser,
+ * Q. J. Roy. Meteorol. Soc. 132 (2006) 1769-1793). */
+static void around(int i, int n, double radius, double *to)
+{
+#if DIM == 2
+    to[0] = radius * cos(2 * pi * i / n);
+    to[1] = radius * sin(2 * pi * i / n);
+#else
+    const double up = 1 - (2 * i + 1.0) / n, across = sqrt(1 - up * up);
+    const double turn = pi * (3 - sqrt(5)) * i;
+    to[0] = radius * across * cos(turn);
+    to[1] = radius * across * sin(turn);
+    to[2] = radius * up;
+#endif
+}
+
+/* Rings or shells. */
+static int skin(const struct rigid_figure *f, double spacing, int layers, struct points *to)
+{
+    for (int k = 0; k < layers; k++) {
+        const double radius = f->radius - (k + 0.5) * spacing;
+        const double q = radius / spacing;
+        if (radius <= -0.5 * spacing)
+            break;
+        const bool middle = q < 0.25;
+        const int m = middle ? 1 : (int)round(DIM == 2 ? 2 * pi * q : 4 * pi * q * q);
+        for (int i = 0; i < m; i++) {
+            double x[DIM];
+            around(i, m, middle ? 0 : radius, x);
+            TRY(points_add(to, x));
+        }
+    }
+    return STATUS_DONE;
+}
+
+static double depth(const struct rigid_figure *f, const double *own)
+{
+    double square = 0;
+
+    for (int d = 0; d < DIM; d++)
+        square += own[d] * own[d];
+    return f->radius - sqrt(square);
+}
+
+/* A point. */
+static int cores(const struct rigid_figure *f, double margin, struct core *core)
+{
+    (void)margin;
+    if (core)
+        *core = (struct core){ .ball = f->radius };
+    return 1;
+}
+
+const struct rigid_form rigid_form_round = { .name = DIM == 2 ? "disc" : "sphere",
+                                             .keys = " radius ", .rounds = true,
+                                             .measure = measure, .skin = skin,
+                                             .depth = depth, .cores = cores };
