@@ -32,10 +32,8 @@ const struct param rigid_def_params[] = {
     { .key = "size", .unit = "m", AT(size), .max = 1e6, .type = PARAM_VECTOR,
       .about = "sides of a box, along its own axes" },
     { .key = "radius", .unit = "m", AT(radius), .max = 1e6, .about = "of a disc, sphere or cylinder" },
-#if DIM == 3
     { .key = "height", .unit = "m", AT(height), .max = 1e6,
-      .about = "of a cylinder, along its own third axis" },
-#endif
+      .about = "3D: of a cylinder, along its own third axis" },
     { .key = "points", .unit = "m", AT(points), .min = -1e6, .max = 1e6, .type = PARAM_POINTS,
       .fallback = NAN,
       .about = "2D: corners of a polygon in turn, either way round; 3D: points whose convex hull it is; "
