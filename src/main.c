@@ -39,6 +39,8 @@ int main(int argc, char **argv)
         if (status == STATUS_DONE)
             status = cli_dimension(&c, &dimension);
     }
+    if (c.command == CLI_HULL)
+        dimension = 3;
     if (c.command == CLI_RESUME)
         status = dimension_of_run(&c, &dimension);
     if (status == STATUS_DONE)

@@ -196,6 +196,7 @@ static int carry_out(const struct cli *c)
     case CLI_PLOT: return plot(c->subject);
     case CLI_REPORT: return report(c->subject);
     case CLI_MOVIE: return movie(c->subject);
+    case CLI_HULL: return cli_hull(c);
     case CLI_LIST: return list(c->subject);
     case CLI_EXPLAIN: return explain(c->subject);
     case CLI_COMPARE: return compare(c);

@@ -1,8 +1,8 @@
-/* contacts-list.c -- which solids there are, and which of them may touch. */
+/* contacts-list.c -- which of the solids of a scene may touch. */
 #include "bodies/contacts-list.h"
 
 #include "base/status.h"
-#include "shapes/shape.h"
+#include "bodies/contacts-solids.h"
 #include "state/period.h"
 
 #include <math.h>
@@ -22,10 +22,7 @@ void contacts_list_free(struct contacts **contacts)
 
     if (!c)
         return;
-    free(c->solid);
-    free(c->part_of);
-    free(c->known);
-    free(c->skinned);
+    contacts_solids_free(c);
     free(c->pair);
     free(c->skin);
     for (int i = 0; i < c->lifts; i++)
@@ -33,85 +30,6 @@ void contacts_list_free(struct contacts **contacts)
     free(c->lift);
     free(c);
     *contacts = NULL;
-}
-
-enum { SIDES = 2 * DIM };
-
-/* A frame has a solid for each of its sides. */
-static int take_memory(struct contacts *c, const struct contacts_scene *s)
-{
-    const size_t all = (size_t)s->bodies + (size_t)s->walls;
-    size_t solids = (size_t)s->walls * SIDES + SIDES;
-
-    for (int i = 0; i < s->bodies; i++)
-        solids += s->body[i].kind->role.solid
-                ? (size_t)s->body[i].kind->role.solid->solids(s->body[i].body) : 0;
-    c->solid = status_alloc(solids, sizeof *c->solid);
-    c->part_of = status_alloc(solids, sizeof *c->part_of);
-    c->known = status_alloc(all + 1, sizeof *c->known);
-    c->skinned = status_alloc(all + 1, sizeof *c->skinned);
-    return c->solid && c->part_of && c->known && c->skinned ? STATUS_DONE : STATUS_FAILED;
-}
-
-static double least_margin(const struct contacts *c, int bodies)
-{
-    double least = c->scales.fluid || bodies == 0 ? 0.5 * c->scales.dx : HUGE_VAL;
-
-    for (int i = 0; i < bodies; i++)
-        least = fmin(least, c->solid[i].margin);
-    return least;
-}
-
-static void know(struct contacts *c, int part)
-{
-    c->part_of[c->solids++] = part;
-    if (part < c->bodies + c->walls)
-        c->known[part] = true;
-}
-
-static int list_bodies(struct contacts *c, const struct contacts_scene *s)
-{
-    for (int i = 0; i < s->bodies; i++) {
-        const struct body_solid *role = s->body[i].kind->role.solid;
-        for (int k = 0; role && k < role->solids(s->body[i].body); k++) {
-            role->facts(s->body[i].body, k, &c->solid[c->solids]);
-            know(c, i);
-        }
-    }
-    return c->solids;
-}
-
-/* Those bits of sides, which are of that part. */
-static void list_sides(struct contacts *c, unsigned sides, int part, double margin)
-{
-    for (int axis = 0; axis < DIM; axis++)
-        for (int high = 0; high < 2; high++)
-            if (sides & shape_side(axis, high)) {
-                solid_of_side(axis, high, c->scales.low, c->scales.high, margin,
-                              &c->solid[c->solids]);
-                c->solid[c->solids].stops = shape_side(axis, high);
-                know(c, part);
-            }
-}
-
-/* Rounded as the sharpest of bodies.  Sides of frames stop all bodies, others those that say so. */
-static void list_walls(struct contacts *c, const struct contacts_scene *s, int bodies)
-{
-    const double margin = least_margin(c, bodies);
-    unsigned framed = 0, named = 0;
-
-    for (int j = 0; j < s->walls; j++) {
-        const struct shape *shape = s->wall[j].shape;
-        if (shape->kind == SHAPE_FRAME) {
-            list_sides(c, ~shape->open, s->bodies + j, margin);
-            framed |= ~shape->open;
-        } else if (solid_of_shape(shape, s->wall[j].path, margin, &c->solid[c->solids])) {
-            know(c, s->bodies + j);
-        }
-    }
-    for (int i = 0; i < bodies; i++)
-        named |= c->solid[i].stops;
-    list_sides(c, named & ~framed, s->bodies + s->walls, margin);
 }
 
 /* Does solid i, of a body, feel that solid? */
@@ -150,15 +68,6 @@ static int list_pairs(struct contacts *c, const struct contacts_scene *s, int bo
     return STATUS_DONE;
 }
 
-/* NULL: it touches nothing. */
-static const struct body_surface *surface_of(const struct contacts_body *b)
-{
-    const struct body_watch *watch = b->kind->watch;
-    const struct body_surface *s = watch && watch->surface ? watch->surface(b->body) : NULL;
-
-    return s && s->touches ? s : NULL;
-}
-
 static int no_skin(void)
 {
     return status_fail(STATUS_BAD_SCENE, "a beam with contact = true touches by its skin, and that is "
@@ -172,7 +81,7 @@ static int list_skins(struct contacts *c, const struct contacts_scene *s)
     if (!c->skin)
         return STATUS_FAILED;
     for (int i = 0; i < s->bodies; i++) {
-        const struct body_surface *surface = surface_of(&s->body[i]);
+        const struct body_surface *surface = contacts_solids_surface(&s->body[i]);
         if (surface && s->body[i].points == 0)
             return no_skin();
         for (int j = 0; j < c->solids && surface; j++) {
@@ -257,9 +166,7 @@ static int build(struct contacts *c, const struct contacts_scene *s)
     c->bodies = s->bodies;
     c->walls = s->walls;
     TRY(contacts_rules_check(s));
-    TRY(take_memory(c, s));
-    bodies = list_bodies(c, s);
-    list_walls(c, s, bodies);
+    TRY(contacts_solids_list(c, s, &bodies));
     TRY(list_pairs(c, s, bodies));
     TRY(list_skins(c, s));
     TRY(list_lifts(c, s, bodies));

@@ -6,6 +6,7 @@
 #include "bodies/contacts-skin.h"
 #include "bodies/contacts-uplift.h"
 #include "bodies/contacts.h"
+#include "bodies/solid-wall.h"
 #include "state/scales.h"
 
 struct contacts {
@@ -14,6 +15,7 @@ struct contacts {
     struct solid *solid;         /* [solids] rigid bodies, walls, sides of the domain */
     int *part_of;                /* [solids] of which body, or wall from `bodies` on; a side that
                                     is no wall's: bodies + walls                   */
+    struct solid_wall *of_wall;  /* [walls] their cores, those of frames without   */
     bool *known, *skinned;       /* [bodies + walls] does it touch; as a skin only? */
     int pairs, skins;
     struct contacts_pair *pair;  /* [pairs] of solids                              */

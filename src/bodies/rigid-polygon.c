@@ -11,6 +11,8 @@
 
 #if DIM == 2
 
+enum { MOST_CORNERS = 1000 }; /* cutting it up takes their square */
+
 static int take(const struct param_points *points, struct rigid_figure *to)
 {
     const int n = points->n;
@@ -29,6 +31,10 @@ static int take(const struct param_points *points, struct rigid_figure *to)
 static int measure(const struct rigid_def *d, const char *path, struct rigid_figure *to)
 {
     TRY(shape_polygon_check(&d->points, "its shape", path));
+    if (d->points.n > MOST_CORNERS)
+        return status_fail(STATUS_BAD_SCENE, "%s: a polygon that bodies touch may have %d corners, and it "
+                           "has %d; leave out those that lie near to others, or make it of several", path,
+                           MOST_CORNERS, d->points.n);
     TRY(take(&d->points, to));
     to->surface = shape_polygon_length(&d->points);
     return rigid_figure_measure(to);

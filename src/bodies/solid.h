@@ -26,10 +26,8 @@ struct solid {
     double restitution, friction; /* of a wall NaN: those of the other           */
 };
 
-struct shape;
-
-/* A wall of that shape, its edges rounded by `margin` [m]; false: contacts do not know it. */
-bool solid_of_shape(const struct shape *s, const char *path, double margin, struct solid *out);
+/* One that nothing moves, without core and place; path is lent. */
+void solid_unmoved(const char *path, struct solid *out);
 
 /* What is beyond a side of the box low..high, for instance the bottom. */
 void solid_of_side(int axis, bool high_side, const double *low, const double *high, double margin,

@@ -7,7 +7,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_SWEEP, CLI_SPREAD, CLI_PLOT, CLI_REPORT, CLI_MOVIE, CLI_LIST, CLI_EXPLAIN };
+enum cli_command { CLI_RUN, CLI_RESUME, CLI_CHECK, CLI_COMPARE, CLI_SWEEP, CLI_SPREAD,
+                   CLI_PLOT, CLI_REPORT, CLI_MOVIE, CLI_HULL, CLI_LIST, CLI_EXPLAIN };
 
 enum { CLI_OVERRIDES = 128 };
 
@@ -32,11 +33,18 @@ struct cli {
         int runs, seed;
         double size, share, window[2];
     } spread;
+    struct cli_stl { /* of hull */
+        double scale; /* metres in one of the file's units             */
+        double merge; /* corners nearer than this are one [m]          */
+    } hull;
 };
 
 /* Fills c from the arguments.  --help and --version print and end the program;
  * a wrong command line prints what is wrong and ends it with status 2. */
 void cli_parse(int argc, char **argv, struct cli *c);
+
+/* Prints what a scene says of the hull of the STL file c->subject. */
+int cli_hull(const struct cli *c);
 
 /* Program, libraries and their versions, as --version prints them. */
 void cli_version(FILE *to);

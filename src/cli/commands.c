@@ -93,6 +93,12 @@ static const struct argp_option spread_options[] = {
     { 0 },
 };
 
+static const struct argp_option hull_options[] = {
+    { "scale", 'x', "X", 0, "Metres in one unit of the file: 0.001 for millimetres (default: 1)", 0 },
+    { "merge", 'G', "LENGTH", 0, "Corners that are nearer than this are one [m] (default: 0)", 0 },
+    { 0 },
+};
+
 static const struct argp_option no_options[] = { { 0 } };
 
 const struct commands_row commands_table[] = {
@@ -130,6 +136,11 @@ const struct commands_row commands_table[] = {
       "A frame for each file in DIR/fields (scene key output.fields), drawn by gnuplot; the colour is "
       "the speed of the water; a 3D tank is cut in the middle.",
       no_options, false },
+    { "hull", CLI_HULL, "FILE.stl",
+      "Prints the points of the convex hull of a surface, for walls, fluids and bodies in 3D.\v"
+      "STL in words or bytes.  What is printed stands in a scene as it is: `stiffwater hull boat.stl "
+      ">boat.points`, and there body = { boat = { shape = \"hull\"; @include \"boat.points\" ... }; };  Dents "
+      "are filled: make a body with dents of several.", hull_options, false },
     { "list", CLI_LIST, "TABLE",
       "Lists what there is: effects, kernels, eos, pressure, walls, bodies, flows or methods.",
       no_options, false },

@@ -113,6 +113,19 @@ static error_t take_spread(int key, char *arg, struct argp_state *argp)
     return 0;
 }
 
+static error_t take_hull(int key, char *arg, struct argp_state *argp)
+{
+    static const double scales[] = { 1e-12, 1e12 }, lengths[] = { 0, 1e6 };
+    struct cli_stl *s = &((struct state *)argp->input)->cli->hull;
+
+    switch (key) {
+    case 'x': numbers(argp, "scale", arg, 1, scales, &s->scale); break;
+    case 'G': numbers(argp, "merge", arg, 1, lengths, &s->merge); break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
 static error_t take_comparison(int key, char *arg, struct argp_state *argp)
 {
     struct cli *c = ((struct state *)argp->input)->cli;
@@ -127,7 +140,7 @@ static error_t take_comparison(int key, char *arg, struct argp_state *argp)
     case 'b': c->budget = seconds(argp, "budget", arg); break;
     case 'e': c->early = seconds(argp, "early", arg); break;
     case 'g': c->growth = true; break;
-    default: return take_spread(key, arg, argp);
+    default: return take_spread(key, arg, argp) == 0 ? 0 : take_hull(key, arg, argp);
     }
     return 0;
 }
@@ -207,7 +220,8 @@ void cli_parse(int argc, char **argv, struct cli *c)
     struct argp argp = { .parser = take };
 
     hold_streams();
-    *c = (struct cli){ .spread = { .runs = 8, .seed = 1, .size = 1e-6, .share = 0.1,
+    *c = (struct cli){ .hull.scale = 1,
+                       .spread = { .runs = 8, .seed = 1, .size = 1e-6, .share = 0.1,
                                    .window = { NAN, NAN } } };
     argp_err_exit_status = STATUS_BAD_SCENE;
     if (argc < 2) {

@@ -207,9 +207,13 @@ void input_free(struct input *in)
         free(in->body[i].params);
     free(in->pressure_self);
     free(in->walls_self);
+    for (int i = 0; i < in->fluids; i++)
+        shape_free(&in->fluid[i].set.shape);
     free(in->fluid);
-    for (int i = 0; i < in->wall_count; i++)
+    for (int i = 0; i < in->wall_count; i++) {
         motion_free(&in->wall[i].motion);
+        shape_free(&in->wall[i].set.shape);
+    }
     free(in->wall);
     free(in->body);
     free(in->pairs.of);

@@ -90,7 +90,7 @@ static void bounds(const struct shape *s, double *low, double *high)
     }
 }
 
-static int check(const struct shape *s, const char *path, const char *where)
+static int check(struct shape *s, const char *path, const char *where)
 {
     if (!shape_is_place(s->from) || !shape_is_place(s->to))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a box needs from and to, its lowest and"

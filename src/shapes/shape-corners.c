@@ -4,7 +4,7 @@
 #include "shapes/layers-private.h"
 #include "shapes/shape-polygon.h"
 
-static int check(const struct shape *s, const char *path, const char *where)
+static int check(struct shape *s, const char *path, const char *where)
 {
     return shape_polygon_check(&s->points, path, where);
 }

@@ -14,7 +14,7 @@
 
 static const double core = 0.4; /* a ring smaller than this is one point [dx] */
 
-static int check(const struct shape *s, const char *path, const char *where)
+static int check(struct shape *s, const char *path, const char *where)
 {
     if (!shape_is_place(s->centre) || isnan(s->radius) || isnan(s->height))
         return status_fail(STATUS_BAD_SCENE, "%s: %s: a cylinder needs centre, radius and height",

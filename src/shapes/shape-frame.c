@@ -4,7 +4,7 @@
 #include "base/status.h"
 #include <math.h>
 
-static int check(const struct shape *s, const char *path, const char *where)
+static int check(struct shape *s, const char *path, const char *where)
 {
     const unsigned all = (1u << 2 * DIM) - 1;
 

@@ -11,7 +11,7 @@ struct shape_kind {
     const char *name;
     const char *keys; /* that not all kinds take, a blank before and behind each */
     bool domain;      /* goes round the domain, whose lattice it continues       */
-    int (*check)(const struct shape *s, const char *path, const char *where);
+    int (*check)(struct shape *s, const char *path, const char *where);
     bool (*contains)(const struct shape *s, const double *x); /* half-open      */
     double (*depth)(const struct shape *s, const double *x);  /* of a point inside [m] */
     void (*bounds)(const struct shape *s, double *low, double *high); /* [DIM] [m] */
@@ -42,6 +42,6 @@ bool shape_between(const double *low, const double *high, const double *x); /* h
 double shape_to_faces(const double *low, const double *high, const double *x); /* from inside [m] */
 
 extern const struct shape_kind shape_box, shape_corners, shape_disc, shape_sphere, shape_frame,
-    shape_cylinder;
+    shape_cylinder, shape_hull;
 
 #endif

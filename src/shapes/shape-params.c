@@ -10,7 +10,7 @@ const char *const shape_types[] = { "box", "polygon", "disc", "frame", NULL };
 #else
 #define ROUND "sphere or cylinder"
 const char *const shape_sides[] = { "left", "right", "bottom", "top", "front", "back", NULL };
-const char *const shape_types[] = { "box", "sphere", "cylinder", "frame", NULL };
+const char *const shape_types[] = { "box", "sphere", "cylinder", "hull", "frame", NULL };
 #endif
 
 #define PLACE(member) offsetof(struct shape, member)
@@ -39,10 +39,12 @@ const struct param shape_params[] = {
     { .key = "height", .unit = "m", .offset = PLACE(height), .type = PARAM_NUMBER,
       .fallback = NAN, .min = 0, .max = SHAPE_REACH,
       .about = "3D: length of a cylinder along its axis, which it needs" },
-#if DIM == 2
     { .key = "points", .unit = "m", .offset = PLACE(points), .type = PARAM_POINTS,
       .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,
+#if DIM == 2
       .about = "corners of a polygon, in turn either way round; the last joins the first" },
+#else
+      .about = "places whose convex hull a hull is, in any order" },
 #endif
     { .key = "centre", .unit = "m", .offset = PLACE(centre), .type = PARAM_VECTOR,
       .fallback = NAN, .min = -SHAPE_REACH, .max = SHAPE_REACH,

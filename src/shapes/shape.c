@@ -5,9 +5,11 @@
 #include "shapes/shape.h"
 
 #include "base/status.h"
+#include "shapes/polytope.h"
 #include "shapes/shape-kind.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LAST = DIM - 1 }; /* the axis that points up */
@@ -20,6 +22,7 @@ static const struct shape_kind *const kinds[] = {
 #else
     [SHAPE_SPHERE] = &shape_sphere,
     [SHAPE_CYLINDER] = &shape_cylinder,
+    [SHAPE_HULL] = &shape_hull,
 #endif
     [SHAPE_FRAME] = &shape_frame,
 };
@@ -156,6 +159,14 @@ int shape_check(struct shape *s, const char *path, const char *where)
     TRY(find_kind(s, path, where));
     TRY(refuse_strangers(s, path, where));
     return shape_kind(s)->check(s, path, where);
+}
+
+void shape_free(struct shape *s)
+{
+    if (s->hull)
+        polytope_free(s->hull);
+    free(s->hull);
+    s->hull = NULL;
 }
 
 bool shape_contains(const struct shape *s, const double *x)

@@ -8,15 +8,18 @@
 
 #define SHAPE_REACH 1e6 /* largest coordinate a scene may use [m] */
 
-enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME, SHAPE_CYLINDER };
+enum shape_type { SHAPE_BOX, SHAPE_POLYGON, SHAPE_DISC, SHAPE_SPHERE, SHAPE_FRAME, SHAPE_CYLINDER,
+                  SHAPE_HULL };
+
+struct polytope; /* shapes/polytope.h */
 
 /* As a scene gives it (keys of shape_params); a frame is the shell of
  * `layers` spacings around the domain, with the corners between two closed
  * sides.  Vectors and radius that a scene did not give are NaN. */
 struct shape {
-    const char *type;           /* "box", "polygon", "disc" | "sphere", "frame", "cylinder" */
+    const char *type;           /* "box", "polygon", "disc" | "sphere", "cylinder", "hull", "frame" */
     double from[3], to[3];      /* box: lowest and highest corner   [m]       */
-    struct param_points points; /* polygon: corners in turn         [m]       */
+    struct param_points points; /* polygon: corners in turn; hull: it is theirs [m] */
     double centre[3], radius;   /* disc, sphere, cylinder           [m]       */
     double height;              /* cylinder: length along its axis  [m]       */
     double axis[3];             /* 3D: direction that a box is turned about, or
@@ -25,6 +28,7 @@ struct shape {
                                    for who looks against the axis   [deg]     */
     const char *fill;           /* "auto" (or NULL), "layers", "lattice"      */
     enum shape_type kind;       /* set by shape_check                         */
+    struct polytope *hull;      /* of a hull, likewise; shape_free() frees it  */
     double thickness;           /* set by the caller: of a frame's shell, and of
                                    a wall in layers (0: filled to its middle) [m] */
     /* set by the caller for a frame */
@@ -46,6 +50,7 @@ extern const char *const shape_types[];   /* allowed in this dimension        */
  * corners, crossing edges, radius 0, a disc in 3D, keys of another type).
  * path is the object ("wall.block"), where is "FILE:LINE". */
 int shape_check(struct shape *s, const char *path, const char *where);
+void shape_free(struct shape *s); /* what shape_check() took, also after a refusal */
 
 /* Half-open: a point on the border of two shapes is in one of them only (turned
  * boxes up to rounding). */
