@@ -68,6 +68,7 @@ shipped_rows() {
     ship all block-heap until=0.4
     ship few rolling-disc until=0.3
     ship all floating-disc until=0.1
+    ship few floating-wedge until=0.1
     ship all moored-box until=0.1
     ship few box-in-waves spacing=0.025 until=0.1
     ship few pendulum-gate until=0.1

@@ -21,6 +21,16 @@ echo "disc: its centre is $rise m above the place by Archimedes"
 claim 'draft of a disc within a tenth of a spacing' "$rise^2 < 0.001^2"
 claim 'its energy closes' "$(number disc energy_defect_max) < 1e-3"
 
+# A triangle: sqrt(1/2) of its height deep in a level of (0.1890 + 0.01125)/0.8 m.
+well wedge "$scenes/floating-wedge.scene"
+rise=$(field wedge wedge.y 't > 6 { n++; sum += x } END { print sum / n - 0.25031 + 0.15 * (sqrt(0.5) - 2 / 3) }')
+lift=$(field wedge wedge.fy 't > 6 { n++; sum += x } END { print sum / n / 110.3625 }')
+echo "wedge: its centre is $rise m above the place by Archimedes, its lift $lift of its weight"
+claim 'draft of a wedge within a tenth of a spacing' "$rise^2 < 0.001^2"
+claim 'its lift is its weight within 1 %' "($lift - 1)^2 < 0.01^2"
+claim 'it is upright within a degree' "$(field wedge wedge.angle 'END { print x }')^2 < 0.0175^2"
+claim 'its energy closes, too' "$(number wedge energy_defect_max) < 1e-3"
+
 # The experiment: 0.35 s.
 well block "$scenes/sinking-block.scene"
 # Water stays beneath it: its lower face comes to rest within half a spacing of the bed.
