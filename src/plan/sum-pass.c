@@ -25,7 +25,7 @@ static void sum_chunk(const void *of, int chunk, int from, int to, struct block 
 
     (void)chunk;
     for (int s = 0; s < slots; s++)
-        exact_rows_open(&book.rows[s], &cut[s]);
+        exact_rows_open(&book.rows[s]);
     work->groups(pass, from, to, b, &book);
     for (int s = 0; s < slots; s++)
         exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
