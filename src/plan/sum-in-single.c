@@ -5,7 +5,7 @@
 
 #include "base/status.h"
 #include "space/record.h"
-#include "space/single.h"
+#include "space/single-pack.h"
 
 #include <stdlib.h>
 #include <string.h>
