@@ -103,12 +103,7 @@ void waiting_choose(int threads)
 
 bool waiting_repays(long n)
 {
-    static int worth;
+    const char *turns = getenv("GOMP_SPINCOUNT");
 
-    if (worth == 0) {
-        const char *turns = getenv("GOMP_SPINCOUNT");
-
-        worth = turns && atol(turns) > 0 ? WORTH_CALLING : WORTH_WAKING;
-    }
-    return n > worth;
+    return n > (turns && atol(turns) > 0 ? WORTH_CALLING : WORTH_WAKING);
 }

@@ -23,7 +23,7 @@ void waiting_choose(int threads);
 void waiting_sleep(void);
 
 /* Does a loop that takes a nanosecond or two for each of n particles repay waking the
- * threads?  Much sooner where they spin.  For one thread at a time. */
+ * threads?  Much sooner where they spin, as GOMP_SPINCOUNT says. */
 bool waiting_repays(long n);
 
 #endif
