@@ -22,6 +22,10 @@
  * L is the number of lanes of the list; with an s behind, pairs are summed in single
  * precision, with twice as many.
  *
+ * The last lines have two threads in turn with one; how many loops for several threads a
+ * right-hand side has, and what part of its time one thread spends outside of them.  With the
+ * argument `threads` there are no other lines.
+ *
  * The share is that of the default method in data/scenes/dam-break.scene from 0
  * to 0.3 s: 21, 12, 7 % of right-hand sides at margins of 0.05, 0.1, 0.2 (here 20, 10, 5);
  * dam-break-3d.scene with spacing=0.037 has 24, 17, 12 % at 0.03, 0.05, 0.1. */
@@ -311,11 +315,36 @@ static void rebuild_parts(struct water_def def)
     }
 }
 
+enum { CALLS = 20 }; /* right-hand sides, timed together */
+
+static void call(struct water *w)
+{
+    for (int i = 0; i < CALLS; i++)
+        water_rates(w);
+}
+
+/* Of one thread: the part of its time outside of all loops for several (the median), and how
+ * many of these a right-hand side has. */
+static double serial_share(struct water *w, double *regions)
+{
+    double share[BENCH_REPEATS];
+    const long before = bench_regions().n;
+
+    for (int r = 0; r < BENCH_REPEATS; r++) {
+        const double inside = bench_regions().inside, start = bench_cpu();
+
+        call(w);
+        const double all = bench_cpu() - start;
+        share[r] = 1 - (bench_regions().inside - inside) / all;
+    }
+    *regions = (double)(bench_regions().n - before) / (CALLS * BENCH_REPEATS);
+    return bench_sort(share, BENCH_REPEATS).median;
+}
+
 /* Wall time of one thread over that of two, in turn, and CPU time likewise. */
 static void two_threads(const struct water_def *def)
 {
-    enum { CALLS = 20 };
-    double wall[BENCH_REPEATS], cpu[BENCH_REPEATS];
+    double wall[BENCH_REPEATS], cpu[BENCH_REPEATS], regions;
     struct water w;
 
     water_make(&w, def);
@@ -327,8 +356,7 @@ static void two_threads(const struct water_def *def)
             bench_threads(threads);
             water_rates(&w);
             const double start = bench_wall(), start_cpu = bench_cpu();
-            for (int i = 0; i < CALLS; i++)
-                water_rates(&w);
+            call(&w);
             took[threads - 1] = bench_wall() - start;
             used[threads - 1] = bench_cpu() - start_cpu;
         }
@@ -338,8 +366,10 @@ static void two_threads(const struct water_def *def)
     bench_threads(1);
     const struct bench_times a = bench_sort(wall, BENCH_REPEATS);
     const struct bench_times c = bench_sort(cpu, BENCH_REPEATS);
-    printf("two threads, %d particles: %.2f times as fast (%.2f-%.2f), CPU time %.2f-fold "
-           "(%.2f-%.2f)\n", w.all, a.median, a.least, a.most, c.median, c.least, c.most);
+    const double serial = serial_share(&w, &regions);
+    printf("two threads, %6d particles, %s: %.2f times as fast (%.2f-%.2f), CPU time %.2f-fold "
+           "(%.2f-%.2f), %.1f loops, serial %.1f %%\n", w.all, def->single ? "single" : "double",
+           a.median, a.least, a.most, c.median, c.least, c.most, regions, 100 * serial);
     water_free(&w);
 }
 
@@ -366,12 +396,27 @@ static void cases(void)
 }
 #endif
 
+static void threads_help(void)
+{
+    for (int single = 0; single < 2; single++) {
+        struct water_def of = usual;
+
+        of.single = single;
+        two_threads(&of);
+        of.n = 5000;
+        two_threads(&of);
+    }
+}
+
 int main(int argc, char **argv)
 {
-    (void)argc;
     bench_start(argv);
     bench_head(DIM == 2 ? "whole right-hand side in 2D" : "whole right-hand side in 3D",
                engine_pick()->lanes);
+    if (argc > 1 && strcmp(argv[1], "threads") == 0) {
+        threads_help();
+        return 0;
+    }
     csv = bench_csv(argv[0], "dimension,fluid,all,lanes,precision,support,margin,share,neighbours,rows,"
                     "gather,laws,pack,rest,sort,rebuild,fresh,rhs,rhs_least,rhs_most,"
                     "million_rhs_per_s,million_pairs_per_s,list_share,hash,threads_1_2_4");
@@ -383,7 +428,7 @@ int main(int argc, char **argv)
     per_effect(&usual);
     one_loop(&usual);
     rebuild_parts(usual);
-    two_threads(&usual);
+    threads_help();
     fclose(csv);
     return 0;
 }

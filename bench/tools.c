@@ -2,6 +2,7 @@
 #include "tools.h"
 
 #include "base/status.h"
+#include "base/waiting.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,7 +79,7 @@ void bench_threads(int n)
 void bench_start(char **argv)
 {
     if (!getenv("OMP_WAIT_POLICY")) {
-        setenv("OMP_WAIT_POLICY", "passive", 1); /* read when a program is loaded */
+        waiting_choose(2); /* read when a program is loaded */
         execv(argv[0], argv);
     }
     bench_threads(1);
@@ -126,6 +127,7 @@ void bench_head(const char *what, int lanes)
         load = 0;
     printf("\n%s\nmachine: %s at %.2f GHz, %d lanes, gcc %s, load %.1f\n", what, name,
            clock_rate(), lanes, __VERSION__, load);
+    printf("threads that wait %s\n", getenv("GOMP_SPINCOUNT") ? "spin" : "sleep");
     if (load > 0.5)
         printf("WARNING: others are at work (load %.1f): times are too long\n", load);
 }

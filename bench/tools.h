@@ -28,9 +28,18 @@ uint64_t bench_hash(uint64_t hash, const void *bytes, size_t n);
 
 void bench_threads(int n);
 
-/* First of all: one thread, and threads that wait leave their core to others as
- * in the real program (which means starting once more). */
+/* First of all: one thread, and threads that wait as in the real program, which looks for
+ * free cores (base/waiting.h).  Means starting once more. */
 void bench_start(char **argv);
+
+/* Loops for several threads, so far: how many, and the CPU time that their calling thread was
+ * in them [s].  Needs bench/regions.c and the linker's --wrap=GOMP_parallel; a loop that its
+ * `if` denies threads is none.  0 with other compilers than gcc. */
+struct bench_regions {
+    long n;
+    double inside;
+};
+struct bench_regions bench_regions(void);
 
 /* Processor, clock, lanes, compiler, load; a warning when others are at work. */
 void bench_head(const char *what, int lanes);

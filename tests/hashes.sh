@@ -28,7 +28,8 @@
 set -u
 LC_ALL=C
 OMP_WAIT_POLICY=passive
-export LC_ALL OMP_WAIT_POLICY
+GOMP_SPINCOUNT=1 # as good as none, but short loops have threads, too: base/waiting.h
+export LC_ALL OMP_WAIT_POLICY GOMP_SPINCOUNT
 unset STIFFWATER_LANES
 tab=$(printf '\t')
 columns="scene${tab}method${tab}keys${tab}status${tab}dimension${tab}ran${tab}steps"

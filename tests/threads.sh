@@ -18,7 +18,8 @@ OMP_TOOL_LIBRARIES=$(dirname "$(readlink -f "$library")")/libarcher.so
 [ -f "$OMP_TOOL_LIBRARIES" ] || { echo "$OMP_TOOL_LIBRARIES is missing"; exit 77; }
 TSAN_OPTIONS='ignore_noninstrumented_modules=1 exitcode=66'
 OMP_WAIT_POLICY=passive
-export OMP_TOOL_LIBRARIES TSAN_OPTIONS OMP_WAIT_POLICY
+GOMP_SPINCOUNT=1 # short loops have threads, too: base/waiting.h
+export OMP_TOOL_LIBRARIES TSAN_OPTIONS OMP_WAIT_POLICY GOMP_SPINCOUNT
 
 scenes=$top_srcdir/data/scenes
 sed 's/artificial-viscosity = .*/laminar-viscosity = { mu = 500.0; side = "implicit"; };/' \

@@ -12,7 +12,9 @@
 
 enum {
     TURNS = 1000, /* 10 to 40 microseconds: longer than what is between two loops */
-    LOOKS = 5     /* at the machine                                               */
+    LOOKS = 5,    /* at the machine                                               */
+    WORTH_WAKING = 12000, /* particles of waiting_repays(), where threads sleep    */
+    WORTH_CALLING = 1500  /* and where they spin                                   */
 };
 
 int waiting_spins(int threads, int processors, int all, int busy)
@@ -97,4 +99,11 @@ void waiting_choose(int threads)
     snprintf(turns, sizeof turns, "%d", spins);
     if (spins > 0)
         setenv("GOMP_SPINCOUNT", turns, 0);
+}
+
+bool waiting_repays(long n)
+{
+    const char *turns = getenv("GOMP_SPINCOUNT");
+
+    return n > (turns && atol(turns) > 0 ? WORTH_CALLING : WORTH_WAKING);
 }

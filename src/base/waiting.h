@@ -7,6 +7,8 @@
 #ifndef BASE_WAITING_H
 #define BASE_WAITING_H
 
+#include <stdbool.h>
+
 /* Turns that a waiting thread spins before it sleeps; 0: it sleeps at once.  threads: of the
  * program; processors: that it may use; busy: other threads that run on the `all` processors
  * of the machine, -1: not known. */
@@ -19,5 +21,9 @@ void waiting_choose(int threads);
 
 /* The same where programs will run side by side: they sleep. */
 void waiting_sleep(void);
+
+/* Does a loop that takes a nanosecond or two for each of n particles repay waking the
+ * threads?  Much sooner where they spin, as GOMP_SPINCOUNT says. */
+bool waiting_repays(long n);
 
 #endif

@@ -5,21 +5,26 @@
 
 #include "base/status.h"
 #include "space/record.h"
-#include "space/single.h"
+#include "space/single-pack.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const struct sum_single *const single = &LANE_SINGLE_NAME(sum_single);
 
 /* Half h of the sums as a law in double precision leaves them. */
-static void widen(int slots, const float *sum, int h, struct sum *part)
+LANES_INLINE void widen(int slots, const float *sum, int h, struct sum *part)
 {
-    for (int s = 0; s < slots; s++, sum += (DIM + 1) * 2 * LANES)
-        for (int l = 0; l < LANES; l++) {
-            for (int d = 0; d < DIM; d++)
-                part[s].f[d][l] = sum[(2 * d + h) * LANES + l];
-            part[s].drho[l] = sum[(2 * DIM + h) * LANES + l];
-        }
+    typedef float half __attribute__((vector_size(LANES * sizeof(float))));
+    half x[DIM + 1];
+
+    for (int s = 0; s < slots; s++, sum += (DIM + 1) * 2 * LANES) {
+        for (int d = 0; d <= DIM; d++)
+            memcpy(&x[d], sum + (2 * d + h) * LANES, sizeof x[d]);
+        for (int d = 0; d < DIM; d++)
+            part[s].f[d] = __builtin_convertvector(x[d], lanes);
+        part[s].drho = __builtin_convertvector(x[DIM], lanes);
+    }
 }
 
 static void end_group(const struct sum_job *job, int g, const struct sum *part,

@@ -25,7 +25,7 @@ static void sum_chunk(const void *of, int chunk, int from, int to, struct block 
 
     (void)chunk;
     for (int s = 0; s < slots; s++)
-        exact_rows_open(&book.rows[s], &cut[s]);
+        exact_rows_open(&book.rows[s]);
     work->groups(pass, from, to, b, &book);
     for (int s = 0; s < slots; s++)
         exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
@@ -74,9 +74,26 @@ static void add_ranks(int slots, struct exact_sum *power)
         memcpy(power[s].word, word[s], sizeof word[s]);
 }
 
+/* What a row costs by the kind of its owners: it is fetched, and has laws. */
+static void weigh(const struct sum_job *job, int *cost)
+{
+    enum { FETCHED = 7 }; /* laws */
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        int most = 0;
+
+        for (int partner = 0; partner < KINDS; partner++) {
+            const int laws = job->table[kind * KINDS + partner].n;
+            most = laws > most ? laws : most;
+        }
+        cost[kind] = FETCHED + most;
+    }
+}
+
 int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pass_groups *groups)
 {
     const int slots = job->slots;
+    int cost[KINDS];
     struct work work;
 
     if (slots > SUM_SLOTS)
@@ -85,7 +102,8 @@ int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pas
     TRY(make_room(scratch, slots));
     work = (struct work){ { job, scratch->power, scratch->cut, scratch->record }, groups };
     clear_idle(job);
-    visit_chunks(job->list, VISIT_ALL, sum_chunk, &work);
+    weigh(job, cost);
+    visit_shares(job->list, VISIT_ALL, cost, sum_chunk, &work);
     for (int s = 0; s < slots; s++)
         for (int t = 1; t < scratch->threads; t++)
             exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);

@@ -1,6 +1,9 @@
 /* liquid.c -- pressures, energy and waves of a liquid with an equation of state. */
 #include "pressure/liquid.h"
 
+#include "base/threads.h"
+#include "base/waiting.h"
+
 #include <math.h>
 
 int liquid_prepare(void *self, const struct scales *s)
@@ -29,27 +32,50 @@ static void moduli(const void *self, int n, const double *rho, const double *p, 
 const struct part_pressure liquid_pressure = { .pressures = pressures, .moduli = moduli,
                                               .speeds = 10 };
 
-/* Sound and flow together, sound where it is: it is faster in what is pressed. */
-void liquid_limit(const void *self, const struct view *v, struct limit *out)
-{
-    const struct liquid *l = self;
-    const int n = particles_count(v->p, KIND_FLUID);
-    const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
-    double most = -1;
+/* The fastest particle: of several, that with the smallest id. */
+struct fastest {
+    double speed; /* [m/s], -1: there is none */
+    int id;
+};
 
-    for (int id = 0; id < n; id++) {
+/* Of ids from..to-1. */
+static struct fastest find_fastest(const struct liquid *l, const struct view *v, int from, int to)
+{
+    const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
+    struct fastest most = { -1, -1 };
+
+    for (int id = from; id < to; id++) {
         const int i = particles_row(v->p, KIND_FLUID, id);
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
             u2 += u[i * DIM + d] * u[i * DIM + d];
         const double speed = eos_sound(&l->eos, rho[i]) + sqrt(u2);
-        if (speed > most) {
-            most = speed;
-            out->where = id;
-        }
+        if (speed > most.speed)
+            most = (struct fastest){ speed, id };
     }
-    if (most >= 0)
-        out->rate = l->reach * most;
+    return most;
+}
+
+/* Sound and flow together, sound where it is: it is faster in what is pressed. */
+void liquid_limit(const void *self, const struct view *v, struct limit *out)
+{
+    const struct liquid *l = self;
+    const long n = particles_count(v->p, KIND_FLUID);
+    struct fastest most = { -1, -1 };
+
+#pragma omp parallel if (waiting_repays(n))
+    {
+        const long t = threads_me(), of = threads_all();
+        const struct fastest mine = find_fastest(l, v, (int)(n * t / of), (int)(n * (t + 1) / of));
+
+#pragma omp critical
+        if (mine.speed > most.speed || (mine.speed == most.speed && mine.id < most.id))
+            most = mine;
+    }
+    if (most.speed < 0)
+        return;
+    out->where = most.id;
+    out->rate = l->reach * most.speed;
 }
 
 void liquid_energy(const void *self, const struct view *v, struct energies *to)

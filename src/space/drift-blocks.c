@@ -2,6 +2,7 @@
 #include "space/drift.h"
 
 #include "base/status.h"
+#include "base/waiting.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -51,13 +52,13 @@ static size_t make_grid(const struct list *list, struct drift *drift)
 
 static int make_room(const struct list *list, struct drift *drift, size_t blocks)
 {
-    const size_t all = (size_t)(list->n + list->listed - list->image[0]) + 1;
+    const size_t all = (size_t)list->listed + 1;
 
     if (list_grow((void **)&drift->block, &drift->block_room, all, sizeof *drift->block)
-        && list_grow((void **)&drift->next, &drift->next_room, all, sizeof *drift->next)
-        && list_grow((void **)&drift->head, &drift->head_room, blocks, sizeof *drift->head)
-        && list_grow((void **)&drift->used, &drift->used_room, blocks, sizeof *drift->used)
-        && list_grow((void **)&drift->kinds, &drift->kinds_room, blocks, sizeof *drift->kinds)
+        && list_grow((void **)&drift->member, &drift->member_room, all, sizeof *drift->member)
+        && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
+        && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
+        && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
         && list_grow((void **)&drift->range, &drift->range_room, blocks,
                      2 * DIM * sizeof *drift->range))
         return STATUS_DONE;
@@ -73,11 +74,6 @@ static int block_of(const struct drift *drift, const double *x)
     return block;
 }
 
-int drift_number(const struct list *list, int slot)
-{
-    return list->n + slot - list->image[0];
-}
-
 void drift_place(const struct list *list, int slot, const double *x, double *to)
 {
     memcpy(to, x, DIM * sizeof *to);
@@ -85,16 +81,43 @@ void drift_place(const struct list *list, int slot, const double *x, double *to)
         to[d] += list->offset[slot][d];
 }
 
-/* A particle of this kind, which stands at x. */
-static void enter(struct drift *drift, int number, int kind, const double *x)
+/* Which block each place is in. */
+static void find_blocks(const struct list *list, const struct cloud *cloud, struct drift *drift)
 {
-    const int b = drift->block[number] = block_of(drift, x);
+    const double *stand = list->own->stand;
 
-    drift->next[number] = drift->kinds[b] ? drift->head[b] : -1;
-    drift->head[b] = number;
-    if (drift->kinds[b] == 0)
-        drift->used[drift->useds++] = b;
-    drift->kinds[b] |= (unsigned char)KIND_BIT(kind);
+#pragma omp parallel for schedule(static) if (waiting_repays(list->n))
+    for (int s = 0; s < list->start[KINDS]; s++)
+        drift->block[s] = block_of(drift, stand + (size_t)list->order[s] * DIM);
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
+            const int i = list->order[s] - list->def.from[kind];
+            double at[DIM];
+
+            drift_place(list, s, cloud->x[kind] + (size_t)i * DIM, at);
+            drift->block[s] = block_of(drift, at);
+        }
+}
+
+/* Members of each block, one block after the other, each in the order of places: what is near
+ * in space is near in memory. */
+static void gather_members(const struct list *list, struct drift *drift)
+{
+    int next = 0;
+
+    drift->useds = 0;
+    for (int s = 0; s < list->listed; s++) {
+        const int b = drift->block[s];
+        drift->used[drift->useds] = b; /* without a branch: written over if it is there already */
+        drift->useds += drift->count[b]++ == 0;
+    }
+    for (int k = 0; k < drift->useds; k++) {
+        const int b = drift->used[k];
+        drift->end[b] = next;
+        next += drift->count[b];
+    }
+    for (int s = 0; s < list->listed; s++)
+        drift->member[drift->end[drift->block[s]]++] = s;
 }
 
 int drift_note(struct list *list, const struct cloud *cloud)
@@ -106,31 +129,19 @@ int drift_note(struct list *list, const struct cloud *cloud)
         return STATUS_DONE;
     const size_t blocks = make_grid(list, drift);
     TRY(make_room(list, drift, blocks));
-    memset(drift->kinds, 0, blocks);
-    for (int kind = 0; kind < KINDS; kind++) {
-        double at[DIM];
-
-        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++)
-            if (list->slot[i] >= 0)
-                enter(drift, i, kind, list->own->stand + (size_t)i * DIM);
-            else
-                drift->block[i] = -1;
-        for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
-            const int i = list->order[s] - list->def.from[kind];
-            drift_place(list, s, cloud->x[kind] + (size_t)i * DIM, at);
-            enter(drift, drift_number(list, s), kind, at);
-        }
-    }
+    memset(drift->count, 0, blocks * sizeof *drift->count);
+    find_blocks(list, cloud, drift);
+    gather_members(list, drift);
     return STATUS_DONE;
 }
 
 void drift_free(struct drift *drift)
 {
     free(drift->block);
-    free(drift->next);
-    free(drift->head);
+    free(drift->member);
+    free(drift->end);
+    free(drift->count);
     free(drift->used);
-    free(drift->kinds);
     free(drift->range);
     *drift = (struct drift){ 0 };
 }

@@ -1,13 +1,16 @@
 /* drift.c -- displacements compared block by block, and one by one. */
 #include "space/drift.h"
 
+#include "base/waiting.h"
 #include "space/list-private.h"
 
 #include <math.h>
+#include <stdatomic.h>
 
 enum {
     CROWD = 128, /* in a block at most, to be looked at one by one           */
-    PATIENCE = 4 /* pairs looked at, per particle                            */
+    PATIENCE = 4, /* pairs looked at, per particle                           */
+    SHARE = 16   /* blocks that a thread takes at a time                     */
 };
 
 /* What stands in a block. */
@@ -16,81 +19,50 @@ struct crowd {
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
 };
 
-static bool at_rest(const struct list *list, const struct cloud *cloud, int kind)
+/* The position of the particle in this row. */
+static inline const double *position(const struct list *list, const struct cloud *cloud, int row)
 {
-    const size_t from = (size_t)list->def.from[kind] * DIM;
-    const size_t n = (size_t)list->def.from[kind + 1] * DIM - from;
-    const double *built = list->own->built + from;
+    const int *from = list->def.from;
+    int kind = 0;
 
-    for (size_t k = 0; k < n; k++)
-        if (cloud->x[kind][k] != built[k] && built[k] < INFINITY)
-            return false;
-    return true;
+    while (row >= from[kind + 1])
+        kind++;
+    return cloud->x[kind] + (size_t)(row - from[kind]) * DIM;
 }
 
-/* Nothing yet, or only what did not move. */
-static void start_ranges(const struct drift *drift, unsigned resting)
-{
-    for (int k = 0; k < drift->useds; k++) {
-        const int b = drift->used[k];
-        const double least = drift->kinds[b] & resting ? 0 : INFINITY;
-        double *range = drift->range + (size_t)b * 2 * DIM;
-
-        for (int d = 0; d < DIM; d++) {
-            range[2 * d] = least;
-            range[2 * d + 1] = -least;
-        }
-    }
-}
-
-/* Range of a block and one more displacement in it. */
-static void widen_range(const struct drift *drift, int block, const double *x,
-                        const double *built)
-{
-    double *range = drift->range + (size_t)block * 2 * DIM;
-
-    for (int d = 0; d < DIM; d++) {
-        const double moved = x[d] - built[d];
-        range[2 * d] = moved < range[2 * d] ? moved : range[2 * d];
-        range[2 * d + 1] = moved > range[2 * d + 1] ? moved : range[2 * d + 1];
-    }
-}
-
-/* Those of images are those of their originals. */
-static void widen_images(const struct list *list, const struct cloud *cloud, int kind)
-{
-    const struct drift *drift = &list->own->drift;
-
-    for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
-        const int i = list->order[s];
-        widen_range(drift, drift->block[drift_number(list, s)],
-                    cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
-                    list->own->built + (size_t)i * DIM);
-    }
-}
-
-/* False when a particle went too far. */
-static bool widen_ranges(const struct list *list, const struct cloud *cloud, int kind)
+/* The range of displacements in a block; false when a particle went too far.  Images go
+ * where their originals do. */
+static bool find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
     const double limit = DRIFT_FARTHEST * list->def.skin;
-    const double *x = cloud->x[kind], *built = list->own->built;
-    bool near = true;
+    const int *member = drift->member + drift->end[block];
+    double *range = drift->range + (size_t)block * 2 * DIM;
+    double least[DIM], most[DIM], farthest = 0;
 
-    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++, x += DIM) {
-        if (drift->block[i] < 0)
-            continue;
-        double *range = drift->range + (size_t)drift->block[i] * 2 * DIM, far = 0;
+    for (int d = 0; d < DIM; d++) {
+        least[d] = INFINITY;
+        most[d] = -INFINITY;
+    }
+    for (int m = -drift->count[block]; m < 0; m++) {
+        const int row = list->order[member[m]];
+        const double *x = position(list, cloud, row);
+        const double *built = list->own->built + (size_t)row * DIM;
+        double far = 0;
+
         for (int d = 0; d < DIM; d++) {
-            const double moved = x[d] - built[(size_t)i * DIM + (size_t)d];
-            range[2 * d] = moved < range[2 * d] ? moved : range[2 * d];
-            range[2 * d + 1] = moved > range[2 * d + 1] ? moved : range[2 * d + 1];
+            const double moved = x[d] - built[d];
+            least[d] = moved < least[d] ? moved : least[d];
+            most[d] = moved > most[d] ? moved : most[d];
             far += moved * moved;
         }
-        near &= far <= limit * limit;
+        farthest = far > farthest ? far : farthest;
     }
-    widen_images(list, cloud, kind);
-    return near;
+    for (int d = 0; d < DIM; d++) {
+        range[2 * d] = least[d];
+        range[2 * d + 1] = most[d];
+    }
+    return farthest <= limit * limit;
 }
 
 /* The largest displacement of a particle of one block against one of the other,
@@ -127,20 +99,16 @@ static bool meet(const struct list *list, const struct cloud *cloud, int block,
                  struct crowd *crowd)
 {
     const struct drift *drift = &list->own->drift;
+    const int *member = drift->member + drift->end[block] - drift->count[block];
 
-    crowd->n = 0;
-    for (int m = drift->head[block]; m >= 0; m = drift->next[m], crowd->n++) {
-        const int slot = m < list->n ? list->slot[m] : list->image[0] + m - list->n;
-        const int i = list->order[slot];
-        int kind = 0;
+    crowd->n = drift->count[block];
+    if (crowd->n > CROWD)
+        return false;
+    for (int m = 0; m < crowd->n; m++) {
+        const int row = list->order[member[m]];
 
-        if (crowd->n == CROWD)
-            return false;
-        while (i >= list->def.from[kind + 1])
-            kind++;
-        drift_place(list, slot, cloud->x[kind] + (size_t)(i - list->def.from[kind]) * DIM,
-                    crowd->now[crowd->n]);
-        drift_place(list, slot, list->own->built + (size_t)i * DIM, crowd->was[crowd->n]);
+        drift_place(list, member[m], position(list, cloud, row), crowd->now[m]);
+        drift_place(list, member[m], list->own->built + (size_t)row * DIM, crowd->was[m]);
     }
     return true;
 }
@@ -170,7 +138,7 @@ static bool pair_missing(const struct list *list, const struct crowd *a, const s
 /* No pair missing between a block and those that touch it; looks at pairs one by
  * one as long as patience lasts. */
 static bool complete(const struct list *list, const struct cloud *cloud, int block, int offsets,
-                     const int *offset, long *patience)
+                     const int *offset, atomic_long *patience)
 {
     const struct drift *drift = &list->own->drift;
     const double limit = list->def.skin * list->def.skin;
@@ -181,36 +149,39 @@ static bool complete(const struct list *list, const struct cloud *cloud, int blo
     for (int o = 0; o < offsets; o++) {
         const int other = block + offset[o];
 
-        if (!drift->kinds[other] || apart(range, drift->range + (size_t)other * 2 * DIM) <= limit)
+        if (drift->count[other] == 0 || apart(range, drift->range + (size_t)other * 2 * DIM) <= limit)
             continue;
         if (!met && !meet(list, cloud, block, &here))
             return false;
         met = true;
         if (!meet(list, cloud, other, &there))
             return false;
-        *patience -= (long)here.n * there.n;
-        if (*patience < 0 || pair_missing(list, &here, &there))
+        const long pairs = (long)here.n * there.n;
+        if (atomic_fetch_sub(patience, pairs) < pairs || pair_missing(list, &here, &there))
             return false;
     }
     return true;
 }
 
+/* Nothing depends on who finds it: patience is a sum, and one that finds harm is enough. */
 bool drift_harmless(const struct list *list, const struct cloud *cloud)
 {
     const struct drift *drift = &list->own->drift;
     int offset[14]; /* half of 27, and the block itself */
     const int offsets = touching(drift, offset);
-    long patience = (long)PATIENCE * list->listed;
-    unsigned resting = 0;
+    atomic_long patience = (long)PATIENCE * list->listed;
+    atomic_bool harmless = true;
 
-    for (int kind = 0; kind < KINDS; kind++)
-        resting |= at_rest(list, cloud, kind) ? KIND_BIT(kind) : 0;
-    start_ranges(drift, resting);
-    for (int kind = 0; kind < KINDS; kind++)
-        if (!(resting & KIND_BIT(kind)) && !widen_ranges(list, cloud, kind))
-            return false;
-    for (int k = 0; k < drift->useds; k++)
-        if (!complete(list, cloud, drift->used[k], offsets, offset, &patience))
-            return false;
-    return true;
+#pragma omp parallel if (waiting_repays(list->listed))
+    {
+#pragma omp for schedule(static, SHARE)
+        for (int k = 0; k < drift->useds; k++)
+            if (!find_range(list, cloud, drift->used[k]))
+                harmless = false;
+#pragma omp for schedule(static, SHARE)
+        for (int k = 0; k < drift->useds; k++)
+            if (harmless && !complete(list, cloud, drift->used[k], offsets, offset, &patience))
+                harmless = false;
+    }
+    return harmless;
 }

@@ -22,14 +22,14 @@ struct drift {
     double low[DIM];       /* corner of the grid                   [m]       */
     double per_metre[DIM]; /* blocks                               [1/m]     */
     int n[DIM];            /* blocks; the outermost are empty                */
-    int *block;            /* [particles, images] where each stood; -1: left out */
-    int *next;             /* [particles, images] the next in the same block, or -1 */
-    int *head;             /* [blocks] the first there                       */
+    int *block;            /* [places] where each stood                      */
+    int *member;           /* [places] places, block by block                */
+    int *end;              /* [blocks] the first member of the next block    */
+    int *count;            /* [blocks] members                               */
     int *used;             /* [useds] blocks that are not empty              */
     int useds;
-    unsigned char *kinds;  /* [blocks] KIND_BITs of what is there            */
     double *range;         /* [blocks][DIM][2] least and largest displacement [m] */
-    size_t block_room, next_room, head_room, used_room, kinds_room, range_room;
+    size_t block_room, member_room, end_room, count_room, used_room, range_room;
 };
 
 /* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no
@@ -41,9 +41,6 @@ int drift_note(struct list *list, const struct cloud *cloud);
 bool drift_harmless(const struct list *list, const struct cloud *cloud);
 
 void drift_free(struct drift *drift);
-
-/* The number of the image in this place: images are counted after the particles. */
-int drift_number(const struct list *list, int slot);
 
 /* Where the particle or image of this place stands when the particle is at x. */
 void drift_place(const struct list *list, int slot, const double *x, double *to);

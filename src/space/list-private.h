@@ -15,6 +15,7 @@ enum {
 
 /* The rows one thread made; what a thread needs to make them. */
 struct list_store {
+    int from;              /* first group of this thread                     */
     int *j;                /* [room] rows                                    */
     size_t used, room;     /* entries                                        */
     struct list_found *found;

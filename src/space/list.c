@@ -3,12 +3,13 @@
 
 #include "base/status.h"
 #include "base/threads.h"
+#include "base/waiting.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Particles from which checks and rebuilding repay waking the threads. */
-enum { WORTH_CHECKING = 20000, WORTH_BUILDING = 500 };
+/* Particles from which rebuilding repays waking the threads. */
+enum { WORTH_BUILDING = 500 };
 
 struct check {
     bool moved; /* a particle, further than half the margin                  */
@@ -57,7 +58,7 @@ static struct check check(const struct list *list, const struct cloud *cloud)
     bool moved = false, back = false;
     int bad = list->n;
 
-#pragma omp parallel if (list->n > WORTH_CHECKING) reduction(|| : moved, back) \
+#pragma omp parallel if (waiting_repays(list->n)) reduction(|| : moved, back) \
     reduction(min : bad)
     {
         struct check c = { false, false, list->n };
@@ -170,6 +171,24 @@ static int join(struct list *list)
     return STATUS_DONE;
 }
 
+/* Where each of the threads begins: at equal shares of rows of the list that was, which had
+ * `groups` groups, as this one will be much like it. */
+static void share_groups(struct list *list, int groups, int threads)
+{
+    const long *rows = list->own->rows_before;
+    int g = 0;
+
+    for (int t = 0; t < threads; t++) {
+        const double part = (double)t / threads;
+
+        if (groups == 0)
+            g = (int)(part * list->groups);
+        while (g < groups && rows[g] + 4.0 * g < part * (rows[groups] + 4.0 * groups))
+            g++;
+        list->own->store[t].from = g < list->groups ? g : list->groups;
+    }
+}
+
 /* All particles in places, images behind all others. */
 static int sort(struct list *list, const struct cloud *cloud)
 {
@@ -190,16 +209,21 @@ static int sort(struct list *list, const struct cloud *cloud)
 
 int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
+    const int before = list->groups;
+    struct list_private *own = list->own;
+
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
     make_groups(list);
     TRY(make_stores(list, threads_most()));
 #pragma omp parallel if (list->listed > WORTH_BUILDING)
     {
-        const long t = threads_me(), of = threads_all();
+        const int t = threads_me(), of = threads_all();
 
-        rows(list, &list->own->store[t], (int)(list->groups * t / of),
-             (int)(list->groups * (t + 1) / of));
+#pragma omp single
+        share_groups(list, before, of);
+        rows(list, &own->store[t], own->store[t].from,
+             t + 1 < of ? own->store[t + 1].from : list->groups);
     }
     TRY(join(list));
     list->builds++;

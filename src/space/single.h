@@ -28,11 +28,10 @@ static inline int single_floats(double mass)
     return DIM == 3 && mass == 0 ? 12 : 8;
 }
 
-/* Fills record [list->listed + 1][single_floats(mass)], 64-byte aligned, from records in
- * double precision (space/record.h). */
-void single_pack(const struct list *list, const double *from, double mass, float *record);
-
 /* The length of a count [m]. */
-double single_count(const struct list *list);
+static inline double single_count(const struct list *list)
+{
+    return SINGLE_SUPPORTS * list->def.support / 4294967296.0;
+}
 
 #endif

@@ -27,8 +27,9 @@ int visit_count(const struct list *list, unsigned kinds)
     return n;
 }
 
-/* Rows before a chunk, and some for the work that each group is anyway. */
-static long work_before(const struct list *list, unsigned kinds, int chunk)
+/* Rows before a chunk, and some for the work that each group is anyway, by what rows of
+ * owners of a kind cost. */
+static long work_before(const struct list *list, unsigned kinds, const int *cost, int chunk)
 {
     long work = 0;
 
@@ -36,17 +37,18 @@ static long work_before(const struct list *list, unsigned kinds, int chunk)
         const int n = chunks_of(list, kinds, kind), from = list->group_from[kind];
         const int groups = chunk < n ? chunk * VISIT_GROUPS : groups_of(list, kinds, kind);
 
-        work += list->rows_before[from + groups] - list->rows_before[from] + 4L * groups;
+        work += (cost ? cost[kind] : 1)
+                * (list->rows_before[from + groups] - list->rows_before[from] + 4L * groups);
         chunk -= n;
     }
     return work;
 }
 
-/* First chunk of thread t of `of`: equal work, found by halving. */
-static int share(const struct list *list, unsigned kinds, int t, int of)
+/* First chunk of thread t of `of`: as equal work as whole chunks allow, found by halving. */
+static int share(const struct list *list, unsigned kinds, const int *cost, int t, int of)
 {
     const int n = visit_count(list, kinds);
-    const long want = work_before(list, kinds, n) / of * t;
+    const long want = work_before(list, kinds, cost, n) / of * t;
     int low = 0, high = n;
 
     if (t == of)
@@ -54,11 +56,14 @@ static int share(const struct list *list, unsigned kinds, int t, int of)
     while (low < high) {
         const int middle = low + (high - low) / 2;
 
-        if (work_before(list, kinds, middle) < want)
+        if (work_before(list, kinds, cost, middle) < want)
             low = middle + 1;
         else
             high = middle;
     }
+    if (low > 0 && want - work_before(list, kinds, cost, low - 1)
+                       < work_before(list, kinds, cost, low) - want)
+        low--;
     return low;
 }
 
@@ -76,20 +81,26 @@ static void run(const struct list *list, unsigned kinds, int chunk, visit_chunk 
     function(job, chunk, from, from + (left < VISIT_GROUPS ? left : VISIT_GROUPS), b);
 }
 
-void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,
-                  const void *job)
+void visit_shares(const struct list *list, unsigned kinds, const int *cost,
+                  visit_chunk *function, const void *job)
 {
     const int chunks = visit_count(list, kinds);
 
 #pragma omp parallel if (chunks > WORTH_THREADS / VISIT_CHUNK)
     {
         const int t = threads_me(), of = threads_all();
-        const int to = share(list, kinds, t + 1, of);
+        const int to = share(list, kinds, cost, t + 1, of);
         struct block b;
 
-        for (int c = share(list, kinds, t, of); c < to; c++)
+        for (int c = share(list, kinds, cost, t, of); c < to; c++)
             run(list, kinds, c, function, job, &b);
     }
+}
+
+void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,
+                  const void *job)
+{
+    visit_shares(list, kinds, NULL, function, job);
 }
 
 void visit_clear(const struct list *list, unsigned kinds, int width, double *to)

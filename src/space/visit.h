@@ -45,6 +45,11 @@ int visit_count(const struct list *list, unsigned kinds);
 void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,
                   const void *job);
 
+/* The same where a row costs cost[kind of its owners]: so are shares weighed. */
+#define visit_shares LANE_NAME(visit_shares)
+void visit_shares(const struct list *list, unsigned kinds, const int *cost,
+                  visit_chunk *function, const void *job);
+
 /* A group under way. */
 struct visit {
     int kind;                           /* enum kind of the owners              */

@@ -18,11 +18,15 @@
 #include "walls/contact-press.h"
 
 #include "base/lanes.h"
+#include "base/waiting.h"
 #include "walls/contact-side.h"
 #include "walls/solid-rows.h"
 #include "walls/walls.h"
 
-enum { CHUNK = 32, MANY = 1024 }; /* slices: in a chunk; worth more threads than one */
+enum {
+    CHUNK = 32, /* slices                                                 */
+    WORTH = 32  /* a slice takes as long as so many particles of a light loop */
+};
 
 /* What goes through the passes over slices. */
 struct pressing {
@@ -109,22 +113,26 @@ static void press(const void *self, struct part_press_work *w, const struct part
     const struct pressing of = { c, w, p, io };
     const int solids = p->n - p->from[KIND_WALL];
 
-#pragma omp parallel for schedule(static) if (n[CONTACT_R] > MANY)
-    for (int k = 0; k < n[CONTACT_R]; k++)
-        read_slice(&of, slice[CONTACT_R][k]);
-    for (int i = 0; i < solids; i++) { /* where no water is */
-        io->shown[i] = c->eos.rho0;
-        io->p2[i] = 0;
-        if (io->mean)
-            io->mean[i] = c->eos.rho0;
+#pragma omp parallel if (waiting_repays((long)n[CONTACT_R] * WORTH))
+    {
+#pragma omp for schedule(static)
+        for (int k = 0; k < n[CONTACT_R]; k++)
+            read_slice(&of, slice[CONTACT_R][k]);
+#pragma omp for schedule(static)
+        for (int i = 0; i < solids; i++) { /* where no water is */
+            io->shown[i] = c->eos.rho0;
+            io->p2[i] = 0;
+            if (io->mean)
+                io->mean[i] = c->eos.rho0;
+        }
+#pragma omp for schedule(static)
+        for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
+            press_chunk(&of, slice[CONTACT_PI] + k,
+                        n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
+#pragma omp for schedule(static)
+        for (int k = 0; k < n[CONTACT_Q]; k++)
+            push_slice(&of, slice[CONTACT_Q][k]);
     }
-#pragma omp parallel for schedule(static) if (n[CONTACT_PI] > MANY)
-    for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
-        press_chunk(&of, slice[CONTACT_PI] + k,
-                    n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
-#pragma omp parallel for schedule(static) if (n[CONTACT_Q] > MANY)
-    for (int k = 0; k < n[CONTACT_Q]; k++)
-        push_slice(&of, slice[CONTACT_Q][k]);
 }
 
 static const struct part_press contact_press = {

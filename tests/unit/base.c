@@ -243,6 +243,20 @@ static void more_threads_than_processors_sleep(void **state)
     assert_null(getenv("GOMP_SPINCOUNT"));
 }
 
+static void short_loops_have_threads_where_these_spin(void **state)
+{
+    (void)state;
+    unsetenv("GOMP_SPINCOUNT");
+    assert_false(waiting_repays(5000)); /* some microseconds: as long as waking takes */
+    assert_true(waiting_repays(50000));
+    setenv("GOMP_SPINCOUNT", "0", 1);
+    assert_false(waiting_repays(5000));
+    setenv("GOMP_SPINCOUNT", "1000", 1);
+    assert_true(waiting_repays(5000));
+    assert_false(waiting_repays(500));
+    unsetenv("GOMP_SPINCOUNT");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -262,6 +276,7 @@ int main(void)
         cmocka_unit_test(threads_spin_only_on_cores_of_their_own),
         cmocka_unit_test(what_the_user_says_of_waiting_stays),
         cmocka_unit_test(more_threads_than_processors_sleep),
+        cmocka_unit_test(short_loops_have_threads_where_these_spin),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

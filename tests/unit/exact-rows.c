@@ -27,7 +27,7 @@ static void add_rows(const double *x, struct exact_cut *cut, struct exact_sum *s
 {
     struct exact_rows rows;
 
-    exact_rows_open(&rows, cut);
+    exact_rows_open(&rows);
     for (int n = 0; n < TERMS; n += LANES)
         exact_rows_add(&rows, (lanes){ x[n], x[n + 1] });
     exact_rows_close(&rows, cut, sum);

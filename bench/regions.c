@@ -1,0 +1,24 @@
+/* regions.c -- counts gcc's parallel regions: the linker puts itself between them and libgomp. */
+#include "tools.h"
+
+void __real_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags);
+void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags);
+
+static struct bench_regions so_far;
+
+/* threads: 1 where the region's `if` says no, 0 for as many as there may be. */
+void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags)
+{
+    const double start = threads == 1 ? 0 : bench_cpu();
+
+    __real_GOMP_parallel(body, data, threads, flags);
+    if (threads == 1)
+        return;
+    so_far.inside += bench_cpu() - start;
+    so_far.n++;
+}
+
+struct bench_regions bench_regions(void)
+{
+    return so_far;
+}
