@@ -12,6 +12,7 @@ enum { CONTACTS_COLUMNS = 4 }; /* of the book, at most                          
 
 struct shape;
 struct contacts; /* what they know of the scene; const once their rows are known   */
+struct contacts_work; /* what they work in                                          */
 
 struct contacts_body { /* a body, where its skin stands, and what pushes it              */
     const struct body_kind *kind;
@@ -55,6 +56,7 @@ struct contacts_moment {
     struct contacts_wall *wall;       /* [walls]                                   */
     double *ydot;                     /* of meet() only                            */
     double *power; /* [columns] what they give to bodies [W]; likewise             */
+    struct contacts_work *work;
 };
 
 struct body_contacts {
@@ -70,6 +72,20 @@ struct body_contacts {
      * have none. */
     int (*rows)(struct contacts *c, struct layout *l);
     void (*start)(const struct contacts *c, const struct layout *l, double *y);
+
+    /* Memory for all below; NULL: they need none. */
+    int (*work)(const struct contacts *c, struct contacts_work **out);
+    void (*work_free)(struct contacts_work **work);
+
+    /* Between two steps, where the layout of rows serves few of many pairs: is it time to end a
+     * segment and serve others?  To do so, in y; STATUS_FAILED as with meet().  What is left of y,
+     * by id, when places that serve nothing are taken out, and in how many numbers.  looked(): pairs
+     * looked at since the work was made.  NULL, all: they have nothing of that kind. */
+    bool (*lack)(const struct contacts *c, const struct contacts_moment *m);
+    int (*settle)(const struct contacts *c, const struct contacts_moment *m, double *y, char *text,
+                  size_t room);
+    long (*tidy)(const struct contacts *c, const struct layout *l, double *y);
+    long (*looked)(const struct contacts_work *work);
 
     /* Are body i and solid j, a body, or a wall from `bodies` on, kept apart? */
     bool (*parts)(const struct contacts *c, int i, int j);
