@@ -131,7 +131,8 @@ static void fill(const struct contacts *c, const struct contacts_moment *m, cons
     for (int i = 0; i < w->buckets; i++)
         w->first[i] = -1;
     for (int i = 0; i < c->movers; i++) {
-        const double *x = m->body[c->part_of[i]].at.x;
+        double x[DIM];
+        period_home(&c->scales, m->body[c->part_of[i]].at.x, x);
         for (int d = 0; d < DIM; d++) {
             const double at = (x[d] - c->scales.low[d]) / g->wide[d];
             w->cell[i][d] = around(g, d, (long)floor(fmax(-farthest, fmin(farthest, at))));
@@ -205,5 +206,4 @@ void contacts_near_find(const struct contacts *c, const struct contacts_moment *
         for (int k = 0; k < n; k++)
             w->pair[w->near++] = w->found[k];
     }
-    w->looked += w->near;
 }

@@ -17,7 +17,6 @@ struct contacts_work {
     int near, *pair;    /* [pairs] of them those found last, ascending           */
     int *seat_of;       /* [pairs] -1: none                                      */
     double *bent;       /* [2][block][DIM] of a pair without a seat              */
-    long looked;        /* pairs that were found since its creation              */
 };
 
 int contacts_near_create(const struct contacts *c, struct contacts_work **out);

@@ -170,6 +170,7 @@ static int meet(const struct contacts *c, const struct contacts_moment *m, char 
         m->ydot[layout_at(m->layout, c->seats.row) + k] = 0;
     contacts_near_place(c, m);
     contacts_near_find(c, m, 0);
+    *m->looked += m->work->near;
     contacts_seats_open(c, m);
     status = meet_pairs(c, m, xi, xi_rate, text, room);
     contacts_seats_close(c, m);
@@ -240,17 +241,16 @@ static int create(const struct contacts_scene *scene, struct contacts **out)
     return code;
 }
 
-static long looked(const struct contacts_work *work)
-{
-    return work->looked;
-}
+static const struct body_seats seats = {
+    .lack = contacts_seats_lack, .settle = contacts_seats_settle, .tidy = contacts_seats_tidy,
+};
 
 static const struct body_contacts solids = {
     .about = "solids, and skins of beams, that press and rub where they touch", .column = column,
     .columns = columns,
     .create = create, .free = contacts_list_free, .rows = rows, .start = start, .parts = parts,
     .work = contacts_near_create, .work_free = contacts_near_free,
-    .lack = contacts_seats_lack, .settle = contacts_seats_settle, .tidy = contacts_seats_tidy, .looked = looked,
+    .seats = &seats,
     .meet = meet, .limit = limit,
 };
 

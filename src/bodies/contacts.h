@@ -57,6 +57,20 @@ struct contacts_moment {
     double *ydot;                     /* of meet() only                            */
     double *power; /* [columns] what they give to bodies [W]; likewise             */
     struct contacts_work *work;
+    long *looked;  /* counts pairs that meet() looks at                            */
+};
+
+/* Of contacts whose rows serve few of many pairs at a time. */
+struct body_seats {
+    /* Between two steps: is it time to end a segment and to serve others? */
+    bool (*lack)(const struct contacts *c, const struct contacts_moment *m);
+
+    /* Does so, in y.  STATUS_FAILED, with the reason in text [room]: there are too few rows. */
+    int (*settle)(const struct contacts *c, const struct contacts_moment *m, double *y, char *text,
+                  size_t room);
+
+    /* y, by id, without rows that serve none; how many numbers are left. */
+    long (*tidy)(const struct contacts *c, const struct layout *l, double *y);
 };
 
 struct body_contacts {
@@ -77,15 +91,7 @@ struct body_contacts {
     int (*work)(const struct contacts *c, struct contacts_work **out);
     void (*work_free)(struct contacts_work **work);
 
-    /* Between two steps, where the layout of rows serves few of many pairs: is it time to end a
-     * segment and serve others?  To do so, in y; STATUS_FAILED as with meet().  What is left of y,
-     * by id, when places that serve nothing are taken out, and in how many numbers.  looked(): pairs
-     * looked at since the work was made.  NULL, all: they have nothing of that kind. */
-    bool (*lack)(const struct contacts *c, const struct contacts_moment *m);
-    int (*settle)(const struct contacts *c, const struct contacts_moment *m, double *y, char *text,
-                  size_t room);
-    long (*tidy)(const struct contacts *c, const struct layout *l, double *y);
-    long (*looked)(const struct contacts_work *work);
+    const struct body_seats *seats; /* NULL: each pair has rows of its own             */
 
     /* Are body i and solid j, a body, or a wall from `bodies` on, kept apart? */
     bool (*parts)(const struct contacts *c, int i, int j);

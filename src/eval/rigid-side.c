@@ -51,28 +51,16 @@ int moment_rigid_ranges(const struct moment *m, int most, long (*range)[2])
     return n;
 }
 
-static long looked(const struct moment *m)
-{
-    const struct body_contacts *kind = m->plan->contacts.kind;
-
-    return kind->looked ? kind->looked(m->meeting.work) : 0;
-}
-
 static int meet(struct moment *m, double t, const double *y, double *ydot)
 {
     const struct plan_contacts *c = &m->plan->contacts;
     struct contacts_moment now;
-    long before;
-    int status;
 
     if (!c->kind)
         return STATUS_DONE;
     now = touching_now(m, t, y);
     now.ydot = ydot;
-    before = looked(m);
-    status = c->kind->meet(c->self, &now, m->refusal, sizeof m->refusal);
-    m->counts.looked += looked(m) - before;
-    TRY(status);
+    TRY(c->kind->meet(c->self, &now, m->refusal, sizeof m->refusal));
     for (int i = 0; i < m->plan->bodies; i++)
         if (m->body[i].kind->role.solid)
             m->body[i].kind->role.solid->push(m->body[i].work, &m->meeting.body[i].push);

@@ -54,7 +54,7 @@ struct contacts_moment touching_now(struct moment *m, double t, const double *y)
         carry(p, i, t, &m->meeting.wall[i].by);
     return (struct contacts_moment){ .layout = &m->layout, .t = t, .y = y, .body = m->meeting.body,
                                      .wall = m->meeting.wall, .power = m->meeting.power,
-                                     .work = m->meeting.work };
+                                     .work = m->meeting.work, .looked = &m->counts.looked };
 }
 
 void touching_load(const struct moment *m, int i, double t, const double *y, double *ydot,
@@ -72,10 +72,10 @@ bool moment_lacks(struct moment *m, double t, const double *y)
     const struct plan_contacts *c = &m->plan->contacts;
     struct contacts_moment now;
 
-    if (!c->kind || !c->kind->lack)
+    if (!c->kind || !c->kind->seats)
         return false;
     now = touching_now(m, t, y);
-    return c->kind->lack(c->self, &now);
+    return c->kind->seats->lack(c->self, &now);
 }
 
 int moment_settle(struct moment *m, double t, double *y)
@@ -85,7 +85,7 @@ int moment_settle(struct moment *m, double t, double *y)
     char text[sizeof m->refusal];
 
     m->counts.settled++;
-    if (c->kind->settle(c->self, &now, y, text, sizeof text) == STATUS_DONE)
+    if (c->kind->seats->settle(c->self, &now, y, text, sizeof text) == STATUS_DONE)
         return STATUS_DONE;
     return status_fail(STATUS_FAILED, "%s", text);
 }
@@ -94,6 +94,6 @@ long moment_tidy(const struct moment *m, double *y)
 {
     const struct plan_contacts *c = &m->plan->contacts;
 
-    return c->kind && c->kind->tidy ? c->kind->tidy(c->self, &m->layout, y)
-                                    : layout_size(&m->layout);
+    return c->kind && c->kind->seats ? c->kind->seats->tidy(c->self, &m->layout, y)
+                                     : layout_size(&m->layout);
 }
