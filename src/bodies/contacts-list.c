@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "bodies/contacts-solids.h"
+#include "bodies/contacts-table.h"
 #include "state/period.h"
 
 #include <math.h>
@@ -13,9 +14,6 @@
  * less than a thousandth of what d_U stores. */
 static const double start_depth = 0.05; /* [d_U] */
 
-/* Numbers that xi of all pairs may have. */
-enum { MOST_NUMBERS = 2000000 };
-
 void contacts_list_free(struct contacts **contacts)
 {
     struct contacts *c = *contacts;
@@ -24,48 +22,14 @@ void contacts_list_free(struct contacts **contacts)
         return;
     contacts_solids_free(c);
     free(c->pair);
+    free(c->pair_of);
+    free(c->seats.first);
     free(c->skin);
     for (int i = 0; i < c->lifts; i++)
         contacts_uplift_free(&c->lift[i].of);
     free(c->lift);
     free(c);
     *contacts = NULL;
-}
-
-/* Does solid i, of a body, feel that solid? */
-static bool meets(const struct contacts *c, int i, int solid)
-{
-    if (c->part_of[solid] == c->part_of[i])
-        return false;
-    return c->part_of[solid] < c->bodies + c->walls
-           || (c->solid[i].stops & c->solid[solid].stops) != 0;
-}
-
-static struct contacts_rub rub_of(const struct contacts *c, const struct contacts_scene *s, int part,
-                                  int solid)
-{
-    return contacts_rules_of(s, contacts_rules_path(s, part),
-                             contacts_rules_path(s, c->part_of[solid]));
-}
-
-static int list_pairs(struct contacts *c, const struct contacts_scene *s, int bodies)
-{
-    c->pair = status_alloc((size_t)bodies * (size_t)c->solids + 1, sizeof *c->pair);
-    if (!c->pair)
-        return STATUS_FAILED;
-    for (int i = 0; i < bodies; i++)
-        for (int j = i + 1; j < c->solids; j++) {
-            if (!meets(c, i, j))
-                continue;
-            struct contacts_pair *p = &c->pair[c->pairs++];
-            const struct contacts_rub rub = rub_of(c, s, c->part_of[i], j);
-            contacts_pair_make(p, &c->solid[i], &c->solid[j], &rub, !c->scales.fluid);
-            p->first = i;
-            p->second = j;
-            p->from = c->places;
-            c->places += p->places;
-        }
-    return STATUS_DONE;
 }
 
 static int no_skin(void)
@@ -88,7 +52,7 @@ static int list_skins(struct contacts *c, const struct contacts_scene *s)
             if (c->part_of[j] == c->bodies + c->walls)
                 continue;
             struct contacts_skin *p = &c->skin[c->skins++];
-            const struct contacts_rub rub = rub_of(c, s, i, j);
+            const struct contacts_rub rub = contacts_table_rub(c, s, i, j);
             contacts_skin_make(p, &s->body[i], surface, &c->solid[j], &rub, &c->scales);
             p->body = i;
             p->second = j;
@@ -116,16 +80,6 @@ static int list_lifts(struct contacts *c, const struct contacts_scene *s, int bo
         l->body = c->part_of[i];
         c->lifts++;
     }
-    return STATUS_DONE;
-}
-
-static int check_room(const struct contacts *c)
-{
-    if (c->places * DIM > MOST_NUMBERS)
-        return status_fail(STATUS_BAD_SCENE, "bodies and walls may touch at %ld places, each of which "
-                           "remembers how far it is bent: %ld numbers, and at most %d are allowed; "
-                           "use fewer bodies, or discs and spheres, which have one place for each "
-                           "pair", c->places, c->places * DIM, MOST_NUMBERS);
     return STATUS_DONE;
 }
 
@@ -160,17 +114,15 @@ static int check_start(const struct contacts *c)
 
 static int build(struct contacts *c, const struct contacts_scene *s)
 {
-    int bodies;
-
     c->scales = *s->scales;
     c->bodies = s->bodies;
     c->walls = s->walls;
     TRY(contacts_rules_check(s));
-    TRY(contacts_solids_list(c, s, &bodies));
-    TRY(list_pairs(c, s, bodies));
+    TRY(contacts_solids_list(c, s, &c->movers));
+    TRY(contacts_table_make(c, s));
     TRY(list_skins(c, s));
-    TRY(list_lifts(c, s, bodies));
-    TRY(check_room(c));
+    TRY(list_lifts(c, s, c->movers));
+    TRY(contacts_table_check(c));
     return check_start(c);
 }
 

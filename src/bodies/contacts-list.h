@@ -9,9 +9,20 @@
 #include "bodies/solid-wall.h"
 #include "state/scales.h"
 
+/* Where contacts have many places: those of pairs of bodies are in seats, contacts-seats.h. */
+struct contacts_seats {
+    int n, block;                /* how many; of so many places each; 0: pairs have places of
+                                    their own                                      */
+    long from;                   /* its first place                                */
+    int row;
+    double scale;                /* of a bend [m]                                  */
+    double *first;               /* [n] who has them at t = 0                      */
+};
+
 struct contacts {
     struct scales scales;
-    int bodies, walls, solids;
+    int bodies, walls, solids, movers; /* of solids the first are bodies           */
+    double reach, film, slow;    /* the largest of bodies [m], [m]; the least of pairs [1/s] */
     struct solid *solid;         /* [solids] rigid bodies, walls, sides of the domain */
     int *part_of;                /* [solids] of which body, or wall from `bodies` on; a side that
                                     is no wall's: bodies + walls                   */
@@ -19,6 +30,8 @@ struct contacts {
     bool *known, *skinned;       /* [bodies + walls] does it touch; as a skin only? */
     int pairs, skins;
     struct contacts_pair *pair;  /* [pairs] of solids                              */
+    int *pair_of;                /* [movers][solids] which pair that is, -1: none  */
+    int always;                  /* the pair with the fastest rate without a contact, -1: none */
     struct contacts_skin *skin;  /* [skins] of a skin and a solid                  */
     int lifts;
     struct contacts_lift {       /* of boxes with uplift                           */
@@ -27,11 +40,18 @@ struct contacts {
     } *lift;                     /* [lifts]                                        */
     long places;
     int row;
+    struct contacts_seats seats;
 };
 
-/* As in struct body_contacts. */
+/* All but seats at t = 0, as in struct body_contacts. */
 int contacts_list_create(const struct contacts_scene *scene, struct contacts **out);
 void contacts_list_free(struct contacts **contacts);
+
+/* The pair of solids i < j, -1: there is none. */
+static inline int contacts_list_pair(const struct contacts *c, int i, int j)
+{
+    return c->pair_of[(long)i * c->solids + j];
+}
 
 /* Two places, and the way between them by the nearest image. */
 struct contacts_stand contacts_list_stand(const struct contacts *c, const struct solid_place *a,

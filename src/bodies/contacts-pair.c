@@ -81,6 +81,32 @@ static void make_guests(const struct contacts_pair *p, const struct contacts_sta
     contacts_guest_make(&guest[1], p->b, s->b, p->a, s->a, back);
 }
 
+/* Of a box with a ball around: how far it reaches along axis k of a frame, turned by R. */
+static double along(const struct core *c, const double (*R)[DIM], int k, bool own)
+{
+    double sum = own ? c->half[k] : 0;
+
+    for (int d = 0; d < DIM && !own; d++)
+        sum += fabs(R[k][d]) * c->half[d];
+    return sum;
+}
+
+/* Is there a face of either that parts them by more than `gap` [m]?  Of boxes only. */
+static bool parted(const struct contacts_pair *p, const struct contacts_guest guest[2], double gap)
+{
+    if (p->b->flat || p->a->core.hull || p->b->core.hull)
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const struct contacts_guest *g = &guest[i];
+        const double (*R)[DIM] = (const double (*)[DIM])g->in.R;
+        for (int k = 0; k < DIM; k++)
+            if (fabs(g->in.x[k]) > along(&g->partner->core, R, k, true)
+                                   + along(&g->guest->core, R, k, false) + g->touching + gap)
+                return true;
+    }
+    return false;
+}
+
 /* Place i of the pair: which of both is the guest there, and where it touches. */
 static int find_spot(const struct contacts_pair *p, const struct contacts_guest guest[2], int i,
                      int *which, struct contacts_spot *to)
@@ -105,12 +131,11 @@ int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stan
 {
     struct contacts_guest guest[2];
 
-    if (contacts_pair_far(p, s, 0)) {
-        for (int i = 0; i < p->places; i++)
-            touch_forget(xi + i * DIM, xi_rate + i * DIM);
+    if (contacts_pair_far(p, s, 0))
         return STATUS_DONE;
-    }
     make_guests(p, s, guest);
+    if (parted(p, guest, 0))
+        return STATUS_DONE;
     for (int i = 0; i < p->places; i++) {
         struct contacts_spot spot;
         int which;
@@ -145,6 +170,8 @@ double contacts_pair_rate(const struct contacts_pair *p, const struct contacts_s
     if (contacts_pair_far(p, s, gap))
         return rate;
     make_guests(p, s, guest);
+    if (parted(p, guest, gap))
+        return rate;
     for (int i = 0; i < p->places; i++) {
         struct contacts_spot spot;
         int which;
@@ -176,4 +203,24 @@ double contacts_pair_depth(const struct contacts_pair *p, const struct contacts_
         most = spot.share > 0 ? fmax(most, spot.depth) : most;
     }
     return most;
+}
+
+double contacts_pair_gap(const struct contacts_pair *p, const struct contacts_stand *s, double most)
+{
+    struct contacts_guest guest[2];
+    double least = HUGE_VAL;
+
+    if (contacts_pair_far(p, s, most))
+        return HUGE_VAL;
+    make_guests(p, s, guest);
+    if (parted(p, guest, most))
+        return HUGE_VAL;
+    for (int i = 0; i < p->places; i++) {
+        struct contacts_spot spot;
+        int which;
+        if (find_spot(p, guest, i, &which, &spot) != STATUS_DONE)
+            return -HUGE_VAL;
+        least = spot.share > 0 ? fmin(least, -spot.depth) : least;
+    }
+    return least > most ? HUGE_VAL : least;
 }

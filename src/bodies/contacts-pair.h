@@ -15,7 +15,7 @@ struct contacts_pair {
     double depth, rate;        /* d_U [m]; the fastest [1/s]                       */
     double slow, always;       /* of the softest law; without a contact, too [1/s] */
     double share;              /* of a corner, where corners of both meet [1]      */
-    long from;                 /* its first place                                  */
+    long from;                 /* its first place, -1: in a seat                   */
     int places;
 };
 
@@ -33,7 +33,10 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
 /* Are they more than `gap` [m] apart, by the balls around them? */
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap);
 
-/* Sets rates of xi [places][DIM] and adds to what pushes both, b's with the same force and
+/* How far apart they are [m], below 0 where they overlap; HUGE_VAL: more than `most`. */
+double contacts_pair_gap(const struct contacts_pair *p, const struct contacts_stand *s, double most);
+
+/* Sets rates of xi [places][DIM], which were those of touch_forget() before, and adds to what pushes both, b's with the same force and
  * the other sign, and to what pressing and rubbing give to bodies, power [2] [W].
  * STATUS_FAILED: a corner is inside the other's core. */
 int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,

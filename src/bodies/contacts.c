@@ -4,7 +4,9 @@
 
 #include "base/status.h"
 #include "bodies/contacts-list.h"
+#include "bodies/contacts-near.h"
 #include "bodies/contacts-place.h"
+#include "bodies/contacts-seats.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,44 +27,24 @@ static int rows(struct contacts *c, struct layout *l)
         least = fmin(least, c->pair[i].depth);
     for (int i = 0; i < c->skins; i++)
         least = fmin(least, c->skin[i].depth);
-    c->row = layout_add(l, LAYOUT_OTHER, "contacts.slip", "m", (int)c->places, DIM, 0.4 * least);
-    return c->row < 0 ? STATUS_FAILED : STATUS_DONE;
+    c->seats.scale = 0.4 * least;
+    c->row = layout_add(l, LAYOUT_OTHER, "contacts.slip", "m", (int)c->places, DIM, c->seats.scale);
+    if (c->row >= 0 && c->seats.n > 0)
+        c->seats.row = layout_add(l, LAYOUT_OTHER, "contacts.seat", "1", c->seats.n, 1, 0);
+    return c->row < 0 || c->seats.row < 0 ? STATUS_FAILED : STATUS_DONE;
 }
 
 static void start(const struct contacts *c, const struct layout *l, double *y)
 {
     memset(y + layout_at(l, c->row), 0, (size_t)c->places * DIM * sizeof *y);
+    if (c->seats.n > 0)
+        memcpy(y + layout_at(l, c->seats.row), c->seats.first, (size_t)c->seats.n * sizeof *y);
 }
 
 /* Skins do not touch each other. */
 static bool parts(const struct contacts *c, int i, int j)
 {
     return c->known[i] && c->known[j] && !(c->skinned[i] && c->skinned[j]);
-}
-
-/* Once a pass: a body may be of many pairs. */
-static void place_bodies(const struct contacts *c, const struct contacts_moment *m)
-{
-    for (int i = 0; i < c->solids && c->part_of[i] < c->bodies; i++) {
-        struct contacts_body *b = &m->body[c->part_of[i]];
-        b->kind->role.solid->stand(b->body, m->layout, m->y, &b->at);
-    }
-}
-
-/* Where solid i stands; of a wall or side in `room`. */
-static const struct solid_place *place_of(const struct contacts *c,
-                                          const struct contacts_moment *m, int i,
-                                          struct solid_place *room)
-{
-    const int body = c->part_of[i];
-
-    if (body < c->bodies)
-        return &m->body[body].at;
-    if (body == c->bodies + c->walls)
-        *room = c->solid[i].start;
-    else
-        solid_carry(&m->wall[body - c->bodies].by, &c->solid[i].start, room);
-    return room;
 }
 
 static struct body_push *push_of(const struct contacts *c, const struct contacts_moment *m, int i,
@@ -79,17 +61,44 @@ static int fail(const char *first, const char *second, double t, char *text, siz
     return STATUS_FAILED;
 }
 
-static int meet_pair(const struct contacts *c, const struct contacts_moment *m,
-                     const struct contacts_pair *p, const double *xi, double *xi_rate)
+static int meet_pair(const struct contacts *c, const struct contacts_moment *m, int i,
+                     const double *xi, double *xi_rate)
 {
+    const struct contacts_pair *p = &c->pair[i];
+    const long from = contacts_seats_at(c, m->work, i);
     struct solid_place at[2];
     struct body_push aside = { .force = { 0 } };
-    const struct contacts_stand s = contacts_list_stand(c, place_of(c, m, p->first, &at[0]),
-                                                        place_of(c, m, p->second, &at[1]));
+    const struct contacts_stand s = contacts_list_stand(
+        c, contacts_near_of(c, m, p->first, &at[0]), contacts_near_of(c, m, p->second, &at[1]));
 
-    return contacts_pair_meet(p, &s, xi + p->from * DIM, xi_rate + p->from * DIM,
+    if (from < 0) /* a shorter step ends before they touch, where they get a seat */
+        return contacts_pair_gap(p, &s, 0) < 0 ? STATUS_FAILED : STATUS_DONE;
+    return contacts_pair_meet(p, &s, xi + from * DIM, xi_rate + from * DIM,
                               push_of(c, m, p->first, &aside), push_of(c, m, p->second, &aside),
                               m->power);
+}
+
+static int refuse_pair(const struct contacts *c, const struct contacts_moment *m, int i, char *text,
+                       size_t room)
+{
+    const struct contacts_pair *p = &c->pair[i];
+
+    if (contacts_seats_at(c, m->work, i) >= 0)
+        return fail(p->a->path, p->b->path, m->t, text, room);
+    snprintf(text, room, "%s touches %s at t = %g s, a step too long: it came from farther away than "
+             "bodies get a seat for their contact at", p->a->path, p->b->path, m->t);
+    return STATUS_FAILED;
+}
+
+static int meet_pairs(const struct contacts *c, const struct contacts_moment *m, const double *xi,
+                      double *xi_rate, char *text, size_t room)
+{
+    const struct contacts_work *w = m->work;
+
+    for (int k = 0; k < w->near; k++)
+        if (meet_pair(c, m, w->pair[k], xi, xi_rate) != STATUS_DONE)
+            return refuse_pair(c, m, w->pair[k], text, room);
+    return STATUS_DONE;
 }
 
 static int meet_skin(const struct contacts *c, const struct contacts_moment *m,
@@ -98,7 +107,7 @@ static int meet_skin(const struct contacts *c, const struct contacts_moment *m,
     struct body_push aside = { .force = { 0 } };
     struct solid_place at;
 
-    return contacts_skin_meet(p, &c->scales, &m->body[p->body], place_of(c, m, p->second, &at),
+    return contacts_skin_meet(p, &c->scales, &m->body[p->body], contacts_near_of(c, m, p->second, &at),
                               xi + p->from * DIM, xi_rate + p->from * DIM,
                               push_of(c, m, p->second, &aside), m->power);
 }
@@ -109,7 +118,7 @@ static void as_guest(const struct contacts *c, const struct contacts_moment *m,
                      struct contacts_guest *g)
 {
     const int other = p->first == i ? p->second : p->first;
-    const struct solid_place *here = place_of(c, m, i, &at[0]), *there = place_of(c, m, other, &at[1]);
+    const struct solid_place *here = contacts_near_of(c, m, i, &at[0]), *there = contacts_near_of(c, m, other, &at[1]);
     const struct contacts_stand s = contacts_list_stand(c, here, there);
 
     contacts_guest_make(g, &c->solid[i], here, &c->solid[other], there, s.apart);
@@ -129,7 +138,7 @@ static void lift(const struct contacts *c, const struct contacts_moment *m,
     struct uplift_faces faces;
     struct contacts_guest g;
 
-    contacts_uplift_read(l->of, place_of(c, m, l->solid, &at[0]),
+    contacts_uplift_read(l->of, contacts_near_of(c, m, l->solid, &at[0]),
                          (const double (*)[DIM])m->body[l->body].force, &faces);
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < c->pairs; i++) {
@@ -150,14 +159,22 @@ static int meet(const struct contacts *c, const struct contacts_moment *m, char 
 {
     const double *xi = m->y + layout_at(m->layout, c->row);
     double *xi_rate = m->ydot + layout_at(m->layout, c->row);
+    int status;
 
     memset(m->power, 0, (size_t)columns(c) * sizeof *m->power);
     for (int i = 0; i < c->bodies; i++)
         m->body[i].push = (struct body_push){ .force = { 0 } };
-    place_bodies(c, m);
-    for (int i = 0; i < c->pairs; i++)
-        if (meet_pair(c, m, &c->pair[i], xi, xi_rate) != STATUS_DONE)
-            return fail(c->pair[i].a->path, c->pair[i].b->path, m->t, text, room);
+    for (long i = 0; i < c->places; i++)
+        touch_forget(xi + i * DIM, xi_rate + i * DIM);
+    for (int k = 0; k < c->seats.n; k++)
+        m->ydot[layout_at(m->layout, c->seats.row) + k] = 0;
+    contacts_near_place(c, m);
+    contacts_near_find(c, m, 0);
+    *m->looked += m->work->near;
+    contacts_seats_open(c, m);
+    status = meet_pairs(c, m, xi, xi_rate, text, room);
+    contacts_seats_close(c, m);
+    TRY(status);
     for (int i = 0; i < c->skins; i++)
         if (meet_skin(c, m, &c->skin[i], xi, xi_rate) != STATUS_DONE)
             return fail("a beam", c->skin[i].solid->path, m->t, text, room);
@@ -174,28 +191,66 @@ static void keep(struct limit *out, double rate, const char *first, const char *
     snprintf(out->part, sizeof out->part, "%.28s at %.28s", first, second);
 }
 
+/* From how far away some pair may want shorter steps [m]. */
+static double window(const struct contacts *c, const struct contacts_moment *m)
+{
+    double fastest = 0;
+
+    for (int i = 0; i < c->movers; i++) {
+        const struct solid_place *at = &m->body[c->part_of[i]].at;
+        double v2 = 0, spin2 = 0;
+        for (int d = 0; d < DIM; d++)
+            v2 += at->v[d] * at->v[d];
+        for (int k = 0; k < TURNING_SPINS; k++)
+            spin2 += at->spin[k] * at->spin[k];
+        fastest = fmax(fastest, sqrt(v2) + sqrt(spin2) * core_reach(&c->solid[i].core));
+    }
+    return touch_window(c->slow, 2 * fastest);
+}
+
 static void limit(const struct contacts *c, const struct contacts_moment *m, struct limit *out)
 {
+    const struct contacts_pair *always = c->always < 0 ? NULL : &c->pair[c->always];
     struct solid_place at[2];
 
-    place_bodies(c, m);
-    for (int i = 0; i < c->pairs; i++) {
-        const struct contacts_pair *p = &c->pair[i];
-        const struct contacts_stand s = contacts_list_stand(c, place_of(c, m, p->first, &at[0]),
-                                                            place_of(c, m, p->second, &at[1]));
+    contacts_near_place(c, m);
+    contacts_near_find(c, m, window(c, m));
+    if (always)
+        keep(out, always->always, always->a->path, always->b->path);
+    for (int k = 0; k < m->work->near; k++) {
+        const struct contacts_pair *p = &c->pair[m->work->pair[k]];
+        const struct contacts_stand s = contacts_list_stand(
+            c, contacts_near_of(c, m, p->first, &at[0]), contacts_near_of(c, m, p->second, &at[1]));
         keep(out, contacts_pair_rate(p, &s), p->a->path, p->b->path);
     }
     for (int i = 0; i < c->skins; i++) {
         const struct contacts_skin *p = &c->skin[i];
         keep(out, contacts_skin_rate(p, &c->scales, &m->body[p->body],
-                                     place_of(c, m, p->second, &at[0])), "a beam", p->solid->path);
+                                     contacts_near_of(c, m, p->second, &at[0])), "a beam", p->solid->path);
     }
 }
+
+static int create(const struct contacts_scene *scene, struct contacts **out)
+{
+    int code = contacts_list_create(scene, out);
+
+    if (code == STATUS_DONE && *out)
+        code = contacts_seats_first(*out, (*out)->seats.first);
+    if (code != STATUS_DONE)
+        contacts_list_free(out);
+    return code;
+}
+
+static const struct body_seats seats = {
+    .lack = contacts_seats_lack, .settle = contacts_seats_settle, .tidy = contacts_seats_tidy,
+};
 
 static const struct body_contacts solids = {
     .about = "solids, and skins of beams, that press and rub where they touch", .column = column,
     .columns = columns,
-    .create = contacts_list_create, .free = contacts_list_free, .rows = rows, .start = start, .parts = parts,
+    .create = create, .free = contacts_list_free, .rows = rows, .start = start, .parts = parts,
+    .work = contacts_near_create, .work_free = contacts_near_free,
+    .seats = &seats,
     .meet = meet, .limit = limit,
 };
 

@@ -12,6 +12,7 @@ enum { CONTACTS_COLUMNS = 4 }; /* of the book, at most                          
 
 struct shape;
 struct contacts; /* what they know of the scene; const once their rows are known   */
+struct contacts_work; /* what they work in                                          */
 
 struct contacts_body { /* a body, where its skin stands, and what pushes it              */
     const struct body_kind *kind;
@@ -55,6 +56,21 @@ struct contacts_moment {
     struct contacts_wall *wall;       /* [walls]                                   */
     double *ydot;                     /* of meet() only                            */
     double *power; /* [columns] what they give to bodies [W]; likewise             */
+    struct contacts_work *work;
+    long *looked;  /* counts pairs that meet() looks at                            */
+};
+
+/* Of contacts whose rows serve few of many pairs at a time. */
+struct body_seats {
+    /* Between two steps: is it time to end a segment and to serve others? */
+    bool (*lack)(const struct contacts *c, const struct contacts_moment *m);
+
+    /* Does so, in y.  STATUS_FAILED, with the reason in text [room]: there are too few rows. */
+    int (*settle)(const struct contacts *c, const struct contacts_moment *m, double *y, char *text,
+                  size_t room);
+
+    /* y, by id, without rows that serve none; how many numbers are left. */
+    long (*tidy)(const struct contacts *c, const struct layout *l, double *y);
 };
 
 struct body_contacts {
@@ -70,6 +86,12 @@ struct body_contacts {
      * have none. */
     int (*rows)(struct contacts *c, struct layout *l);
     void (*start)(const struct contacts *c, const struct layout *l, double *y);
+
+    /* Memory for all below; NULL: they need none. */
+    int (*work)(const struct contacts *c, struct contacts_work **out);
+    void (*work_free)(struct contacts_work **work);
+
+    const struct body_seats *seats; /* NULL: each pair has rows of its own             */
 
     /* Are body i and solid j, a body, or a wall from `bodies` on, kept apart? */
     bool (*parts)(const struct contacts *c, int i, int j);

@@ -45,6 +45,8 @@ static int take_memory(struct moment *m)
     m->meeting.power = status_alloc((size_t)p->contacts.columns + 1, sizeof *m->meeting.power);
     if (!m->force || !m->turn || !m->meeting.body || !m->meeting.wall || !m->meeting.power)
         return STATUS_FAILED;
+    if (p->contacts.kind && p->contacts.kind->work)
+        TRY(p->contacts.kind->work(p->contacts.self, &m->meeting.work));
     if (p->particles->n > 0)
         TRY(p->engine->sum->list->create(&m->own, &p->list_def));
     m->list = m->own;
@@ -132,6 +134,8 @@ void moment_free(struct moment **moment)
     free(m->meeting.body);
     free(m->meeting.wall);
     free(m->meeting.power);
+    if (m->meeting.work)
+        m->plan->contacts.kind->work_free(&m->meeting.work);
     particles_free(&m->particles);
     free(m);
     *moment = NULL;
@@ -232,6 +236,8 @@ int moment_keep(struct moment *m, struct archive *a)
     TRY(archive_integers(a, "counts.solves", &c->solves, 1));
     TRY(archive_integers(a, "counts.products", &c->products, 1));
     TRY(archive_integers(a, "counts.rebuilds", &c->rebuilds, 1));
+    TRY(archive_integers(a, "counts.settled", &c->settled, 1));
+    TRY(archive_integers(a, "counts.looked", &c->looked, 1));
     TRY(archive_integers(a, "counts.refused", &c->refused, 1));
     TRY(archive_integers(a, "counts.iterations", &c->iterations, 1));
     TRY(archive_numbers(a, "counts.compression", &c->compression, 1));

@@ -108,6 +108,15 @@ const char *moment_refusal(const struct moment *moment);
  * replace them and book the energy that this takes.  STATUS_FAILED: there is no right-hand side. */
 int moment_event(struct moment *moment, double t, double *y);
 
+/* Is a pair of bodies near that has no place for what its contact remembers?  Then the segment ends,
+ * and moment_settle() gives it one, in y.  STATUS_FAILED: there are too few. */
+bool moment_lacks(struct moment *moment, double t, const double *y);
+int moment_settle(struct moment *moment, double t, double *y);
+
+/* y [size], by id, without places for contacts that serve none, and how many numbers are left: for a
+ * hash that does not tell how many places there are. */
+long moment_tidy(const struct moment *moment, double *y);
+
 /* Is there an answer at (t, y)?  Asked of a fresh moment, which is as fresh afterwards, its counters
  * too, unless there is none: then as moment_eval(). */
 int moment_try(struct moment *moment, double t, const double *y);
@@ -166,6 +175,7 @@ void moment_body_book(struct moment *moment, double t, const double *y, double s
  * matrix, and list rebuilds. */
 struct moment_counts {
     long rhs_explicit, rhs_implicit /* with moment_rigid() */, passes, solves, products, rebuilds, refused;
+    long settled, looked; /* ends of segments for seats of contacts; pairs of solids looked at */
     long iterations;      /* for pressures solved step by step                    */
     double compression;   /* the largest that a step has left, of the rest density */
     double gain;          /* what an iteration corrects, of what it should        */

@@ -1,6 +1,8 @@
 /* touching.c -- bodies and walls as contacts see them. */
 #include "eval/inside.h"
 
+#include "base/status.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -51,7 +53,8 @@ struct contacts_moment touching_now(struct moment *m, double t, const double *y)
     for (int i = 0; i < p->walls; i++)
         carry(p, i, t, &m->meeting.wall[i].by);
     return (struct contacts_moment){ .layout = &m->layout, .t = t, .y = y, .body = m->meeting.body,
-                                     .wall = m->meeting.wall, .power = m->meeting.power };
+                                     .wall = m->meeting.wall, .power = m->meeting.power,
+                                     .work = m->meeting.work, .looked = &m->counts.looked };
 }
 
 void touching_load(const struct moment *m, int i, double t, const double *y, double *ydot,
@@ -62,4 +65,35 @@ void touching_load(const struct moment *m, int i, double t, const double *y, dou
     b->kind->load(b->body, b->work, &m->layout, t, y, (const double (*)[DIM])b->force, ydot, out);
     for (int d = 0; d < DIM && m->plan->contacts.kind && !b->kind->role.solid; d++)
         out->support[d] += m->meeting.body[i].push.by_walls[d];
+}
+
+bool moment_lacks(struct moment *m, double t, const double *y)
+{
+    const struct plan_contacts *c = &m->plan->contacts;
+    struct contacts_moment now;
+
+    if (!c->kind || !c->kind->seats)
+        return false;
+    now = touching_now(m, t, y);
+    return c->kind->seats->lack(c->self, &now);
+}
+
+int moment_settle(struct moment *m, double t, double *y)
+{
+    const struct plan_contacts *c = &m->plan->contacts;
+    const struct contacts_moment now = touching_now(m, t, y);
+    char text[sizeof m->refusal];
+
+    m->counts.settled++;
+    if (c->kind->seats->settle(c->self, &now, y, text, sizeof text) == STATUS_DONE)
+        return STATUS_DONE;
+    return status_fail(STATUS_FAILED, "%s", text);
+}
+
+long moment_tidy(const struct moment *m, double *y)
+{
+    const struct plan_contacts *c = &m->plan->contacts;
+
+    return c->kind && c->kind->seats ? c->kind->seats->tidy(c->self, &m->layout, y)
+                                     : layout_size(&m->layout);
 }

@@ -59,6 +59,9 @@ void run_explain(const struct run *r, int status, char *message);
 /* Where the results of a run are and what came out, on standard output. */
 void run_sum_up(const struct run *r, const struct run_order *order, int status);
 
+/* segments.c: after a step, ends a segment where one ends there, and begins the next. */
+int run_next_segment(struct run *r);
+
 /* After the step to (t, y): least and largest of the fluid, into r->past; then what should end
  * the run, or be heard of once. */
 void run_keep_extremes(struct run *r, double t, const double *y);

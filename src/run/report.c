@@ -77,6 +77,8 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "pressure_iterations", c->iterations);
     json_number(j, "pressure_compression", c->iterations ? c->compression : NAN);
     json_number(j, "pressure_gain", c->gain > 0 ? c->gain : NAN);
+    json_integer(j, "contact_pairs", c->looked);
+    json_integer(j, "contact_segments", c->settled);
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
@@ -117,8 +119,10 @@ static void write_books(struct json *j, const struct run *r, const double *y)
 {
     char hash[HASH_TEXT];
     struct observe_sunk sunk;
+    size_t size;
 
     moment_by_id(r->moment, y, r->y);
+    size = (size_t)moment_tidy(r->moment, r->y);
     observe_sunk(r->moment, r->past.tally.t, y, &sunk);
     json_integer(j, "escaped", observe_escaped(r->moment, r->past.tally.t, y));
     json_integer(j, "in_solids", sunk.n);
@@ -134,7 +138,7 @@ static void write_books(struct json *j, const struct run *r, const double *y)
     write_scales(j, r);
     json_integer(j, "peak_rss_kb", (long)(memory_peak() / 1024));
     json_text(j, "state_hash",
-              hash_text(hash_bytes(HASH_START, r->y, plan_size(r->plan) * sizeof *y), hash));
+              hash_text(hash_bytes(HASH_START, r->y, size * sizeof *y), hash));
 }
 
 int run_report(const struct run *r, int status, const char *message, const double *y)

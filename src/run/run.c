@@ -118,19 +118,6 @@ static int one_step(struct run *r, struct progress *progress)
     return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
 }
 
-/* Where f jumps, or y does, a segment ends, and the method starts anew. */
-static int next_segment(struct run *r)
-{
-    const double t = r->past.tally.t;
-
-    if (t < r->event)
-        return STATUS_DONE;
-    r->event = plan_event(r->plan, t);
-    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
-    TRY(moment_event(r->moment, t, r->y));
-    return r->method->restart(r->self, t, r->y);
-}
-
 static int keep_when_due(struct run *r)
 {
     return checkpoint_due(r) ? checkpoint_write(r) : STATUS_DONE;
@@ -169,7 +156,7 @@ static int go(struct run *r, struct progress *progress)
     while (r->past.tally.t < r->until) {
         TRY(one_step(r, progress));
         TRY(write_due(r, r->past.tally.t));
-        TRY(next_segment(r));
+        TRY(run_next_segment(r));
         TRY(keep_when_due(r));
         if (run_ranks_stopped() && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");

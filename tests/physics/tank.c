@@ -64,7 +64,7 @@ int tank_try(struct tank *t, const char *text)
 
 void tank_make(struct tank *t, const char *first, ...)
 {
-    char text[8192] = "";
+    char text[65536] = "";
     va_list args;
 
     va_start(args, first);

@@ -1,0 +1,38 @@
+/* segments.c -- where segments of a run end: f jumps or y does, or contacts of other bodies are to
+ * be remembered.  A checkpoint (checkpoint.c) ends one as well. */
+#include "run/inside.h"
+
+#include "base/status.h"
+
+#include <string.h>
+
+/* Where f jumps, or y does, a segment ends, and the method starts anew. */
+static int jump(struct run *r)
+{
+    const double t = r->past.tally.t;
+
+    if (t < r->event)
+        return STATUS_DONE;
+    r->event = plan_event(r->plan, t);
+    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
+    TRY(moment_event(r->moment, t, r->y));
+    return r->method->restart(r->self, t, r->y);
+}
+
+/* Bodies come near that have no place for what a contact remembers. */
+static int settle(struct run *r)
+{
+    const double t = r->past.tally.t;
+
+    if (!moment_lacks(r->moment, t, r->method->state(r->self)))
+        return STATUS_DONE;
+    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
+    TRY(moment_settle(r->moment, t, r->y));
+    return r->method->restart(r->self, t, r->y);
+}
+
+int run_next_segment(struct run *r)
+{
+    TRY(jump(r));
+    return settle(r);
+}
