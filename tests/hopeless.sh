@@ -52,6 +52,21 @@ rm -f some/steps.csv && rm -rf some/figures
 there=$(find some -type f -exec cat {} + | wc -c)
 claim 'the estimate is right within a third' "$told * 1e6 > 0.67 * $there && $told * 1e6 < 1.5 * $there"
 
+# --- tables with more columns than there can be -----------------------------------------------
+{
+    cat "$dam"
+    echo 'panel = {'
+    awk 'BEGIN { for (i = 0; i < 1700; i++) printf "p%d = { of = \"tank\"; };\n", i }'
+    echo '};'
+} >wide.scene
+for command in check 'run -q -o wide'; do
+    # shellcheck disable=SC2086 # words
+    "$STIFFWATER" $command wide.scene spacing=0.01 >wide.said 2>&1
+    claim "$command: 8,501 columns are refused" "$? == 2"
+    prints wide 'panels.csv would have 8501 columns, more than 8192'
+done
+[ ! -e wide ] && good 'before anything is written' || wrong 'before anything is written'
+
 # --- a start without a right-hand side --------------------------------------------------------
 "$STIFFWATER" run "$top_srcdir/data/scenes/still-water.scene" eos.c0=4 eos.highest=1.02 -q -o dense \
     >dense.said 2>&1

@@ -136,6 +136,20 @@ again 'a box that sinks and stops' "$top_srcdir/tests/scenes/floating-box.scene"
 again 'bodies with joints, driven, on springs' "$top_srcdir/tests/scenes/driven-flap.scene" 0.1
 again 'a block that steps by itself' "$top_srcdir/tests/scenes/block-falls.scene" 0.3 method=mri-rigid \
     body.block.softness=0.003
+again 'mps in 3D' "$deep" 0.02 method=mps walls=own-density
+again 'a contact potential' "$flat" 0.01 walls=potential beam.plate=off effects.contact-potential=on \
+    effects.pressure=off effects.density-diffusion=off
+again 'pressure ahead in single precision' "$flat" 0.01 eos.type=look-ahead walls=own-density \
+    precision=single
+again 'particles that shift' "$flat" 0.01 effects.particle-shifting=on
+float=$top_srcdir/tests/scenes/floating-box.scene
+again 'a polygon with a dent' "$float" 0.2 body.it.shape=polygon body.it.size=off body.it.density=1500.0 \
+    'body.it.points=[[-0.05,-0.03],[0.05,-0.03],[0.05,0.03],[0,0],[-0.05,0.03]]' 'body.it.stops=["bottom"]'
+cube=$top_srcdir/tests/scenes/falling-cube.scene
+again 'a cylinder that falls' "$cube" 0.2 body.it.shape=cylinder body.it.size=off body.it.radius=0.05 \
+    body.it.height=0.08
+again 'a hull that falls' "$cube" 0.2 body.it.shape=hull body.it.size=off \
+    'body.it.points=[[-0.05,-0.05,-0.04],[0.05,-0.05,-0.04],[0,0.05,-0.04],[0,0,0.06]]'
 again 'pcisph with a beam' "$flat" 0.02 method=pcisph walls=own-density
 
 # --- twice, and longer ----------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "implicit/release.h"
 #include "plan/memory.h"
 #include "plan/passes.h"
+#include "run/tables.h"
 #include "state/memory.h"
 #include "state/part.h"
 
@@ -184,6 +185,8 @@ static int check(struct run *r, const struct run_order *order, double program)
 
     if (status == STATUS_DONE)
         status = run_disk_agree(r);
+    if (status == STATUS_DONE)
+        status = tables_agree(r->plan);
     if (status == STATUS_DONE)
         status = measure(r, &seconds);
     if (status != STATUS_DONE)

@@ -34,7 +34,9 @@ int columns_open(const struct columns *c, struct series **out, const char *dir, 
         return STATUS_DONE;
     if (c->n > COLUMNS_MOST)
         return status_fail(STATUS_BAD_SCENE, "%s would have %d columns, more than %d: use fewer "
-                           "walls, beams or probes", file, c->n, COLUMNS_MOST);
+                           "walls, beams, bodies, panels or probes", file, c->n, COLUMNS_MOST);
+    if (c->tried)
+        return STATUS_DONE;
     for (int i = 0; i < c->n; i++) {
         name[i] = c->name[i];
         unit[i] = c->unit[i];

@@ -10,6 +10,7 @@
 #include "run/checkpoint.h"
 #include "run/ranks.h"
 #include "run/stop.h"
+#include "run/tables.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -201,6 +202,7 @@ static int start(struct run *r)
     TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
+    TRY(tables_agree(r->plan));
     TRY(release_start(r->moment, r->y));
     TRY(moment_share(r->moment, r->y));
     TRY(try_start(r));

@@ -74,6 +74,23 @@ int tables_open(struct tables **out, const struct plan *plan, const char *dir,
     return status;
 }
 
+int tables_agree(const struct plan *plan)
+{
+    struct columns *h = status_alloc(1, sizeof *h);
+    struct tables *o = status_alloc(1, sizeof *o);
+    struct running *means = NULL;
+    int status = STATUS_FAILED, closed;
+
+    if (h && o) {
+        h->tried = true;
+        status = open_all(o, plan, "", h, &means);
+    }
+    running_free(&means);
+    closed = tables_close(&o);
+    free(h);
+    return status != STATUS_DONE ? status : closed;
+}
+
 int tables_keep(struct tables *o, struct archive *a)
 {
     TRY(series_keep(o->book, a, "book.csv"));

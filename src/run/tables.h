@@ -16,6 +16,9 @@ struct tables;
 int tables_open(struct tables **out, const struct plan *plan, const char *dir,
                 struct running **means, bool again);
 
+/* Makes none.  STATUS_BAD_SCENE: tables_open() would refuse, when some files were there already. */
+int tables_agree(const struct plan *plan);
+
 /* Lengths of all files, output/series.h. */
 int tables_keep(struct tables *o, struct archive *a);
 

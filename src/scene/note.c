@@ -12,12 +12,56 @@ static bool same(const char *a, const char *b)
     return a == b || (a && b && strcmp(a, b) == 0);
 }
 
+/* FNV-1a over both texts and the end of the first. */
+static size_t seat_of(const struct scene *scene, const char *path, const char *key)
+{
+    unsigned long hash = 0xcbf29ce484222325;
+
+    for (const char *c = path; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 0x100000001b3;
+    hash *= 0x100000001b3;
+    for (const char *c = key ? key : ""; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 0x100000001b3;
+    return (hash ^ hash >> 32) & (scene->seats - 1);
+}
+
+/* Where the number of that note stands, or 0 for the next one to be made: scenes of thousands of
+ * objects have a hundred thousand notes, and each is looked for. */
+static int *find_seat(const struct scene *scene, const char *path, const char *key)
+{
+    size_t i = seat_of(scene, path, key);
+
+    for (; scene->seat[i] > 0; i = (i + 1) & (scene->seats - 1)) {
+        const struct scene_note *note = &scene->note[scene->seat[i] - 1];
+        if (same(note->path, path) && same(note->key, key))
+            break;
+    }
+    return &scene->seat[i];
+}
+
+/* Twice as many seats before half of them are taken. */
+static int make_seats(struct scene *scene)
+{
+    const size_t seats = scene->seats ? 2 * scene->seats : 256;
+    int *seat;
+
+    if (2 * ((size_t)scene->notes + 1) < scene->seats)
+        return STATUS_DONE;
+    seat = scene_pool_take(&scene->pool, seats * sizeof *seat);
+    if (!seat)
+        return STATUS_FAILED;
+    scene->seat = seat;
+    scene->seats = seats;
+    for (int i = 0; i < scene->notes; i++)
+        *find_seat(scene, scene->note[i].path, scene->note[i].key) = i + 1;
+    return STATUS_DONE;
+}
+
 static struct scene_note *find(const struct scene *scene, const char *path, const char *key)
 {
-    for (int i = 0; i < scene->notes; i++)
-        if (same(scene->note[i].path, path) && same(scene->note[i].key, key))
-            return &scene->note[i];
-    return NULL;
+    const int seat = scene->seats ? *find_seat(scene, path, key) : 0;
+
+    return seat > 0 ? &scene->note[seat - 1] : NULL;
 }
 
 /* The note of path and key, made if it is missing; NULL if there is no memory. */
@@ -29,7 +73,7 @@ static struct scene_note *find_or_make(struct scene *scene, const char *path, co
     if (note)
         return note;
     note = scene_pool_grow(pool, scene->note, scene->notes, &scene->notes_room, sizeof *note);
-    if (!note)
+    if (!note || make_seats(scene) != STATUS_DONE)
         return NULL;
     scene->note = note;
     note += scene->notes;
@@ -39,6 +83,7 @@ static struct scene_note *find_or_make(struct scene *scene, const char *path, co
     if (!note->path || (key && !note->key))
         return NULL;
     scene->notes++;
+    *find_seat(scene, path, key) = scene->notes;
     return note;
 }
 

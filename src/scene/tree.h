@@ -60,6 +60,9 @@ struct scene {
     struct scene_node *root;
     struct scene_note *note; /* [notes] in the order of scene_fill() */
     int notes, notes_room;
+    int *seat;               /* [seats], a power of two: 0, or 1 + the place of a note that is
+                              * found by its path and key                            */
+    size_t seats;
 };
 
 struct scene_node *scene_node_create(struct scene_pool *pool, const char *name,
