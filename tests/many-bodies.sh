@@ -1,6 +1,7 @@
 #!/bin/sh
 # many-bodies.sh -- 200 discs, and 200 spheres, that fall a short way onto each other, without
-# water; 200 boxes and cubes that are thrown into a bin; more bodies than a scene may have are refused.
+# water; 200 boxes and cubes that are thrown into a bin; more bodies than a scene
+# may have, and more places than contacts remember, are refused.
 . "$top_srcdir/tests/lib.sh"
 
 # heap DIM SHAPE COUNT: bodies 4 cm wide in rows of 5 cm by 4.5 cm, none of them above another.
@@ -48,6 +49,19 @@ heap 2 disc 257
 go crowd "$out/disc-257.scene"
 claim 'more bodies than a scene may have are refused' "$code == 2"
 prints crowd '257 bodies and beams are more than the 256'
+
+# Cylinders have so many edges that seats do not help.
+awk 'BEGIN {
+    print "title = \"Cylinders\"; dimension = 3; until = 0.01; gravity = [0.0, 0.0, -9.81];"
+    print "domain = { from = [0.0, 0.0, 0.0]; to = [5.0, 1.0, 1.0]; }; body = {"
+    for (i = 0; i < 40; i++)
+        printf "c%d = { shape = \"cylinder\"; at = [%s, 0.5, 0.5]; radius = 0.02; height = 0.04; density = 1350.0; };\n",
+            i, 0.1 + 0.1 * i
+    print "};"
+}' >"$out/cylinders.scene"
+go cylinders "$out/cylinders.scene"
+claim 'more places than contacts remember are refused' "$code == 2"
+prints cylinders 'places, each of which remembers how far it is bent' 'bodies with fewer corners and edges'
 
 # bin DIM COUNT ACROSS SPEED: boxes of 4 cm in a lattice of 5 cm by 4.5 cm, thrown down into a bin.
 bin()
