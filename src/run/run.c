@@ -98,6 +98,15 @@ static int step_on(struct run *r, struct method_step *step)
     return stopped(r, "all files are complete up to there");
 }
 
+/* After a step: what each rank does for itself.  A step without memory found another way. */
+static int look(struct run *r, const struct method_step *step, const double *y)
+{
+    if (run_ranks_writes())
+        TRY(outputs_step(r->outputs, r->moment, step, y));
+    TRY(run_watch(r, step->t, y));
+    return status_is_starved() ? STATUS_FAILED : STATUS_DONE;
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
@@ -112,10 +121,7 @@ static int one_step(struct run *r, struct progress *progress)
     r->past.tally.rejected = step.rejected;
     run_keep_extremes(r, step.t, y);
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    TRY(ranks_agree(run_ranks_writes() ? outputs_step(r->outputs, r->moment, &step, y)
-                                       : STATUS_DONE));
-    TRY(run_watch(r, step.t, y));
-    return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
+    return ranks_agree(look(r, &step, y));
 }
 
 /* Where f jumps, or y does, a segment ends, and the method starts anew. */
@@ -209,15 +215,21 @@ static int open_outputs(struct run *r, bool again)
     return outputs_open(&r->outputs, r->plan, &home, &r->past);
 }
 
-static int start(struct run *r)
+/* What can be refused before ranks share anything. */
+static int agree(struct run *r)
 {
     TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
-    TRY(release_start(r->moment, r->y));
+    return release_start(r->moment, r->y);
+}
+
+static int start(struct run *r)
+{
+    TRY(ranks_agree(agree(r)));
     TRY(moment_share(r->moment, r->y));
     TRY(try_start(r));
-    TRY(create_method(r));
+    TRY(ranks_agree(create_method(r)));
     choose_times(r);
     TRY(ranks_agree(open_outputs(r, false)));
     run_keep_extremes(r, 0, r->y);
@@ -227,13 +239,20 @@ static int start(struct run *r)
     return run_write_used(r);
 }
 
+static int agree_again(struct run *r, struct archive *from)
+{
+    TRY(run_ranks_agree(r));
+    TRY(checkpoint_agree(r));
+    return checkpoint_load_state(r, from);
+}
+
 static int start_again(struct run *r, struct archive *from)
 {
-    TRY(checkpoint_agree(r));
-    TRY(checkpoint_load_state(r, from));
-    TRY(create_method(r));
-    TRY(open_outputs(r, true));
-    return checkpoint_load_past(r, from);
+    TRY(ranks_agree(agree_again(r, from)));
+    TRY(moment_share(r->moment, r->y));
+    TRY(ranks_agree(create_method(r)));
+    TRY(ranks_agree(open_outputs(r, true)));
+    return ranks_agree(checkpoint_load_past(r, from));
 }
 
 /* The last row of a run that ended early: where it ended. */
@@ -264,6 +283,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
+    status = ranks_agree(status);
     if (status == STATUS_DONE)
         status = from ? start_again(&r, from) : start(&r);
     if (status != STATUS_DONE || !r.outputs) {
