@@ -45,20 +45,52 @@ static int kind_of(const struct plan_rows *of, int row)
     return KINDS;
 }
 
-const double *moment_whole(struct moment *m, const double *y)
+/* Rows of y that a rank has, between y and a message; returns what comes behind. */
+static double *copy_rows(const struct moment *m, int rank, bool pack, double *y, double *to)
 {
-    struct moment_share *s = m->share;
+    const struct moment_share *s = m->share;
     const struct layout *l = &m->layout;
 
-    if (!s)
-        return y;
-    memmove(s->whole, y, (size_t)layout_size(l) * sizeof *y);
+    for (int i = 0; i < l->rows; i++) {
+        const int k = kind_of(&m->plan->row, i);
+        const size_t c = (size_t)l->row[i].components;
+        for (int j = k < KINDS ? s->from[rank][k] : 0; k < KINDS && j < s->from[rank][k + 1]; j++, to += c) {
+            double *at = y + l->row[i].offset + (size_t)(s->row[j] - m->particles->from[k]) * c;
+            memcpy(pack ? to : at, pack ? at : to, c * sizeof *at);
+        }
+    }
+    return to;
+}
+
+/* How many numbers of y a rank has. */
+static int numbers_of(const struct moment *m, int rank)
+{
+    const struct layout *l = &m->layout;
+    int n = 0;
+
     for (int i = 0; i < l->rows; i++) {
         const int k = kind_of(&m->plan->row, i);
         if (k < KINDS)
-            share_gather(s, m->particles, (enum kind)k, (size_t)l->row[i].components,
-                        s->whole + l->row[i].offset, s->whole + l->row[i].offset);
+            n += l->row[i].components * (m->share->from[rank][k + 1] - m->share->from[rank][k]);
     }
+    return n;
+}
+
+const double *moment_whole(struct moment *m, const double *y)
+{
+    struct moment_share *s = m->share;
+    double *at;
+
+    if (!s)
+        return y;
+    memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = numbers_of(m, r);
+    copy_rows(m, s->me, true, s->whole, s->pack);
+    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
+    at = s->all;
+    for (int r = 0; r < s->ranks; r++)
+        at = copy_rows(m, r, false, s->whole, at);
     return s->whole;
 }
 

@@ -64,6 +64,11 @@ void run_sum_up(const struct run *r, const struct run_order *order, int status);
 void run_keep_extremes(struct run *r, double t, const double *y);
 int run_watch(struct run *r, double t, const double *y);
 
+/* Begins a run that is prepared, from its scene or from a checkpoint.  All ranks have the status
+ * of the first that fails. */
+int run_start(struct run *r);
+int run_start_again(struct run *r, struct archive *from);
+
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);
 
