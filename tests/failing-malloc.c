@@ -4,6 +4,7 @@
  *     FAIL_FROM=N    that one and all after it
  *     FAIL_COUNT=1   nothing is refused; their number goes to standard error at the end
  *     FAIL_BUT=1     requests by HDF5 and SUNDIALS are not counted, nor refused
+ *     FAIL_ONLY=NAME none but those of files whose path has this in it
  *
  * Requests are those of the program and of its libraries, from the first on.  Written for glibc,
  * whose own functions have a second name. */
@@ -26,6 +27,7 @@ void *__libc_memalign(size_t alignment, size_t size);
 static atomic_long requests;
 static long once, from, counts;
 static int but;
+static const char *only;
 
 __attribute__((constructor)) static void ask(void)
 {
@@ -35,6 +37,7 @@ __attribute__((constructor)) static void ask(void)
     from = f ? atol(f) : 0;
     counts = getenv("FAIL_COUNT") != NULL;
     but = getenv("FAIL_BUT") != NULL;
+    only = getenv("FAIL_ONLY");
     atomic_store(&requests, 0);
 }
 
@@ -51,8 +54,10 @@ static int is_spared(const void *caller)
 {
     Dl_info about;
 
-    if (!but || !dladdr(caller, &about) || !about.dli_fname)
+    if ((!but && !only) || !dladdr(caller, &about) || !about.dli_fname)
         return 0;
+    if (only)
+        return !strstr(about.dli_fname, only);
     return strstr(about.dli_fname, "hdf5") || strstr(about.dli_fname, "sundials");
 }
 

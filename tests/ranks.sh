@@ -58,11 +58,18 @@ refuse() {
     if [ ! -e "$out/two" ]; then good "and write nothing"; else wrong "and write nothing"; fi
 }
 scenes=$top_srcdir/data/scenes
-refuse "bodies are refused in one message" "$scenes/beam-alone.scene"
-refuse "other methods are refused" "$scenes/dam-break.scene" method=imex3
-refuse "checkpoints are refused" "$scenes/dam-break.scene" output.checkpoint=0.1
+refuse "bodies without water are refused in one message" "$scenes/beam-alone.scene"
+for method in bdf dv pcisph gsl-msadams; do
+    refuse "the method $method is refused" "$scenes/dam-break.scene" method=$method walls=own-density
+done
+refuse "other norms are refused" "$scenes/dam-break.scene" norm=p8
+refuse "a viscosity that is implicit is refused" "$scenes/poiseuille.scene"
+refuse "a pressure that looks ahead is refused" "$scenes/closed-tank.scene"
+refuse "a drift is refused" "$scenes/standing-wave.scene"
+refuse "filters are refused" "$scenes/dam-break.scene" effects.shepard-filter.steps=5
+refuse "a force beside the weight is refused" "$scenes/oscillating-drop.scene"
 ranks 2 "$top_builddir/stiffwater-2d-mpi" check "$scene"
-refused "no other command is shared" "2 ranks share .run. and no other"
+refused "no other command is shared" "2 ranks share .run. and .resume., and no other"
 code=0
 PMI_SIZE=2 PMI_RANK=0 "$top_builddir/stiffwater-2d-mpi" check "$scene" >"$out/said" 2>&1 || code=$?
 refused "copies that another mpirun started are refused" 'there are 2 copies'
@@ -114,6 +121,114 @@ same tank 2 sloshing-tank until=0.3
 same vortex 2 taylor-green until=0.2
 same drop 2 elliptic-drop until=0.002
 same column 3 dam-break-3d spacing=0.0555 until=0.02
+
+
+# Bodies, which each rank moves for itself, by the forces of all: beams of both theories, rigid
+# bodies with joints and contacts; records in single precision; a method of each family.
+small=../../tests/scenes/small
+beam="walls=own-density beam.plate.E=1e6 beam.plate.theory=linear"
+same beam 2 toth-beam until=0.007
+same mri 2 $small-2d until=0.004 $beam method=mri
+same box 2 floating-box until=0.01
+same cubes 3 flood-six-cubes until=0.003 spacing=0.05
+same single 2 dam-break until=0.01 spacing=0.01 precision=single
+if [ -n "${STIFFWATER_LONG-}" ]; then
+    same plate 2 $small-2d until=0.004 $beam
+    same contact 2 $small-2d until=0.004 beam.plate.E=1e6 walls=contact
+    same elastica 2 $small-2d until=0.004 walls=own-density beam.plate.theory=elastica beam.plate.E=1e6
+    same staggered 2 $small-2d until=0.003 $beam method=staggered
+    same hinge 2 pendulum-gate until=0.01
+    same inner 2 floating-box until=0.003 method=mri-rigid
+    for method in ab3 leapfrog euler-cfl adams gsl-rkf45 erk3 imex3; do
+        same $method 2 dam-break until=0.01 spacing=0.01 method=$method
+    done
+fi
+
+# --- checkpoints --------------------------------------------------------------------------------
+# on N M: a run on N ranks, killed late, goes on on M
+on() {
+    rm -rf "$out/parts"
+    ranks "$1" "$top_builddir/stiffwater-2d-mpi" run "$kept" $keys -o "$out/parts"
+    rm "$out/parts/checkpoint.h5"
+    [ $code = 0 ] && ranks "$2" "$top_builddir/stiffwater-2d-mpi" resume "$out/parts" -q
+    if [ $code = 0 ] && diff -r -q -x run.json -x 'checkpoint*.h5' "$out/whole" "$out/parts" &&
+        [ "$(hash whole)" = "$(hash parts)" ]; then good "kept by $1 ranks, resumed by $2: all files are those of one"
+    else wrong "kept by $1 ranks, resumed by $2: status $code"; cat "$out/said"; fi
+}
+kept=$scenes/floating-box.scene
+keys="until=0.02 output.checkpoint=0.012 output.interval=0.004 -q"
+"$STIFFWATER" run "$kept" $keys -o "$out/whole" >"$out/said" 2>&1 || cat "$out/said"
+on 1 3
+on 2 1
+on 3 2
+"$STIFFWATER" resume "$out/parts" until=0.022 --ranks 2 -q >"$out/said" 2>&1 || cat "$out/said"
+"$STIFFWATER" resume "$out/whole" until=0.022 -q >"$out/said" 2>&1 || cat "$out/said"
+if [ "$(value parts ranks)" = 2 ] && [ "$(hash whole)" = "$(hash parts)" ]; then good "resume --ranks 2"
+else wrong "resume --ranks 2"; cat "$out/said"; fi
+
+# --- what ranks say ------------------------------------------------------------------------------
+# A right-hand side asks all twice: who has to make a list or to refuse, and for powers; once more
+# all hear what solids have and get.  Messages go to those alone whose rows are neighbours.
+if mpicc -O1 -shared -fPIC -o "$out/counters.so" "$top_srcdir/tests/ranks/counters.c" 2>"$out/said"; then
+    counted() {
+        ranks 3 -x LD_PRELOAD="$out/counters.so" "$top_builddir/stiffwater-2d-mpi" run \
+            "$scenes/dam-break.scene" spacing=0.005 until="$1" output.interval=1 output.fields=100 \
+            output.snapshots=0 -q -f -o "$out/counted"
+        for what in allreduces gathers exchanges messages bytes; do
+            eval "$what=\$(sed -n 's/.*$what \([0-9]*\).*/\1/p' \"\$out/said\")"
+        done
+        steps=$(value counted steps) rhs=$(value counted rhs_explicit) lists=$(value counted rebuilds)
+    }
+    counted 0.06
+    echo "3 ranks, $steps steps, $rhs right-hand sides, $lists lists: $allreduces allreduces," \
+        "$gathers gathers, $exchanges exchanges, $messages messages, $bytes bytes"
+    claim "allreduces: two a right-hand side, some a step and a list" \
+        "$allreduces <= 2 * $rhs + 7 * $steps + 10 * $lists + 40"
+    claim "exchanges, one a right-hand side and one a list" "$exchanges <= $rhs + $lists"
+    claim "messages" "$messages <= 2 * $exchanges"
+else
+    echo "skipped: there is no mpicc to count with"
+fi
+
+# --- ends that come early ------------------------------------------------------------------------
+begun=$(date +%s)
+timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 3 "$top_builddir/stiffwater-2d-mpi" run \
+    "$scenes/dam-break.scene" until=5 output.checkpoint=0.02 -q -o "$out/killed" >"$out/said" 2>&1 &
+pid=$!
+while [ ! -e "$out/killed/checkpoint.h5" ] && [ $(($(date +%s) - begun)) -lt 20 ]; do sleep 0.2; done
+sleep 1
+begun=$(date +%s)
+kill -9 "$(pgrep -P $(pgrep -P $pid) | tail -n 1)" || true
+code=0
+wait $pid || code=$?
+claim "a killed rank ends the run, in s" "$code != 0 && $(date +%s) - $begun <= 10"
+torn=$(torn "$out/killed")
+if [ -z "$torn" ]; then good "and files are whole"; else wrong "torn: $torn"; fi
+
+# Memory that the last rank alone lacks, from reading the scene to the last step: all end with one
+# status, and nothing waits for ever.
+if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-malloc.c" 2>"$out/said"; then
+    program=$top_builddir/stiffwater-2d-mpi
+    lacking() {
+        set -- "$1" "$program" run "$scenes/dam-break.scene" spacing=0.025 until=0.01 output.fields=100 \
+            output.snapshots=0 -q -f -o "$out/lacking"
+        request=$1
+        shift
+        code=0
+        timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" : -n 1 env LD_PRELOAD="$out/refuse.so" \
+            FAIL_ONLY=stiffwater FAIL_COUNT=1 FAIL_ONCE="$request" "$@" >"$out/said" 2>&1 || code=$?
+    }
+    lacking 100000000
+    all=$(sed -n 's/requests: //p' "$out/said")
+    for share in 55 70 83 85 98; do
+        lacking $((all * share / 100))
+        if [ $code = 1 ] && [ "$(grep -c 'out of memory' "$out/said")" = 1 ]; then
+            good "request $((all * share / 100)) of $all is refused to one rank: all end with status 1"
+        else wrong "request $((all * share / 100)) of $all is refused: status $code"; cat "$out/said"; fi
+    done
+else
+    echo "skipped: no library that refuses memory"
+fi
 
 # What one step of a solve refuses, all refuse, and say once.
 ranks 2 "$top_builddir/stiffwater-2d-mpi" run "$scenes/mps-dam-break.scene" until=0.001 mps.iterations=1 \

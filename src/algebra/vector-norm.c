@@ -235,13 +235,11 @@ long vector_largest(N_Vector v)
     return vector_content(v)->family->largest;
 }
 
-/* No finite norm has an entry that is not. */
 static long bad_here(N_Vector v)
 {
     const double *x = vector_read(v);
-    const struct vector_store *s = vector_content(v)->store;
     const struct vector_family *f = vector_content(v)->family;
-    const long bad = s->by && s->norm <= DBL_MAX ? -1 : vector_first_bad(f->n, x);
+    const long bad = vector_first_bad(f->n, x);
     long i = 0;
 
     if (bad < 0 || !f->order)
@@ -251,9 +249,15 @@ static long bad_here(N_Vector v)
     return f->order[i];
 }
 
+/* No finite norm has an entry that is not; all ranks know it. */
 long vector_bad(N_Vector v)
 {
-    long bad = bad_here(v);
+    const struct vector_store *s = vector_content(v)->store;
+    long bad;
 
+    vector_settle(vector_content(v));
+    if (s->by && s->norm <= DBL_MAX)
+        return -1;
+    bad = bad_here(v);
     return ranks_first(bad < 0 ? HUGE_VAL : 0, bad, &bad, sizeof bad) < 0 ? -1 : bad;
 }

@@ -20,6 +20,8 @@ static const struct argp_option run_options[] = {
 static const struct argp_option resume_options[] = {
     { "until", 'u', "T", 0, "Time at which the run ends [s] (default: as it was to)", 0 },
     { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "ranks", 'P', "N", 0, "Processes that share the run from here on, whatever their number was; "
+      "the results do not depend on it", 0 },
     { "quiet", 'q', NULL, 0, "No progress line", 0 },
     { 0 },
 };

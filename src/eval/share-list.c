@@ -26,13 +26,28 @@ static bool may_be_old(const struct moment *m, const struct view *v)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
+    const bool solids_move = m->plan->moving_walls || m->plan->bodies > 0;
     bool old = !m->own->stands;
 
     for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1] && !old; i++)
         old = moved(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM);
-    for (int i = p->from[KIND_WALL]; i < p->n && m->plan->moving_walls && !old; i++)
+    for (int i = p->from[KIND_WALL]; i < p->n && solids_move && !old; i++)
         old = moved(m, i, p->x[i]);
     return old;
+}
+
+/* Is a density of this rank's own rows in y out of bounds?  All have to know before they sum. */
+static bool refuses(const struct moment *m, const struct view *v)
+{
+    const struct moment_share *s = m->share;
+    bool all = true;
+
+    for (int k = 0; k < KINDS; k++)
+        for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1] && v->rho[k]; i++) {
+            const double rho = v->rho[k][s->row[i] - v->p->from[k]];
+            all &= rho >= m->density[0] && rho <= m->density[1];
+        }
+    return !all;
 }
 
 /* Marks rows of fluid that others own and that are neighbours of rows here; in s->halo. */
@@ -165,7 +180,7 @@ static void hear_solids(struct moment_share *s, struct view *v)
 {
     for (int k = KIND_WALL; k < KINDS; k++) {
         double *rho = s->rho + v->p->from[k];
-        if (!v->rho[k])
+        if (!v->rho[k] || particles_count(v->p, (enum kind)k) == 0)
             continue;
         share_gather(s, v->p, (enum kind)k, 1, v->rho[k], rho);
         v->rho[k] = rho;
@@ -183,27 +198,39 @@ int share_remake(const struct moment *run, struct list *list)
     return run->plan->engine->sum->list->update(list, &cloud);
 }
 
+/* Of positions that all ranks have; one that has no memory for it fails for all. */
+static int remake(struct moment *m, const struct cloud *cloud)
+{
+    const long builds = m->own->builds;
+    int status = m->plan->engine->sum->list->update(m->own, cloud), agreed;
+
+    if (status == STATUS_DONE)
+        status = workspace_fit(m->work, m->own);
+    agreed = ranks_agree(status);
+    if (status == STATUS_DONE && agreed != STATUS_DONE)
+        m->own->bad = -1;
+    TRY(agreed);
+    return m->own->builds != builds ? find_halo(m) : STATUS_DONE;
+}
+
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double old = may_be_old(m, v);
-    const long builds = m->own->builds;
+    double flag[] = { may_be_old(m, v), refuses(m, v) };
 
     read_own(s, v);
     v->x[KIND_FLUID] = cloud->x[KIND_FLUID] = s->x;
     v->u[KIND_FLUID] = s->u;
     v->rho[KIND_FLUID] = s->rho;
-    ranks_most(1, &old);
-    if (old > 0) {
+    ranks_most(2, flag);
+    s->refuses = flag[1] > 0;
+    if (flag[0] > 0) {
         share_gather(s, v->p, KIND_FLUID, DIM, s->x, s->x);
-        TRY(m->plan->engine->sum->list->update(m->own, cloud));
-        if (m->own->builds != builds)
-            TRY(find_halo(m));
+        TRY(remake(m, cloud));
     }
     hear_halo(s);
     hear_solids(s, v);
     return STATUS_DONE;
 }
-

@@ -130,13 +130,12 @@ const char *moment_share_lacks(const struct plan *p)
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->as.force && !p->part[i].part->as.force->weight)
             force = &p->part[i];
-    return p->bodies > 0 ? "bodies"
-         : p->row.x < 0 ? "a scene without fluid"
+    return p->row.x < 0 ? "a scene without fluid"
          : p->solver || p->stiff ? "an implicit viscosity"
          : plan_ahead(p) > 0 ? "a pressure that looks ahead"
          : p->passes.fields > 0 ? "summed densities, drifts and walls that sum over the fluid"
          : p->face ? "a viscosity that sticks at faces"
+         : p->passes.filters ? "densities that are filtered between steps"
          : force ? "body forces beside the weight"
-         : p->contacts.kind ? "contacts"
          : NULL;
 }

@@ -9,26 +9,29 @@
 
 /* --- from all to all -------------------------------------------------------------------- */
 
-static int rows_of(const struct moment_share *s, int rank, enum kind k)
+/* Rows of the kinds first .. last - 1, counted from the first of them on; with none, nothing. */
+static void gather(struct moment_share *s, const struct particles *p, int first, int last, size_t c,
+                   const double *from, double *to)
 {
-    return s->from[rank][k + 1] - s->from[rank][k];
+    const int row = p->from[first], mine = s->from[s->me][first];
+    const double *at = s->all;
+
+    if (p->from[last] == row)
+        return;
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = s->from[r][last] - s->from[r][first];
+    for (int i = 0; i < s->count[s->me]; i++)
+        memcpy(s->pack + (size_t)i * c, from + (size_t)(s->row[mine + i] - row) * c, c * sizeof *from);
+    ranks_gather(s->count, c * sizeof *from, s->pack, s->all);
+    for (int r = 0; r < s->ranks; r++)
+        for (int i = s->from[r][first]; i < s->from[r][last]; i++, at += c)
+            memcpy(to + (size_t)(s->row[i] - row) * c, at, c * sizeof *to);
 }
 
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to)
 {
-    const int first = p->from[k], mine = s->from[s->me][k];
-    const double *at = s->all;
-
-    for (int r = 0; r < s->ranks; r++)
-        s->count[r] = rows_of(s, r, k);
-    for (int i = 0; i < s->count[s->me]; i++)
-        memcpy(s->pack + (size_t)i * c, from + (size_t)(s->row[mine + i] - first) * c,
-               c * sizeof *from);
-    ranks_gather(s->count, c * sizeof *from, s->pack, s->all);
-    for (int r = 0; r < s->ranks; r++)
-        for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++, at += c)
-            memcpy(to + (size_t)(s->row[i] - first) * c, at, c * sizeof *to);
+    gather(s, p, (int)k, (int)k + 1, c, from, to);
 }
 
 /* The kind whose particles a row of the layout holds, KINDS: none. */
@@ -42,43 +45,69 @@ static int kind_of(const struct plan_rows *of, int row)
     return KINDS;
 }
 
-const double *moment_whole(struct moment *m, const double *y)
+/* Rows of y that a rank has, between y and a message; returns what comes behind. */
+static double *copy_rows(const struct moment *m, int rank, bool pack, double *y, double *to)
 {
-    struct moment_share *s = m->share;
+    const struct moment_share *s = m->share;
     const struct layout *l = &m->layout;
 
-    if (!s)
-        return y;
-    memmove(s->whole, y, (size_t)layout_size(l) * sizeof *y);
+    for (int i = 0; i < l->rows; i++) {
+        const int k = kind_of(&m->plan->row, i);
+        const size_t c = (size_t)l->row[i].components;
+        for (int j = k < KINDS ? s->from[rank][k] : 0; k < KINDS && j < s->from[rank][k + 1]; j++, to += c) {
+            double *at = y + l->row[i].offset + (size_t)(s->row[j] - m->particles->from[k]) * c;
+            memcpy(pack ? to : at, pack ? at : to, c * sizeof *at);
+        }
+    }
+    return to;
+}
+
+/* How many numbers of y a rank has. */
+static int numbers_of(const struct moment *m, int rank)
+{
+    const struct layout *l = &m->layout;
+    int n = 0;
+
     for (int i = 0; i < l->rows; i++) {
         const int k = kind_of(&m->plan->row, i);
         if (k < KINDS)
-            share_gather(s, m->particles, (enum kind)k, (size_t)l->row[i].components,
-                        s->whole + l->row[i].offset, s->whole + l->row[i].offset);
+            n += l->row[i].components * (m->share->from[rank][k + 1] - m->share->from[rank][k]);
     }
+    return n;
+}
+
+const double *moment_whole(struct moment *m, const double *y)
+{
+    struct moment_share *s = m->share;
+    double *at;
+
+    if (!s)
+        return y;
+    memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = numbers_of(m, r);
+    copy_rows(m, s->me, true, s->whole, s->pack);
+    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
+    at = s->all;
+    for (int r = 0; r < s->ranks; r++)
+        at = copy_rows(m, r, false, s->whole, at);
     return s->whole;
 }
 
 void share_forces(struct moment *m)
 {
     struct moment_share *s = m->share;
-    const struct particles *p = m->particles;
-    const int *slot = m->list->slot;
+    const int first = m->particles->from[KIND_WALL], n = m->particles->n - first;
+    const int *slot = m->list->slot + first;
+    double *f = s->in;
 
-    for (int k = KIND_WALL; k < KINDS; k++) {
-        const int first = p->from[k], n = particles_count(p, (enum kind)k);
-        double *f = s->in;
-
-        for (int i = 0; i < n; i++)
-            if (slot[first + i] >= 0)
-                memcpy(f + (size_t)i * DIM, m->work->f + (size_t)slot[first + i] * DIM,
-                       DIM * sizeof *f);
-        share_gather(s, p, (enum kind)k, DIM, f, f);
-        for (int i = 0; i < n; i++)
-            if (slot[first + i] >= 0)
-                memcpy(m->work->f + (size_t)slot[first + i] * DIM, f + (size_t)i * DIM,
-                       DIM * sizeof *f);
-    }
+    for (int i = 0; i < n; i++)
+        if (slot[i] >= 0)
+            memcpy(f + (size_t)i * DIM, m->work->f + (size_t)slot[i] * DIM, DIM * sizeof *f);
+    gather(s, m->particles, KIND_WALL, KINDS, DIM, f, f);
+    for (int i = 0; i < n; i++)
+        if (slot[i] >= 0)
+            memcpy(m->work->f + (size_t)slot[i] * DIM, f + (size_t)i * DIM, DIM * sizeof *f);
 }
 
 void share_silence(const struct moment *m, double *ydot)
@@ -95,6 +124,16 @@ void share_silence(const struct moment *m, double *ydot)
     }
 }
 
+/* Rows that leave the halo keep what they had there, which may not be refused for ever. */
+static void forget_refused(const struct moment *m)
+{
+    double *rho = m->share->rho;
+
+    for (int i = 0; i < m->share->n; i++)
+        if (!(rho[i] >= m->density[0] && rho[i] <= m->density[1]))
+            rho[i] = m->particles->scales->rho0;
+}
+
 int share_agree(struct moment *m, int status)
 {
     struct {
@@ -105,6 +144,9 @@ int share_agree(struct moment *m, int status)
     const bool refuses = status != STATUS_DONE;
     const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
 
+    if (!m->share->refuses)
+        return status;
+    forget_refused(m);
     memcpy(said.refusal, m->refusal, sizeof said.refusal);
     memcpy(said.culprit, m->culprit, sizeof said.culprit);
     if (ranks_first(refuses ? 0 : HUGE_VAL, place, &said, sizeof said) < 0)

@@ -33,6 +33,7 @@ struct moment_share {
     double *in;            /* [n][SHARE_HALO] what comes                             */
     double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
     double *whole;         /* [size] y of all                                  */
+    bool refuses;          /* some rank has a density out of bounds            */
 };
 
 /* share-make.c */
@@ -50,7 +51,8 @@ int share_list(struct evaluation *e, struct cloud *cloud);
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);
 
-/* All ranks refuse a density that one refuses: the first in the order of the list. */
+/* All ranks refuse a density that one refuses: the first in the order of the list.  Where none has
+ * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
 /* Forces of pairs on solids, of all ranks, in their places. */

@@ -3,6 +3,8 @@
 
 #include "base/status.h"
 #include "output/hash.h"
+#include "ranks/ranks.h"
+#include "run/ranks.h"
 #include "run/saved.h"
 
 #include <math.h>
@@ -40,7 +42,11 @@ static bool clock_says_so(const struct run *r)
 {
     const double minutes = plan_output(r->plan)->checkpoint_minutes;
 
-    return minutes > 0 && run_clock() - r->clock_kept >= 60 * minutes;
+    double late = minutes > 0 && run_clock() - r->clock_kept >= 60 * minutes;
+
+    if (minutes > 0) /* clocks of ranks differ */
+        ranks_most(1, &late);
+    return late > 0;
 }
 
 /* One at the end, too, so that a run can be made longer. */
@@ -74,20 +80,21 @@ static char *describe_layout(const struct run *r)
     return NULL;
 }
 
-/* Saving: y of the method goes by id; loading: into r->y, which goes by id, too. */
+/* r->y goes by id. */
 static int keep_state(struct run *r, struct archive *a)
 {
-    if (!archive_fills(a))
-        moment_by_id(r->moment, r->method->state(r->self), r->y);
     TRY(archive_numbers(a, "y", r->y, moment_size(r->moment)));
     TRY(archive_numbers(a, "t", &r->past.tally.t, 1));
     return moment_keep(r->moment, a);
 }
 
+/* Of the tables, only the rank that writes them knows. */
 static int keep_past(struct run *r, struct archive *a)
 {
     TRY(archive_text(a, "path", r->path, sizeof r->path));
     TRY(run_past_keep(&r->past, r->plan, a));
+    if (!run_ranks_writes())
+        return STATUS_DONE;
     TRY(running_keep(r->past.means, a));
     return outputs_keep(r->outputs, a);
 }
@@ -150,11 +157,17 @@ int checkpoint_write(struct run *r)
     const double t = r->past.tally.t;
     const bool by_clock = t < checkpoint_next(r) && t < r->until;
 
-    TRY(outputs_checkpoint(r->outputs, t, by_clock ? "clock" : "time"));
+    int status = STATUS_DONE;
+
+    moment_by_id(r->moment, run_state(r), r->y);
+    if (run_ranks_writes())
+        status = outputs_checkpoint(r->outputs, t, by_clock ? "clock" : "time");
     count(r);
     r->past.spent[0] = run_cpu() - r->cpu_start;
     r->past.spent[1] = run_clock() - r->clock_start;
-    TRY(save(r));
+    if (status == STATUS_DONE && run_ranks_writes())
+        status = save(r);
+    TRY(ranks_agree(status));
     r->clock_kept = run_clock();
     r->event = plan_event(r->plan, t);
     moment_restart(r->moment);
@@ -217,7 +230,8 @@ int checkpoint_load_past(struct run *r, struct archive *a)
 {
     archive_try(a, true);
     TRY(keep_past(r, a));
-    TRY(archive_spent(a));
+    if (run_ranks_writes())
+        TRY(archive_spent(a));
     archive_try(a, false);
     TRY(keep_past(r, a));
     r->rejected = r->past.tally.rejected;

@@ -67,6 +67,11 @@ int run_next_segment(struct run *r);
 void run_keep_extremes(struct run *r, double t, const double *y);
 int run_watch(struct run *r, double t, const double *y);
 
+/* Begins a run that is prepared, from its scene or from a checkpoint.  All ranks have the status
+ * of the first that fails. */
+int run_start(struct run *r);
+int run_start_again(struct run *r, struct archive *from);
+
 /* From the scene, or from a checkpoint, NULL: none; returns the exit status. */
 int run_carry_out(const struct run_order *order, struct archive *from);
 

@@ -7,44 +7,36 @@
 
 #include <string.h>
 
-/* Methods whose decisions all follow from norms and from bounds of stability, or from a state that
- * each rank has in full. */
-static const char *const tried[] = { "cks43", "mps" };
+/* Methods that sum over all of y for themselves, or by a library that knows no ranks. */
+static const char *const untried[] = { "bdf", "dv", "gsl-msadams", "pcisph" };
 
-static bool is_tried(const char *method)
+static const char *method_lacks(const char *method)
 {
-    bool found = false;
-
-    for (size_t i = 0; i < sizeof tried / sizeof *tried; i++)
-        found |= strcmp(method, tried[i]) == 0;
-    return found;
+    for (size_t i = 0; i < sizeof untried / sizeof *untried; i++)
+        if (strcmp(method, untried[i]) == 0)
+            return untried[i];
+    return NULL;
 }
 
-static const char *lacks(const struct run *r)
+static const char *lacks(const struct run *r, const char **method)
 {
-    const struct settings_output *o = plan_output(r->plan);
     const char *of_plan = moment_share_lacks(r->plan);
 
-    if (of_plan)
-        return of_plan;
-    if (strcmp(plan_precision(r->plan), "single") == 0)
-        return "precision = \"single\"";
-    if (!is_tried(r->method->name))
-        return "another method than cks43 and mps";
-    if (r->def.norm != VECTOR_NORM_MAX)
-        return "another norm than \"max\"";
-    return o->checkpoint > 0 || o->checkpoint_minutes > 0 ? "checkpoints" : NULL;
+    *method = of_plan ? NULL : method_lacks(r->method->name);
+    if (of_plan || *method)
+        return of_plan ? of_plan : "the method ";
+    return r->def.norm != VECTOR_NORM_MAX ? "another norm than \"max\"" : NULL;
 }
 
 int run_ranks_agree(const struct run *r)
 {
-    const char *what = ranks_count() > 1 ? lacks(r) : NULL;
+    const char *method = NULL, *what = ranks_count() > 1 ? lacks(r, &method) : NULL;
 
     if (!what)
         return STATUS_DONE;
     return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
         .remedy = "run it on one rank, with as many threads as the machine has" },
-        "%s: %d ranks cannot share %s yet", r->path, ranks_count(), what);
+        "%s: %d ranks cannot share %s%s yet", r->path, ranks_count(), what, method ? method : "");
 }
 
 bool run_ranks_writes(void)

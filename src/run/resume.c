@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "output/aside.h"
+#include "ranks/ranks.h"
 #include "run/saved.h"
 
 #include <stdio.h>
@@ -27,7 +28,7 @@ static int go_on(const struct run_order *order, struct archive *a)
     double t;
 
     TRY(aside_join(scene, order->directory, "scene.used"));
-    TRY(checkpoint_check(order->directory, a, &t));
+    TRY(ranks_agree(checkpoint_check(order->directory, a, &t)));
     snprintf(until, sizeof until, "until=%.17g", t);
     of.scene = scene;
     if (order->overrides == 0) {
@@ -43,8 +44,9 @@ int run_resume(const struct run_order *order)
     int status;
 
     TRY(check_settings(order));
-    TRY(saved_read(order->directory, &a));
-    status = go_on(order, a);
+    status = ranks_agree(saved_read(order->directory, &a));
+    if (status == STATUS_DONE)
+        status = go_on(order, a);
     archive_free(&a);
     return status;
 }

@@ -4,13 +4,11 @@
 #include "run/inside.h"
 
 #include "base/status.h"
-#include "implicit/release.h"
 #include "output/progress.h"
 #include "ranks/ranks.h"
 #include "run/checkpoint.h"
 #include "run/ranks.h"
 #include "run/stop.h"
-#include "run/tables.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -25,23 +23,6 @@ static int (*const writers[RUN_DUES])(struct outputs *o, struct moment *moment, 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
 static const char *const limiters[] = { "error", "stability", "output" };
-
-static void choose_times(struct run *r)
-{
-    const struct settings_output *o = plan_output(r->plan);
-    double *every = r->past.every;
-
-    every[RUN_ROWS] = isnan(o->interval) ? r->until / 500 : o->interval;
-    every[RUN_FIELDS] = isnan(o->fields) ? r->until / 50 : o->fields;
-    every[RUN_SNAPSHOTS] = o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until;
-    every[RUN_PROFILES] = !plan_profiles(r->plan) ? 2 * r->until
-                        : isnan(o->profiles) ? r->until / 50 : o->profiles;
-    r->past.slack = 1e-9 * r->until;
-    if (o->snapshots == 0)
-        r->past.due[RUN_SNAPSHOTS] = 1;
-    if (!plan_profiles(r->plan))
-        r->past.due[RUN_PROFILES] = 1;
-}
 
 static int stopped(const struct run *r, const char *files)
 {
@@ -99,6 +80,15 @@ static int step_on(struct run *r, struct method_step *step)
     return stopped(r, "all files are complete up to there");
 }
 
+/* After a step: what each rank does for itself.  A step without memory found another way. */
+static int look(struct run *r, const struct method_step *step, const double *y)
+{
+    if (run_ranks_writes())
+        TRY(outputs_step(r->outputs, r->moment, step, y));
+    TRY(run_watch(r, step->t, y));
+    return status_is_starved() ? STATUS_FAILED : STATUS_DONE;
+}
+
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
@@ -113,10 +103,7 @@ static int one_step(struct run *r, struct progress *progress)
     r->past.tally.rejected = step.rejected;
     run_keep_extremes(r, step.t, y);
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    TRY(ranks_agree(run_ranks_writes() ? outputs_step(r->outputs, r->moment, &step, y)
-                                       : STATUS_DONE));
-    TRY(run_watch(r, step.t, y));
-    return status_is_starved() ? STATUS_FAILED : STATUS_DONE; /* a step that found another way */
+    return ranks_agree(look(r, &step, y));
 }
 
 static int keep_when_due(struct run *r)
@@ -165,66 +152,6 @@ static int go(struct run *r, struct progress *progress)
     return STATUS_DONE;
 }
 
-static int create_method(struct run *r)
-{
-    char constant[40] = "";
-
-    TRY(r->method->create(r->method, &r->def, r->moment, r->past.tally.t, r->y, &r->self));
-    if (r->def.seconds > 0)
-        snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
-    snprintf(r->table, sizeof r->table, "%s%s",
-             r->method->table ? r->method->table(r->self) : "", constant);
-    return STATUS_DONE;
-}
-
-/* A start that has no answer is refused before there are files. */
-static int try_start(struct run *r)
-{
-    if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
-        return STATUS_DONE;
-    return status_fail_with(STATUS_FAILED, (struct status_advice){
-        .remedy = "for a density that lies outside, try a higher eos.c0 or wider eos.lowest and "
-                  "eos.highest; else look at what the scene starts with" }, "the start has no right-hand side: %s; nothing was "
-                  "written", moment_refusal(r->moment));
-}
-
-static int open_outputs(struct run *r, bool again)
-{
-    const struct home home = { .dir = r->directory, .scene = r->path, .force = r->force,
-                               .again = again };
-
-    stop_listen();
-    return outputs_open(&r->outputs, r->plan, &home, &r->past);
-}
-
-static int start(struct run *r)
-{
-    TRY(run_ranks_agree(r));
-    TRY(checkpoint_agree(r));
-    TRY(run_disk_agree(r));
-    TRY(tables_agree(r->plan));
-    TRY(release_start(r->moment, r->y));
-    TRY(moment_share(r->moment, r->y));
-    TRY(try_start(r));
-    TRY(create_method(r));
-    choose_times(r);
-    TRY(ranks_agree(open_outputs(r, false)));
-    run_keep_extremes(r, 0, r->y);
-    if (!run_ranks_writes())
-        return STATUS_DONE;
-    TRY(outputs_start(r->outputs, r->moment, 0, r->y));
-    return run_write_used(r);
-}
-
-static int start_again(struct run *r, struct archive *from)
-{
-    TRY(checkpoint_agree(r));
-    TRY(checkpoint_load_state(r, from));
-    TRY(create_method(r));
-    TRY(open_outputs(r, true));
-    return checkpoint_load_past(r, from);
-}
-
 /* The last row of a run that ended early: where it ended. */
 static void write_end(struct run *r)
 {
@@ -253,8 +180,9 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     status = run_prepare(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
+    status = ranks_agree(status);
     if (status == STATUS_DONE)
-        status = from ? start_again(&r, from) : start(&r);
+        status = from ? run_start_again(&r, from) : run_start(&r);
     if (status != STATUS_DONE || !r.outputs) {
         run_release(&r);
         return status;

@@ -1,0 +1,104 @@
+/* begin.c -- a run begins, from its scene or from a checkpoint: what can be refused, then memory,
+ * then files. */
+#include "run/inside.h"
+
+#include "base/status.h"
+#include "implicit/release.h"
+#include "ranks/ranks.h"
+#include "run/checkpoint.h"
+#include "run/ranks.h"
+#include "run/stop.h"
+#include "run/tables.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static void choose_times(struct run *r)
+{
+    const struct settings_output *o = plan_output(r->plan);
+    double *every = r->past.every;
+
+    every[RUN_ROWS] = isnan(o->interval) ? r->until / 500 : o->interval;
+    every[RUN_FIELDS] = isnan(o->fields) ? r->until / 50 : o->fields;
+    every[RUN_SNAPSHOTS] = o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until;
+    every[RUN_PROFILES] = !plan_profiles(r->plan) ? 2 * r->until
+                        : isnan(o->profiles) ? r->until / 50 : o->profiles;
+    r->past.slack = 1e-9 * r->until;
+    if (o->snapshots == 0)
+        r->past.due[RUN_SNAPSHOTS] = 1;
+    if (!plan_profiles(r->plan))
+        r->past.due[RUN_PROFILES] = 1;
+}
+
+static int create_method(struct run *r)
+{
+    char constant[40] = "";
+
+    TRY(r->method->create(r->method, &r->def, r->moment, r->past.tally.t, r->y, &r->self));
+    if (r->def.seconds > 0)
+        snprintf(constant, sizeof constant, ", steps of %g s", r->def.seconds);
+    snprintf(r->table, sizeof r->table, "%s%s",
+             r->method->table ? r->method->table(r->self) : "", constant);
+    return STATUS_DONE;
+}
+
+/* A start that has no answer is refused before there are files. */
+static int try_start(struct run *r)
+{
+    if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
+        return STATUS_DONE;
+    return status_fail_with(STATUS_FAILED, (struct status_advice){
+        .remedy = "for a density that lies outside, try a higher eos.c0 or wider eos.lowest and "
+                  "eos.highest; else look at what the scene starts with" }, "the start has no right-hand side: %s; nothing was "
+                  "written", moment_refusal(r->moment));
+}
+
+static int open_outputs(struct run *r, bool again)
+{
+    const struct home home = { .dir = r->directory, .scene = r->path, .force = r->force,
+                               .again = again };
+
+    stop_listen();
+    return outputs_open(&r->outputs, r->plan, &home, &r->past);
+}
+
+/* What can be refused before ranks share anything. */
+static int agree(struct run *r)
+{
+    TRY(run_ranks_agree(r));
+    TRY(checkpoint_agree(r));
+    TRY(run_disk_agree(r));
+    TRY(tables_agree(r->plan));
+    return release_start(r->moment, r->y);
+}
+
+int run_start(struct run *r)
+{
+    TRY(ranks_agree(agree(r)));
+    TRY(moment_share(r->moment, r->y));
+    TRY(try_start(r));
+    TRY(ranks_agree(create_method(r)));
+    choose_times(r);
+    TRY(ranks_agree(open_outputs(r, false)));
+    run_keep_extremes(r, 0, r->y);
+    if (!run_ranks_writes())
+        return STATUS_DONE;
+    TRY(outputs_start(r->outputs, r->moment, 0, r->y));
+    return run_write_used(r);
+}
+
+static int agree_again(struct run *r, struct archive *from)
+{
+    TRY(run_ranks_agree(r));
+    TRY(checkpoint_agree(r));
+    return checkpoint_load_state(r, from);
+}
+
+int run_start_again(struct run *r, struct archive *from)
+{
+    TRY(ranks_agree(agree_again(r, from)));
+    TRY(moment_share(r->moment, r->y));
+    TRY(ranks_agree(create_method(r)));
+    TRY(ranks_agree(open_outputs(r, true)));
+    return ranks_agree(checkpoint_load_past(r, from));
+}
