@@ -130,9 +130,34 @@ static struct contacts_rub rub_of(const struct contacts *c, const struct contact
                              contacts_rules_path(s, c->part_of[solid]));
 }
 
+static int check_room(double places)
+{
+    if (places * DIM > MOST_NUMBERS)
+        return status_fail(STATUS_BAD_SCENE, "bodies and walls may touch at %.0f places, each of which "
+                           "remembers how far it is bent: %.0f numbers, and at most %d are allowed; "
+                           "use fewer bodies, discs and spheres, which have one place for each "
+                           "pair, or clumps of fewer balls (a larger pitch)", places, places * DIM,
+                           MOST_NUMBERS);
+    return STATUS_DONE;
+}
+
+/* Each has one place or more. */
+static double count_pairs(const struct contacts *c, int bodies)
+{
+    double n = 0;
+
+    for (int i = 0; i < bodies; i++)
+        for (int j = i + 1; j < c->solids; j++)
+            n += meets(c, i, j);
+    return n;
+}
+
 static int list_pairs(struct contacts *c, const struct contacts_scene *s, int bodies)
 {
-    c->pair = status_alloc((size_t)bodies * (size_t)c->solids + 1, sizeof *c->pair);
+    const double most = count_pairs(c, bodies);
+
+    TRY(check_room(most));
+    c->pair = status_alloc((size_t)most + 1, sizeof *c->pair);
     if (!c->pair)
         return STATUS_FAILED;
     for (int i = 0; i < bodies; i++)
@@ -180,6 +205,10 @@ static int list_skins(struct contacts *c, const struct contacts_scene *s)
                 continue;
             struct contacts_skin *p = &c->skin[c->skins++];
             const struct contacts_rub rub = rub_of(c, s, i, j);
+            if (rub.made)
+                return status_fail(STATUS_BAD_SCENE, "%s: law = \"hertz-mindlin\" is for rigid bodies and "
+                                   "walls, and a beam touches by its skin; leave the law out for beams",
+                                   s->body[i].path);
             contacts_skin_make(p, &s->body[i], surface, &c->solid[j], &rub, &c->scales);
             p->body = i;
             p->second = j;
@@ -210,16 +239,6 @@ static int list_lifts(struct contacts *c, const struct contacts_scene *s, int bo
     return STATUS_DONE;
 }
 
-static int check_room(const struct contacts *c)
-{
-    if (c->places * DIM > MOST_NUMBERS)
-        return status_fail(STATUS_BAD_SCENE, "bodies and walls may touch at %ld places, each of which "
-                           "remembers how far it is bent: %ld numbers, and at most %d are allowed; "
-                           "use fewer bodies, or discs and spheres, which have one place for each "
-                           "pair", c->places, c->places * DIM, MOST_NUMBERS);
-    return STATUS_DONE;
-}
-
 struct contacts_stand contacts_list_stand(const struct contacts *c, const struct solid_place *a,
                                           const struct solid_place *b)
 {
@@ -230,6 +249,19 @@ struct contacts_stand contacts_list_stand(const struct contacts *c, const struct
     return s;
 }
 
+/* A law of materials is as deep as it is. */
+static int check_depth(const struct contacts_pair *p)
+{
+    const double most = 0.25 * (p->a->core.ball + p->b->core.ball);
+
+    if (p->depth <= most)
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s and %s get %g m into each other at %g m/s by Hertz's law, and "
+                       "%g m, a quarter of their radii, is the most; set a larger young, or larger "
+                       "radii or margins", p->a->path, p->b->path, p->depth,
+                       fmax(p->a->speed, p->b->speed), most);
+}
+
 static int check_start(const struct contacts *c)
 {
     for (int i = 0; i < c->pairs; i++) {
@@ -237,6 +269,7 @@ static int check_start(const struct contacts *c)
         const struct contacts_stand s = contacts_list_stand(c, &p->a->start, &p->b->start);
         const double depth = contacts_pair_depth(p, &s), most = start_depth * p->depth;
         char deep[40] = "far";
+        TRY(check_depth(p));
         if (depth <= most)
             continue;
         if (depth < HUGE_VAL)
@@ -263,7 +296,7 @@ static int build(struct contacts *c, const struct contacts_scene *s)
     TRY(list_pairs(c, s, bodies));
     TRY(list_skins(c, s));
     TRY(list_lifts(c, s, bodies));
-    TRY(check_room(c));
+    TRY(check_room((double)c->places));
     return check_start(c);
 }
 

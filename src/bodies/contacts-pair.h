@@ -15,6 +15,7 @@ struct contacts_pair {
     double depth, rate;        /* d_U [m]; the fastest [1/s]                       */
     double slow, always;       /* of the softest law; without a contact, too [1/s] */
     double share;              /* of a corner, where corners of both meet [1]      */
+    bool balls;                /* both are points, and one is of a clump           */
     long from;                 /* its first place                                  */
     int places;
 };
