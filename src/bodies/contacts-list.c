@@ -249,19 +249,6 @@ struct contacts_stand contacts_list_stand(const struct contacts *c, const struct
     return s;
 }
 
-/* A law of materials is as deep as it is. */
-static int check_depth(const struct contacts_pair *p)
-{
-    const double most = 0.25 * (p->a->core.ball + p->b->core.ball);
-
-    if (p->depth <= most)
-        return STATUS_DONE;
-    return status_fail(STATUS_BAD_SCENE, "%s and %s get %g m into each other at %g m/s by Hertz's law, and "
-                       "%g m, a quarter of their radii, is the most; set a larger young, or larger "
-                       "radii or margins", p->a->path, p->b->path, p->depth,
-                       fmax(p->a->speed, p->b->speed), most);
-}
-
 static int check_start(const struct contacts *c)
 {
     for (int i = 0; i < c->pairs; i++) {
@@ -269,7 +256,7 @@ static int check_start(const struct contacts *c)
         const struct contacts_stand s = contacts_list_stand(c, &p->a->start, &p->b->start);
         const double depth = contacts_pair_depth(p, &s), most = start_depth * p->depth;
         char deep[40] = "far";
-        TRY(check_depth(p));
+        TRY(contacts_pair_check(p));
         if (depth <= most)
             continue;
         if (depth < HUGE_VAL)

@@ -235,3 +235,15 @@ double contacts_pair_depth(const struct contacts_pair *p, const struct contacts_
     }
     return most;
 }
+
+int contacts_pair_check(const struct contacts_pair *p)
+{
+    const double most = 0.25 * (p->a->core.ball + p->b->core.ball);
+
+    if (p->depth <= most)
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s and %s get %g m into each other at %g m/s by Hertz's law, and "
+                       "%g m, a quarter of their radii, is the most; set a larger young, or larger "
+                       "radii or margins", p->a->path, p->b->path, p->depth,
+                       fmax(p->a->speed, p->b->speed), most);
+}

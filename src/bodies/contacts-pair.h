@@ -31,6 +31,9 @@ struct contacts_stand {
 void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const struct solid *b,
                         const struct contacts_rub *rub, bool alone);
 
+/* BAD_SCENE: by the law of materials they get deeper into each other than contacts can bear. */
+int contacts_pair_check(const struct contacts_pair *p);
+
 /* Are they more than `gap` [m] apart, by the balls around them? */
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap);
 
