@@ -12,7 +12,7 @@ unset grid
 set size ratio -1
 set size 0.3, 0.92
 set origin 0.0, 0.02
-set title '98 balls: radius 33 mm, pitch 30 mm'
+set title '98 balls: radius 33 mm, pitch 21 mm'
 plot 'whole' using 1:2:3:4:5 with rgbimage
 set origin 0.28, 0.02
 set title 'the same, cut in half'

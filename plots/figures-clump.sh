@@ -16,7 +16,7 @@ cd "$1/clump"
 cp "$top/plots/style.gp" "$top/plots/clump.gp" .
 echo '# nothing: this figure belongs to no single run' > constants.gp
 
-# balls CUT: a cube of 0.15 m, radius 33 mm, pitch 30 mm, by rays of an oblique view; rows x, y, red, green,
+# balls CUT: a cube of 0.15 m, radius 33 mm, pitch 21 mm, by rays of an oblique view; rows x, y, red, green,
 # blue.  CUT = 1: without the half that looks at us.
 balls()
 {
@@ -30,7 +30,7 @@ balls()
         rx = cos(a); ry = sin(a); rz = 0    # to the right, up, into the picture
         ux = -sin(a) * sin(b); uy = cos(a) * sin(b); uz = cos(b)
         dx = -sin(a) * cos(b); dy = cos(a) * cos(b); dz = -sin(b)
-        size = 320; wide = 0.26
+        size = 480; wide = 0.26
         for (v = 0; v < size; v++) for (h = 0; h < size; h++) {
             s = ((h + 0.5) / size - 0.5) * wide; t = ((v + 0.5) / size - 0.5) * wide
             ox = s * rx + t * ux - dx; oy = s * ry + t * uy - dy; oz = s * rz + t * uz - dz
