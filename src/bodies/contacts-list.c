@@ -38,6 +38,12 @@ static int no_skin(void)
                        "there in water only; name a fluid, be it far away, or leave contact out");
 }
 
+static int no_law(const char *path)
+{
+    return status_fail(STATUS_BAD_SCENE, "%s: law = \"hertz-mindlin\" is for rigid bodies and walls, and a "
+                       "beam touches by its skin; leave the law out for beams", path);
+}
+
 /* Skins touch all solids but sides that are no wall's, which only rigid bodies name. */
 static int list_skins(struct contacts *c, const struct contacts_scene *s)
 {
@@ -53,6 +59,8 @@ static int list_skins(struct contacts *c, const struct contacts_scene *s)
                 continue;
             struct contacts_skin *p = &c->skin[c->skins++];
             const struct contacts_rub rub = contacts_table_rub(c, s, i, j);
+            if (rub.made)
+                return no_law(s->body[i].path);
             contacts_skin_make(p, &s->body[i], surface, &c->solid[j], &rub, &c->scales);
             p->body = i;
             p->second = j;
@@ -100,6 +108,7 @@ static int check_start(const struct contacts *c)
         const struct contacts_stand s = contacts_list_stand(c, &p->a->start, &p->b->start);
         const double depth = contacts_pair_depth(p, &s), most = start_depth * p->depth;
         char deep[40] = "far";
+        TRY(contacts_pair_check(p));
         if (depth <= most)
             continue;
         if (depth < HUGE_VAL)

@@ -5,12 +5,21 @@
 #include "bodies/contacts-place.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double half = 0.5; /* of a corner where corners of both bodies meet (CT1) */
 
 static bool is_wall(const struct solid *s)
 {
     return isinf(s->mass);
+}
+
+/* (RT7) of a face with four corners that many are more than; 1 without clumps. */
+static double hardened(const struct solid *a, const struct solid *b)
+{
+    const double together = fmax(a->together, b->together);
+
+    return together > 4 ? pow(together / 4, 0.4) : 1;
 }
 
 /* What a solid has not, as walls have no friction of their own, is the other's. */
@@ -36,6 +45,25 @@ static int edges_of_second(const struct contacts_pair *p)
     return p->b->flat ? 0 : core_edges(&p->b->core);
 }
 
+/* Of a corner at a face its own, of balls the reduced one [m]. */
+static double curvature(const struct solid *a, const struct solid *b)
+{
+    if (core_point(&a->core) && core_point(&b->core))
+        return 1 / (1 / a->core.ball + 1 / b->core.ball);
+    return core_point(&b->core) ? b->core.ball : a->core.ball;
+}
+
+/* By Hertz and Mindlin how deep they get follows. */
+static void make_of_materials(struct contacts_pair *p, const struct contacts_rub *rub, double mass,
+                              double speed)
+{
+    p->law = touch_materials_law(rub->material, curvature(p->a, p->b), mass, speed,
+                                 given(rub->restitution, p->a->restitution, p->b->restitution), p->law.mu,
+                                 &p->depth);
+    p->rate = touch_rate(speed, p->depth) * hardened(p->a, p->b)
+            * touch_materials_along(rub->material);
+}
+
 void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const struct solid *b,
                         const struct contacts_rub *rub, bool alone)
 {
@@ -48,12 +76,41 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
     p->depth = fmin(is_wall(b) ? a->depth : fmin(a->depth, b->depth), 0.25 * balls);
     p->law = touch_law(mass, speed, p->depth, given(rub->restitution, a->restitution, b->restitution),
                        given(rub->friction, a->friction, b->friction));
-    p->rate = touch_rate(speed, p->depth);
+    p->rate = touch_rate(speed, p->depth) * hardened(a, b);
+    if (rub->made)
+        make_of_materials(p, rub, mass, speed);
     p->slow = touch_rate(speed, 0.25 * balls);
     p->always = alone ? p->rate : 0;
+    p->balls = core_point(&a->core) && core_point(&b->core) && (a->core.hull || b->core.hull);
     p->share = corners && !is_wall(b) ? half : 1;
     p->places = corners_of(a, b) + corners_of_second(p)
               + core_edges(&a->core) * edges_of_second(p);
+}
+
+/* The way from the point that is the core of b to that of a, in space [m]. */
+static void between(const struct contacts_pair *p, const struct contacts_stand *s, double *apart)
+{
+    double own[DIM], a[DIM], b[DIM];
+
+    core_corner(&p->a->core, 0, own);
+    solid_space(s->a, own, a);
+    core_corner(&p->b->core, 0, own);
+    solid_space(s->b, own, b);
+    for (int d = 0; d < DIM; d++)
+        apart[d] += a[d] - b[d];
+}
+
+/* Balls of a clump stand beside the centre of their body. */
+static bool balls_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap)
+{
+    const double reach = p->a->core.ball + p->b->core.ball + fmax(p->a->film, p->b->film) + gap;
+    double apart[DIM], square = 0;
+
+    memcpy(apart, s->apart, sizeof apart);
+    between(p, s, apart);
+    for (int d = 0; d < DIM; d++)
+        square += apart[d] * apart[d];
+    return square >= reach * reach;
 }
 
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap)
@@ -66,7 +123,8 @@ bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stan
         return false;
     for (int d = 0; d < DIM; d++)
         square += s->apart[d] * s->apart[d];
-    return square >= reach * reach;
+    return square >= reach * reach
+           || (p->balls && balls_far(p, s, gap));
 }
 
 /* Both ways: a as the guest of b, b as that of a. */
@@ -223,4 +281,16 @@ double contacts_pair_gap(const struct contacts_pair *p, const struct contacts_st
         least = spot.share > 0 ? fmin(least, -spot.depth) : least;
     }
     return least > most ? HUGE_VAL : least;
+}
+
+int contacts_pair_check(const struct contacts_pair *p)
+{
+    const double most = 0.25 * (p->a->core.ball + p->b->core.ball);
+
+    if (p->depth <= most)
+        return STATUS_DONE;
+    return status_fail(STATUS_BAD_SCENE, "%s and %s get %g m into each other at %g m/s by Hertz's law, and "
+                       "%g m, a quarter of their radii, is the most; set a larger young, or larger "
+                       "radii or margins", p->a->path, p->b->path, p->depth,
+                       fmax(p->a->speed, p->b->speed), most);
 }

@@ -15,6 +15,7 @@ struct contacts_pair {
     double depth, rate;        /* d_U [m]; the fastest [1/s]                       */
     double slow, always;       /* of the softest law; without a contact, too [1/s] */
     double share;              /* of a corner, where corners of both meet [1]      */
+    bool balls;                /* both are points, and one is of a clump           */
     long from;                 /* its first place, -1: in a seat                   */
     int places;
 };
@@ -29,6 +30,9 @@ struct contacts_stand {
  * as a fall through the other. */
 void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const struct solid *b,
                         const struct contacts_rub *rub, bool alone);
+
+/* BAD_SCENE: by the law of materials they get deeper into each other than contacts can bear. */
+int contacts_pair_check(const struct contacts_pair *p);
 
 /* Are they more than `gap` [m] apart, by the balls around them? */
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap);

@@ -23,7 +23,7 @@ static bool fits(const char *name, const char *path)
 
 struct contacts_rub contacts_rules_of(const struct contacts_scene *s, const char *a, const char *b)
 {
-    struct contacts_rub to = { NAN, NAN };
+    struct contacts_rub to = { .restitution = NAN, .friction = NAN };
 
     for (int i = 0; i < s->rules; i++) {
         const struct contacts_rule *r = &s->rule[i];
@@ -31,6 +31,10 @@ struct contacts_rub contacts_rules_of(const struct contacts_scene *s, const char
             continue;
         to.restitution = isnan(r->restitution) ? to.restitution : r->restitution;
         to.friction = isnan(r->friction) ? to.friction : r->friction;
+        if (r->law != CONTACTS_AS_OTHERS)
+            to.made = r->law == CONTACTS_HERTZ_MINDLIN;
+        if (r->law == CONTACTS_HERTZ_MINDLIN)
+            memcpy(to.material, r->material, sizeof to.material);
     }
     return to;
 }
@@ -43,6 +47,25 @@ static bool is_there(const struct contacts_scene *s, const char *name)
     return false;
 }
 
+/* In the plane contacts are lines, whose law is another. */
+static int check_law(const struct contacts_rule *r)
+{
+    const bool made = r->law == CONTACTS_HERTZ_MINDLIN;
+
+    if (made && DIM == 2)
+        return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: the law of Hertz and Mindlin is that of balls, "
+                           "and discs in the plane touch along lines; set law = \"soft\", or dimension = 3",
+                           r->where, r->name);
+    if (made && !(r->material[0].young > 0 && r->material[1].young > 0))
+        return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: law = \"hertz-mindlin\" needs young, Young's "
+                           "modulus of `%s`, and young_with, that of `%s`, where it is another (Pa; PVC has "
+                           "3e9, steel 2.1e11)", r->where, r->name, r->of, r->with);
+    if (!made && r->material[0].young > 0)
+        return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: young belongs to law = \"hertz-mindlin\", and "
+                           "this one goes by softness; set that law, or leave young out", r->where, r->name);
+    return STATUS_DONE;
+}
+
 int contacts_rules_check(const struct contacts_scene *s)
 {
     for (int i = 0; i < s->rules; i++) {
@@ -52,9 +75,11 @@ int contacts_rules_check(const struct contacts_scene *s)
             return status_fail(STATUS_BAD_SCENE, "%s: contact.%s: there is no `%s`: name one solid, as "
                                "body.NAME, beam.NAME or wall.NAME, or all of a kind by body, beam, wall "
                                "or side (of the domain)", r->where, r->name, stranger);
-        if (isnan(r->restitution) && isnan(r->friction))
+        if (isnan(r->restitution) && isnan(r->friction) && r->law == CONTACTS_AS_OTHERS)
             return status_fail(STATUS_BAD_SCENE, "%s: contact.%s gives neither friction nor "
-                               "restitution, and so says nothing; give one of them", r->where, r->name);
+                               "restitution nor a law, and so says nothing; give one of them", r->where,
+                               r->name);
+        TRY(check_law(r));
     }
     return STATUS_DONE;
 }

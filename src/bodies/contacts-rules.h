@@ -6,6 +6,8 @@
 
 struct contacts_rub { /* of one pair; NaN: as both have it                         */
     double restitution, friction;
+    bool made;              /* of these, by Hertz and Mindlin                   */
+    struct touch_material material[2];
 };
 
 /* Of a pair of these; the last rule that fits counts. */

@@ -42,11 +42,28 @@ static void add_pair(struct contacts *c, const struct contacts_scene *s, int i, 
     c->pair_of[(long)i * c->solids + j] = c->pairs++;
 }
 
+/* Each of them has one place or more. */
+static long count_pairs(const struct contacts *c)
+{
+    long n = 0;
+
+    for (int i = 0; i < c->movers; i++)
+        for (int j = i + 1; j < c->solids; j++)
+            n += meets(c, i, j);
+    return n;
+}
+
 static int list_pairs(struct contacts *c, const struct contacts_scene *s)
 {
     const size_t all = (size_t)c->movers * (size_t)c->solids + 1;
+    const long pairs = count_pairs(c);
 
-    c->pair = status_alloc(all, sizeof *c->pair);
+    if (pairs * DIM > MOST_NUMBERS)
+        return status_fail(STATUS_BAD_SCENE, "%d convex parts of bodies and %d of walls and sides make %ld "
+                           "pairs that may touch, and at most %d are allowed; use fewer bodies, or clumps "
+                           "of fewer balls (a larger pitch)", c->movers, c->solids - c->movers, pairs,
+                           MOST_NUMBERS / DIM);
+    c->pair = status_alloc((size_t)pairs + 1, sizeof *c->pair);
     c->pair_of = status_alloc(all, sizeof *c->pair_of);
     if (!c->pair || !c->pair_of)
         return STATUS_FAILED;

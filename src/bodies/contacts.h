@@ -7,6 +7,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/solid.h"
+#include "bodies/touch-materials.h"
 
 enum { CONTACTS_COLUMNS = 4 }; /* of the book, at most                             */
 
@@ -33,10 +34,18 @@ struct contacts_wall {
     struct solid_place by;     /* it is carried along with, as solid_carry() says; for meet() */
 };
 
+enum contacts_law {
+    CONTACTS_AS_OTHERS,     /* what other rules say; without one CONTACTS_SOFT     */
+    CONTACTS_SOFT,          /* as deep as `softness` of the bodies says, (RT1)     */
+    CONTACTS_HERTZ_MINDLIN  /* as hard as materials are, (RT8); 3D                 */
+};
+
 struct contacts_rule {             /* of a pair of solids, or of all of two kinds    */
     const char *name, *where;      /* contact.NAME; its file and line              */
     const char *of, *with;         /* paths, or "body", "beam", "wall", "side"     */
     double friction, restitution;  /* NaN: as both have it                         */
+    enum contacts_law law;
+    struct touch_material material[2]; /* of both, for CONTACTS_HERTZ_MINDLIN  */
 };
 
 struct contacts_scene {

@@ -194,6 +194,8 @@ bool core_overlaps(const struct core *a, const struct core *b, const double *x,
     double origin[DIM] = { 0 }, own[DIM][DIM] = { { 0 } };
     const struct two t = { { a, b }, { origin, x }, { own, (double (*)[DIM])R } };
 
+    if (core_point(a) && core_point(b))
+        return false; /* balls have no axes to part by, and points nothing in common */
     for (int d = 0; d < DIM; d++)
         own[d][d] = 1;
     return !parted_by_faces(&t, 0) && !parted_by_faces(&t, 1) && !parted_by_lines(&t);

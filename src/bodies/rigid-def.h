@@ -9,12 +9,13 @@
 #include <stdbool.h>
 
 struct rigid_def {
-    const char *shape;    /* "box"; 2D "disc", "polygon"; 3D "sphere", "cylinder", "hull" */
+    const char *shape;    /* "box", "clump"; 2D "disc", "polygon"; 3D "sphere", "cylinder", "hull" */
     double at[3];         /* centre, or where the origin of points is [m]     */
     double size[3];       /* sides of a box                         [m]       */
-    double radius;        /* disc, sphere, cylinder                 [m]       */
+    double radius;        /* disc, sphere, cylinder, balls of a clump [m]     */
     double height;        /* cylinder, along its third axis         [m]       */
-    struct param_points points; /* polygon: corners in turn; hull   [m]       */
+    struct param_points points; /* polygon: corners in turn; hull; clump: centres [m] */
+    double pitch;         /* clump with a size: how far apart centres are [m] */
     double frame[4];      /* 3D: of its axes of inertia in those that a scene tells it by, a
                              quaternion; all 0: they are those                */
     double density, mass; /* [kg/m^3], [kg, 2D: kg/m]; 0: not given           */

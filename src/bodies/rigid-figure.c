@@ -9,7 +9,7 @@
 #include <string.h>
 
 static const struct rigid_form *const forms[] = {
-    &rigid_form_box, &rigid_form_round,
+    &rigid_form_box, &rigid_form_round, &rigid_form_clump,
 #if DIM == 2
     &rigid_form_polygon,
 #else
@@ -42,13 +42,15 @@ static int check_keys(const struct rigid_form *form, const struct rigid_def *d, 
         { " radius ", "radius", "a number above 0 (m)", d->radius > 0 },
         { " height ", "height", "a length along its axis (m)", d->height > 0 },
         { " points ", "points", "its corners (m)", d->points.n > 0 },
+        { " pitch ", "pitch", "a distance of balls (m)", d->pitch > 0 },
     };
     for (int i = 0; i < (int)(sizeof key / sizeof *key); i++) {
         const bool takes = strstr(form->keys, key[i].word) != NULL;
         if (takes && !key[i].given)
             return status_fail(STATUS_BAD_SCENE, "%s: without %s it is no %s; set %s, %s", path,
                                key[i].name, form->name, key[i].name, key[i].wanted);
-        if (!takes && key[i].given)
+        const bool may = form->may && strstr(form->may, key[i].word);
+        if (!takes && !may && key[i].given)
             return status_fail(STATUS_BAD_SCENE, "%s: a %s has no %s; leave it out, or choose another "
                                "shape", path, form->name, key[i].name);
     }

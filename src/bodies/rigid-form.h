@@ -17,7 +17,8 @@ struct rigid_figure {
     double gyration[TURNING_SPINS];  /* moments of inertia by mass [m^2]            */
     double centre[DIM];              /* where the scene's frame has the centre [m]  */
     double frame[4];                 /* 3D: how that has its axes, a quaternion     */
-    double half[DIM], radius;        /* of a box, cylinder; of disc, sphere, cylinder [m] */
+    double half[DIM], radius;        /* of a box, cylinder; of disc, sphere, cylinder, balls [m] */
+    double together;                 /* balls of a clump that touch at once, at most  */
     struct param_points outline;     /* 2D: of a polygon, anticlockwise [m]          */
     int parts, kernels;
     struct polytope *part;           /* [parts] convex ones that make it             */
@@ -27,6 +28,7 @@ struct rigid_figure {
 struct rigid_form {
     const char *name;
     const char *keys;                /* that it needs, a blank before and behind each */
+    const char *may;                 /* that it may have besides; NULL: none          */
     bool faces;                      /* of a box, below which water may press        */
     bool rounds;                     /* it has no edges that a margin could round    */
 
@@ -46,7 +48,7 @@ struct rigid_form {
     int (*cores)(const struct rigid_figure *f, double margin, struct core *core);
 };
 
-extern const struct rigid_form rigid_form_box, rigid_form_round;
+extern const struct rigid_form rigid_form_box, rigid_form_round, rigid_form_clump;
 extern const struct rigid_form rigid_form_polygon;                   /* in the plane */
 extern const struct rigid_form rigid_form_cylinder, rigid_form_hull; /* in space     */
 

@@ -52,7 +52,7 @@ static void facts(const struct body *b, int i, struct solid *out)
     *out = (struct solid){ .path = b->path, .core = b->core[i], .mass = b->mass,
                            .margin = b->margin,
                            .film = b->film, .uplift = b->def.uplift, .stops = b->def.stops,
-                           .speed = b->speed, .depth = b->depth,
+                           .speed = b->speed, .depth = b->depth, .together = b->figure.together,
                            .restitution = b->def.restitution, .friction = b->def.friction };
     memcpy(out->inertia, b->inertia, sizeof out->inertia);
     rigid_def_turned(&b->def, q);

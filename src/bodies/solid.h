@@ -22,6 +22,7 @@ struct solid {
     double margin;       /* that edges are rounded by [m]                        */
     bool uplift;         /* water in narrow gaps has its pressure at its faces   */
     double film;         /* gap that is kept open around it [m]                   */
+    double together;     /* balls of its body that touch at once, at most; 0: it is no clump */
     double speed, depth; /* at that speed it gets so deep, d_U [m/s], [m]; of a wall 0 */
     double restitution, friction; /* of a wall NaN: those of the other           */
 };

@@ -6,6 +6,11 @@
  *   z = k_t |xi_t|/(mu N),  s = mu N/k_t,  g = s/(s + tau |v_t|)                    (RT3)
  *   F_t = -(k_t xi_t + c_t v_t) min(1, mu N/|k_t xi_t + c_t v_t|)                   (RT4)
  *
+ * After Mindlin, for spheres that are made of something, in place of k_t xi_t:
+ *   k_t = 8 G* sqrt(R* d),  s = 3/2 mu N/k_t,  z = |xi_t|/s                         (RT8)
+ *   mu N (1 - (1 - z)^(3/2)) xi^,  z < 1
+ * J. Appl. Mech. 16 (1949) 259-268; Johnson, Contact Mechanics, 1985, 7.2.
+ *
  * Hertz, J. reine angew. Math. 92 (1882) 156-171; damping: Tsuji, Tanaka, Ishida, Powder
  * Technology 71 (1992) 239-250; xi is a spring while it sticks (Dupont, Hayward, Armstrong,
  * Altpeter, IEEE Trans. Automatic Control 47 (2002) 787-792), made to bear N -> 0. */
@@ -115,13 +120,30 @@ static double smooth(double x)
     return c * c * (3 - 2 * c);
 }
 
+/* mu N by s: how far it bends until all slides, as if the spring were a straight one. */
+static double secant(const struct touch_law *law, double depth)
+{
+    return law->shear > 0 ? law->shear * sqrt(depth) / 1.5 : law->along;
+}
+
+/* Force of the spring by its length. */
+static double spring(const struct touch_law *law, double along, double grip, double length)
+{
+    const double z = fmin(1, along * length / grip);
+
+    if (!(law->shear > 0))
+        return along;
+    return z > 0 ? grip * (1 - (1 - z) * sqrt(1 - z)) / length : 1.5 * along;
+}
+
 static void bend(const struct touch_law *law, const struct touch_place *at, double grip,
                  const double *xi, double *rate)
 {
+    const double along = secant(law, at->depth);
     double vt[DIM], bent[DIM];
     const double speed = flatten(at->velocity, at->normal, vt);
     const double length = flatten(xi, at->normal, bent), across = dot(xi, at->normal);
-    const double zeta = law->along * length / grip, s = grip / law->along;
+    const double zeta = along * length / grip, s = grip / along;
     const double follow = s / (s + law->tau * speed);
     const double slip = length > 0 ? smooth((zeta - elastic) / (1 - elastic))
                                          * fmax(0, dot(vt, bent)) / (length * length) : 0;
@@ -143,7 +165,8 @@ void touch(const struct touch_law *law, const struct touch_place *at, const doub
 {
     const double d = fmax(0, at->depth), c = law->eta * sqrt(law->k * at->mass);
     const double N = d > 0 ? fmax(0, law->k * d * sqrt(d) + c * sqrt(sqrt(d)) * at->rate) : 0;
-    const double grip = law->mu * N, damp = 0.4 * sqrt(law->along * at->mass);
+    const double grip = law->mu * N, along = secant(law, d);
+    const double damp = 0.4 * sqrt(along * at->mass);
     double bent[DIM], vt[DIM];
 
     for (int i = 0; i < DIM; i++) {
@@ -153,10 +176,10 @@ void touch(const struct touch_law *law, const struct touch_place *at, const doub
     touch_forget(xi, xi_rate);
     if (!(grip > 0))
         return;
-    flatten(xi, at->normal, bent);
+    const double hold = spring(law, along, grip, flatten(xi, at->normal, bent));
     flatten(at->velocity, at->normal, vt);
     for (int i = 0; i < DIM; i++)
-        rub[i] = -(law->along * bent[i] + damp * vt[i]);
+        rub[i] = -(hold * bent[i] + damp * vt[i]);
     const double most = sqrt(dot(rub, rub));
     for (int i = 0; i < DIM; i++)
         rub[i] *= most > grip ? grip / most : 1;

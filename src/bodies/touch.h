@@ -11,6 +11,7 @@
 struct touch_law {
     double k;     /* of Hertz [N/m^(3/2), 2D: per metre of width]                */
     double along; /* the same along the surface, k_t [N/m, 2D: N/m^2]            */
+    double shear; /* of Mindlin, 8 G* sqrt(R*) [N/m^(3/2)]; 0: `along` counts    */
     double eta;   /* damping, touch_damping() of the restitution                 */
     double mu;    /* coefficient of friction; 0: none                            */
     double tau;   /* in which what slides forgets what it was bent by [s]        */

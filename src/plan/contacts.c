@@ -3,7 +3,23 @@
 
 #include "base/status.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+static struct contacts_rule rule_of(const struct input_contact *c)
+{
+    const struct settings_contact *s = &c->set;
+    struct contacts_rule r = { .name = c->name, .where = c->where, .of = s->of, .with = s->with,
+                               .friction = s->friction, .restitution = s->restitution,
+                               .law = strcmp(s->law, "hertz-mindlin") == 0 ? CONTACTS_HERTZ_MINDLIN
+                                    : strcmp(s->law, "soft") == 0 ? CONTACTS_SOFT : CONTACTS_AS_OTHERS };
+
+    r.material[0] = (struct touch_material){ s->young, s->poisson };
+    r.material[1] = (struct touch_material){ s->young_with > 0 ? s->young_with : s->young,
+                                             isnan(s->poisson_with) ? s->poisson : s->poisson_with };
+    return r;
+}
 
 static int create_contacts(struct plan *p, struct contacts_body *body, struct contacts_wall *wall,
                            struct contacts_rule *rule)
@@ -18,12 +34,8 @@ static int create_contacts(struct plan *p, struct contacts_body *body, struct co
     for (int i = 0; i < p->in.wall_count; i++)
         wall[i] = (struct contacts_wall){ .path = p->in.wall[i].path,
                                           .shape = &p->in.wall[i].set.shape };
-    for (int i = 0; i < p->in.pairs.n; i++) {
-        const struct input_contact *c = &p->in.pairs.of[i];
-        rule[i] = (struct contacts_rule){ .name = c->name, .where = c->where, .of = c->set.of,
-                                          .with = c->set.with, .friction = c->set.friction,
-                                          .restitution = c->set.restitution };
-    }
+    for (int i = 0; i < p->in.pairs.n; i++)
+        rule[i] = rule_of(&p->in.pairs.of[i]);
     return bodies_contacts->create(&scene, &p->contacts.self);
 }
 
