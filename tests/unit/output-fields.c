@@ -30,16 +30,43 @@ static struct cloud_frame sample(int dim, int k)
         dye[i] = (unsigned char)(i % 2);
         kind[i] = (unsigned char)(i % 5);
     }
-    return (struct cloud_frame){ 0.1 * k + 0.01 * k * k, N, dim, x, u, rho, p, dye, kind, NULL };
+    return (struct cloud_frame){ .t = 0.1 * k + 0.01 * k * k, .n = N, .dim = dim, .x = x, .u = u,
+                                 .rho = rho, .p = p, .dye = dye, .kind = kind };
+}
+
+/* A wedge with a dent, "a", and a triangle beside it, "b", in the plane; in space a tetrahedron. */
+static const char *const looks_name[] = { "a", "b" };
+static const int looks_of[] = { 0, 1 }, looks_first[] = { 0, 4, 7 };
+static const int looks_loop[] = { 0, 1, 2, 3, 4, 5, 6 };
+static const int four_of[4] = { 0 }, four_first[] = { 0, 3, 6, 9, 12 };
+static const int four_loop[] = { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 };
+
+static struct cloud_looks sample_looks(int dim, int k)
+{
+    static const double flat[14] = { 0, 0, 4, 0, 1, 1, 0, 4, 5, 0, 6, 0, 5, 2 };
+    static const double deep[12] = { 0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3 };
+    static double x[14], u[14];
+    const int n = dim == 2 ? 14 : 12;
+
+    for (int i = 0; i < n; i++) {
+        x[i] = (dim == 2 ? flat : deep)[i] + k;
+        u[i] = i + 0.5 * k;
+    }
+    if (dim == 2)
+        return (struct cloud_looks){ 2, 7, 2, looks_name, x, u, looks_of, looks_first, looks_loop };
+    return (struct cloud_looks){ 1, 4, 4, looks_name, x, u, four_of, four_first, four_loop };
 }
 
 int output_write_sample(const char *where, int dim)
 {
+    struct cloud_looks looks = sample_looks(dim, 0);
     struct fields *f;
 
-    TRY(fields_open(&f, where));
+    TRY(fields_open(&f, where, &looks));
     for (int k = 0; k < MOMENTS; k++) {
-        const struct cloud_frame frame = sample(dim, k);
+        struct cloud_frame frame = sample(dim, k);
+        looks = sample_looks(dim, k);
+        frame.looks = &looks;
         TRY(fields_write(f, &frame));
     }
     fields_close(&f);
@@ -125,7 +152,7 @@ static int fields_fill_up(void)
     struct fields *f;
 
     signal(SIGXFSZ, SIG_IGN);
-    if (fields_open(&f, output_dir) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
+    if (fields_open(&f, output_dir, NULL) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
         return 99;
     most.rlim_cur = most.rlim_max = 5000;
     if (setrlimit(RLIMIT_FSIZE, &most) != 0)
