@@ -16,9 +16,11 @@ sort(kind) = kind == 0 ? 0 : kind < 3 ? 1 : 3
 bodies = exists('bodies') ? bodies : ''
 body_face = '#d9a066'
 body_edge = '#5a3210'
+beams = exists('beams') ? beams : ''
+r_skin = words(bodies) == 0 ? r : 0.5 * dx
 looks = words(bodies) == 0 || from_above ? '' : dim == 2 ? '-bodies' : '-cut'
 bodies_too = looks eq '' ? '' : ", file[1:strlen(file) - 4].looks.'.csv' using 1:".(up == 2 ? 2 : 3)." skip 3 \
-    with filledcurves closed fs solid 1 border lc rgb body_edge fc rgb body_face notitle"
+    with filledcurves closed fs solid 1 border lc rgb body_edge lw 2 fc rgb body_face notitle"
 is(what) = sort(column(kind_column)) == what && in_plane($2, $3) ? $1 : NaN
 in_plane(y, z) = dim == 2 || (from_above ? z > low_z && z < low_z + 3 * dx : \
     abs(y - (low_y + high_y) / 2) < 1.01 * dx)

@@ -74,7 +74,7 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
     return 1;
 }
 
-enum { AROUND = 64, RINGS = 32 };
+enum { AROUND = DIM == 2 ? 64 : 40, RINGS = 20 };
 
 #if DIM == 2
 static int surface(const struct rigid_figure *f, struct surface *to)

@@ -102,7 +102,7 @@ static void triangle(FILE *to, const double *a, const double *b, const double *c
                      const double *n, int body)
 {
     const double longest = fmax(distance(a, b), fmax(distance(b, c), distance(a, c)));
-    const int rows = (int)ceil(longest / step) + 1;
+    const int rows = (int)ceil(longest / step);
 
     for (int i = 0; i < rows; i++)
         for (int k = 0; i + k < rows; k++) {
