@@ -53,7 +53,7 @@ if (fastest == 0) {
 part(v, low, high) = v < low ? 0 : v > high ? 4000 : floor(4000 * (v - low) / (high - low))
 shade(v) = v > fastest ? 200 : floor(200 * v / fastest)
 inside(x, y, z) = x > low_x && x < high_x && y > low_y && y < high_y && z > low_z && z < high_z
-kind_shown(k, x, y, z) = sort(k) == 0 || (inside(x, y, z) && (k < 3 || words(bodies) == 0 || words(beams) > 0))
+kind_shown(k, x, y, z) = sort(k) == 0 || inside(x, y, z)
 # Light falls from above and the left in front.
 light(x, y, z) = (p = -0.45 * x - 0.5 * y + 0.74 * z, 210 + floor(40 * (0.35 + 0.65 * (p > 0 ? p : 0))))
 
@@ -62,17 +62,22 @@ packed(x, y, z, s) = (4096.0 * part(across_of(x, y), left, right) \
 pick_x(v) = left + floor(v / 1048576) / 4000.0 * (right - left)
 pick_y(v) = bottom + (floor(v / 256) - 4096.0 * floor(v / 1048576)) / 4000 * (above - bottom)
 pick_s(v) = v - 256 * floor(v / 256)
-of_bodies = words(bodies) == 0 ? '' : ", file[1:strlen(file) - 4].'-surface.csv' \
-    using (tilted($4, $5, $6) < 0 ? -far($1, $2, $3) + (0.3 + 0.3 * $7) * dx + 1e-9 * dx * $0 : NaN): \
-        (packed($1, $2, $3, $7 > 0 ? 205 : light($4, $5, $6))) skip 3"
 tilted(x, y, z) = (y * cos(turn) - x * sin(turn)) * cos(tilt) - z * sin(tilt)
-sort_now = "set xrange [*:*]; set yrange [*:*]; set format xy '%.16g'; set table $all; \
-    plot file using (kind_shown(column(kind_column), $1, $2, $3) \
-        ? -far($1, $2, $3) + 1e-9 * dx * $0 : NaN): \
-        (packed($1, $2, $3, sort(column(kind_column)) == 0 ? shade(speed($4, $5, $6)) : 255)) \
-        skip 3".of_bodies."; unset table; set datafile separator whitespace; set table $sorted; \
-    plot $all using (strcol(3) eq 'i' ? $1 : NaN):2 smooth unique; unset table; \
-    set datafile separator ','; set xrange [left:right]; set yrange [bottom:above]"
+# Without bodies the rows are particles; with bodies those of one file that has both, column 7: on a
+# face, 0, an edge, 1, or a particle of the fluid, 2, or of a wall, 3.  `smooth unique` sorts; a row that
+# is left out would part the list into lists, so what is not shown is drawn behind all, without size.
+hidden = 206
+shaped = words(bodies) > 0
+source() = shaped ? file[1:strlen(file) - 4].'-surface.csv' : file
+is_shown() = !shaped ? kind_shown(column(kind_column), $1, $2, $3) \
+    : $7 == 3 ? inside($1, $2, $3) : $7 == 2 || tilted($4, $5, $6) < 0
+tone() = !shaped ? (sort(column(kind_column)) == 0 ? shade(speed($4, $5, $6)) : 255) \
+    : $7 == 0 ? light($4, $5, $6) : $7 == 1 ? 205 : $7 == 2 ? shade(speed($4, $5, $6)) : 255
+nearer() = shaped && $7 < 2 ? (0.3 + 0.3 * $7) * dx : 0
+sort_now = "set xrange [*:*]; set yrange [*:*]; set format xy '%.16g'; set table $sorted; \
+    plot source() using ((is_shown() ? nearer() - far($1, $2, $3) : -1e6 * dx) + 1e-9 * dx * $0): \
+        (packed($1, $2, $3, is_shown() ? tone() : hidden)) skip 3 smooth unique; \
+    unset table; set xrange [left:right]; set yrange [bottom:above]"
 
 # The edges of the tank, those behind the water first.
 edge(n, x1, y1, z1, x2, y2, z2, where) = sprintf( \
@@ -111,7 +116,7 @@ lit(s) = (p = (s - 210) / 40.0, 65536 * int(217 * p) + 256 * int(160 * p) + int(
 rgb(s) = s > 250 ? 0xa6a6a6 : s == 205 ? 0x2a1808 : s >= 210 ? lit(s) : 65536 * mix(red[lower(s)], red[lower(s) + 1], s) \
     + 256 * mix(green[lower(s)], green[lower(s) + 1], s) \
     + mix(blue[lower(s)], blue[lower(s) + 1], s)
-radius(s) = s == 205 ? 0.12 * dx : s >= 210 && s < 255 ? 0.3 * dx : r
+radius(s) = s == hidden ? 0 : s == 205 ? 0.12 * dx : s >= 210 && s < 255 ? 0.3 * dx : r
 do for [m = 1:moments] {
     eval next_panel
     eval sort_now

@@ -242,16 +242,24 @@ int looks_file_write_cut(const char *path, double t, double at, const struct clo
 
 /* --- all points ------------------------------------------------------------------------- */
 
-int looks_file_write_points(const char *path, double t, double step,
-                            const struct cloud_looks *looks)
+/* Those of skins hide below surfaces. */
+static void particles(FILE *to, const struct cloud_frame *c)
 {
+    for (size_t i = 0; i < (size_t)c->n; i++)
+        if (c->kind[i] < 3)
+            point(to, c->x + 3 * i, c->u + 3 * i, c->kind[i] == 0 ? 2 : 3, -1);
+}
+
+int looks_file_write_points(const char *path, double step, const struct cloud_frame *frame)
+{
+    const struct cloud_looks *looks = frame->looks;
     struct edge *edge = status_alloc((size_t)looks->first[looks->faces], sizeof *edge);
     struct aside a;
     int code = edge ? aside_open(&a, path) : STATUS_FAILED;
 
     if (code == STATUS_DONE) {
-        head(a.to, t, looks);
-        fputs("# units: m,m,m,,,,,\nx,y,z,nx,ny,nz,edge,body\n", a.to);
+        head(a.to, frame->t, looks);
+        fputs("# units: m,m,m,,,,,\nx,y,z,nx,ny,nz,what,body\n", a.to);
         for (int f = 0; f < looks->faces; f++) {
             double n[3];
             normal_of(looks, f, n);
@@ -260,6 +268,7 @@ int looks_file_write_points(const char *path, double t, double step,
                          corner(looks, 3, f, i + 1), step, n, looks->of[f]);
         }
         edges(a.to, looks, edge, step);
+        particles(a.to, frame);
         code = aside_close(&a);
     }
     free(edge);

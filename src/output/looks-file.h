@@ -11,11 +11,11 @@
  *     x,y,z,nx,ny,nz,body           in space, with the normal of the face, outwards */
 int looks_file_write(const char *path, int dim, double t, const struct cloud_looks *looks);
 
-/* Points on the faces and along the sharp edges, no farther apart than `step` [m]:
+/* All that a picture with depth shows, in space: points on the faces and along the sharp edges, no
+ * farther apart than `step` [m], then particles of fluid and walls, with velocities for normals:
  *
- *     x,y,z,nx,ny,nz,edge,body      edge 1: along an edge */
-int looks_file_write_points(const char *path, double t, double step,
-                            const struct cloud_looks *looks);
+ *     x,y,z,nx,ny,nz,what,body      what 0: on a face, 1: on an edge, 2: fluid, 3: wall */
+int looks_file_write_points(const char *path, double step, const struct cloud_frame *frame);
 
 /* Where the plane y = `at` [m] cuts the bodies, in space: outlines as above, x,y,z,body. */
 int looks_file_write_cut(const char *path, double t, double at, const struct cloud_looks *looks);

@@ -118,7 +118,7 @@ static int write_looks(const struct snapshot *s, const struct cloud_frame *c)
     if (c->dim == 2 || s->step <= 0)
         return STATUS_DONE;
     TRY(file_of(s, s->written, "-surface", name, path));
-    TRY(looks_file_write_points(path, c->t, s->step, c->looks));
+    TRY(looks_file_write_points(path, s->step, c));
     TRY(file_of(s, s->written, "-cut", name, path));
     return looks_file_write_cut(path, c->t, s->middle, c->looks);
 }

@@ -34,39 +34,31 @@ static struct cloud_frame sample(int dim, int k)
                                  .rho = rho, .p = p, .dye = dye, .kind = kind };
 }
 
-/* A wedge with a dent, "a", and a triangle beside it, "b", in the plane; in space a tetrahedron. */
-static const char *const looks_name[] = { "a", "b" };
-static const int looks_of[] = { 0, 1 }, looks_first[] = { 0, 4, 7 };
-static const int looks_loop[] = { 0, 1, 2, 3, 4, 5, 6 };
-static const int four_of[4] = { 0 }, four_first[] = { 0, 3, 6, 9, 12 };
-static const int four_loop[] = { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 };
-
-static struct cloud_looks sample_looks(int dim, int k)
+/* A tetrahedron that moves by (1, 1, 1). */
+static struct cloud_looks sample_looks(int k)
 {
-    static const double flat[14] = { 0, 0, 4, 0, 1, 1, 0, 4, 5, 0, 6, 0, 5, 2 };
-    static const double deep[12] = { 0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3 };
-    static double x[14], u[14];
-    const int n = dim == 2 ? 14 : 12;
+    static const char *const name[] = { "stone" };
+    static const int of[4] = { 0 }, first[] = { 0, 3, 6, 9, 12 };
+    static const int loop[] = { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 };
+    static double x[12], u[12];
 
-    for (int i = 0; i < n; i++) {
-        x[i] = (dim == 2 ? flat : deep)[i] + k;
+    for (int i = 0; i < 12; i++) {
+        x[i] = (i == 3 || i == 7 || i == 11 ? 3 : 0) + k;
         u[i] = i + 0.5 * k;
     }
-    if (dim == 2)
-        return (struct cloud_looks){ 2, 7, 2, looks_name, x, u, looks_of, looks_first, looks_loop };
-    return (struct cloud_looks){ 1, 4, 4, looks_name, x, u, four_of, four_first, four_loop };
+    return (struct cloud_looks){ 1, 4, 4, name, x, u, of, first, loop };
 }
 
 int output_write_sample(const char *where, int dim)
 {
-    struct cloud_looks looks = sample_looks(dim, 0);
+    struct cloud_looks looks = sample_looks(0);
     struct fields *f;
 
-    TRY(fields_open(&f, where, &looks));
+    TRY(fields_open(&f, where, dim == 3 ? &looks : NULL));
     for (int k = 0; k < MOMENTS; k++) {
         struct cloud_frame frame = sample(dim, k);
-        looks = sample_looks(dim, k);
-        frame.looks = &looks;
+        looks = sample_looks(k);
+        frame.looks = dim == 3 ? &looks : NULL;
         TRY(fields_write(f, &frame));
     }
     fields_close(&f);
@@ -91,6 +83,27 @@ static void read_array(const char *name, const char *array, hid_t type, int rank
     H5Fclose(file);
 }
 
+/* The surface stands where it stood, and names what it has. */
+static void check_bodies(void)
+{
+    const hid_t file = H5Fopen(output_path("fields/000002-bodies.vtkhdf"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t points = H5Dopen2(file, "/VTKHDF/Points", H5P_DEFAULT);
+    const hid_t mixed = H5Dopen2(file, "/XDMF/Mixed", H5P_DEFAULT);
+    double x[4][3];
+    int cell[20];
+
+    assert_true(H5Dread(points, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x) >= 0);
+    assert_true(x[0][0] == 2 && x[1][0] == 5 && x[2][1] == 5 && x[3][2] == 5);
+    assert_true(H5Dread(mixed, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, cell) >= 0);
+    assert_true(cell[0] == 3 && cell[1] == 3 && cell[2] == 0 && cell[3] == 2 && cell[4] == 1);
+    H5Dclose(points);
+    H5Dclose(mixed);
+    H5Fclose(file);
+    assert_int_equal(output_count(output_contents("fields.xdmf"), "<Grid Name=\"bodies\""), MOMENTS);
+    assert_int_equal(output_count(output_contents("fields.xdmf"), "<Time Value="), MOMENTS);
+    assert_non_null(strstr(output_contents("fields.xdmf"), "Value=\"stone\""));
+}
+
 static void check_fields(int dim)
 {
     static double x[N][3], p[N];
@@ -107,6 +120,8 @@ static void check_fields(int dim)
             assert_true(x[i][d] == (d < dim ? frame.x[dim * i + d] : 0));
         assert_true(p[i] == frame.p[i] && id[i] == i && kind[i] == i % 5);
     }
+    if (dim == 3)
+        check_bodies();
     read_array("fields/000001.vtkhdf", "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, 2, 3, x);
     assert_true(x[7][0] == 1 && x[7][1] == 8 && x[7][2] == (dim == 3 ? 15 : 0));
 }
