@@ -68,15 +68,15 @@ tilted(x, y, z) = (y * cos(turn) - x * sin(turn)) * cos(tilt) - z * sin(tilt)
 # is left out would part the list into lists, so what is not shown is drawn behind all, without size.
 hidden = 206
 shaped = words(bodies) > 0
-source() = shaped ? file[1:strlen(file) - 4].'-surface.csv' : file
-is_shown() = !shaped ? kind_shown(column(kind_column), $1, $2, $3) \
-    : $7 == 3 ? inside($1, $2, $3) : $7 == 2 || tilted($4, $5, $6) < 0
-tone() = !shaped ? (sort(column(kind_column)) == 0 ? shade(speed($4, $5, $6)) : 255) \
-    : $7 == 0 ? light($4, $5, $6) : $7 == 1 ? 205 : $7 == 2 ? shade(speed($4, $5, $6)) : 255
-nearer() = shaped && $7 < 2 ? (0.3 + 0.3 * $7) * dx : 0
+source(name) = shaped ? name[1:strlen(name) - 4].'-surface.csv' : name
+is_shown(what) = !shaped ? kind_shown(column(kind_column), $1, $2, $3) \
+    : what == 3 ? inside($1, $2, $3) : what == 2 || tilted($4, $5, $6) < 0
+tone(what) = !shaped ? (sort(column(kind_column)) == 0 ? shade(speed($4, $5, $6)) : 255) \
+    : what == 0 ? light($4, $5, $6) : what == 1 ? 205 : what == 2 ? shade(speed($4, $5, $6)) : 255
+nearer(what) = shaped && what < 2 ? (0.3 + 0.3 * what) * dx : 0
 sort_now = "set xrange [*:*]; set yrange [*:*]; set format xy '%.16g'; set table $sorted; \
-    plot source() using ((is_shown() ? nearer() - far($1, $2, $3) : -1e6 * dx) + 1e-9 * dx * $0): \
-        (packed($1, $2, $3, is_shown() ? tone() : hidden)) skip 3 smooth unique; \
+    plot source(file) using ((is_shown($7) ? nearer($7) - far($1, $2, $3) : -1e6 * dx) + 1e-9 * dx * $0): \
+        (packed($1, $2, $3, is_shown($7) ? tone($7) : hidden)) skip 3 smooth unique; \
     unset table; set xrange [left:right]; set yrange [bottom:above]"
 
 # The edges of the tank, those behind the water first.

@@ -101,13 +101,14 @@ static double distance(const double *a, const double *b)
 static void triangle(FILE *to, const double *a, const double *b, const double *c, double step,
                      const double *n, int body)
 {
-    const double longest = fmax(distance(a, b), fmax(distance(b, c), distance(a, c)));
-    const int rows = (int)ceil(longest / step);
+    const int rows = (int)ceil(distance(a, b) / step), columns = (int)ceil(distance(a, c) / step);
 
     for (int i = 0; i < rows; i++)
-        for (int k = 0; i + k < rows; k++) {
-            const double p = (i + 1 / 3.0) / rows, q = (k + 1 / 3.0) / rows;
+        for (int k = 0; k < columns; k++) {
+            const double p = (i + 1 / 3.0) / rows, q = (k + 1 / 3.0) / columns;
             double x[3];
+            if (p + q > 1)
+                break;
             for (int d = 0; d < 3; d++)
                 x[d] = a[d] + p * (b[d] - a[d]) + q * (c[d] - a[d]);
             point(to, x, n, 0, body);
