@@ -10,7 +10,8 @@ set yrange [*:*]
 stats first_file using (sort(column(kind_column)) == 0 ? column(dye_column) : NaN) skip 3 \
     nooutput name 'dyed'
 set yrange [bottom:above]
-entries = (dyed_max > 0 ? "'#1f6fb4:water' '#f2c418:water with dye 1'" : "'#1f6fb4:water'") \
+dyed_max = exists('dyed_max') ? dyed_max : -1   # no water at all
+entries = (dyed_max < 0 ? '' : dyed_max > 0 ? "'#1f6fb4:water' '#f2c418:water with dye 1'" : "'#1f6fb4:water'") \
     .(dyed_max > 1 ? " '#009e73:dye 2 and more'" : '').solids
 eval put_scale
 eval put_words
@@ -20,7 +21,7 @@ do for [m = 1:moments] {
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \
         file using (is(0)):up:(r):(dye(column(dye_column))) skip 3 \
         with circles fs solid noborder lc rgb variable notitle, \
-        file using (is(3)):up:(r) skip 3 with circles fs solid noborder lc rgb skin notitle
+        file using (beams eq '' && looks ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
     eval take_away
 }
 unset multiplot

@@ -2,7 +2,7 @@
 # a 3D tank is cut in the middle; `stiffwater movie` alone draws it
 # needs: frames.csv
 load 'style.gp'
-load 'joined.gp'   # joined = 1: a PNG a frame, for ffmpeg; 0: one GIF
+load 'joined.gp'   # joined = 1: a PNG a frame, for ffmpeg; 0: one GIF. shaped = 1: there are rigid bodies
 low_up = dim == 2 ? low_y : low_z
 high_up = dim == 2 ? high_y : high_z
 rim = 3.5 * dx
@@ -53,6 +53,9 @@ set cbtics
 set colorbox user origin screen (125 + drawn_x) / canvas_x, screen 85.0 / canvas_y \
     size screen 20.0 / canvas_x, screen drawn_y / canvas_y
 r = 0.65 * dx
+bodies_too = shaped == 0 ? '' : ", sprintf('bodies-%04d.csv', m - 1) using 1:".(dim == 2 ? 2 : 3)." skip 3 \
+    with filledcurves closed fs solid 1 border lc rgb '#5a3210' lw 2 fc rgb '#d9a066' notitle"
+r_skin = shaped == 0 ? r : 0.5 * dx
 do for [m = 1:frames] {
     if (joined) { set output sprintf('frame-%04d.png', m - 1) }
     set title sprintf('%s, t = %.3f s', title, time[m]) noenhanced
@@ -60,7 +63,7 @@ do for [m = 1:frames] {
             with circles fs solid noborder lc rgb '#a6a6a6' notitle, \
         '' using (shown($2) ? $1 * of($6, 0, 0) : NaN):(up($2, $3)):(r):4 \
             with circles fs solid noborder lc palette notitle, \
-        '' using (shown($2) ? $1 * of($6, 3, 4) : NaN):(up($2, $3)):(r) \
-            with circles fs solid noborder lc rgb '#101010' notitle
+        '' using (shown($2) ? $1 * of($6, 3, 4) : NaN):(up($2, $3)):(r_skin) \
+            with circles fs solid noborder lc rgb '#101010' notitle@bodies_too
 }
 set output

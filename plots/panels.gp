@@ -12,6 +12,15 @@ dye_column = 2 * dim + 3
 kind_column = 2 * dim + 4
 # x of a particle if it is fluid (0), wall (1, 2) or the skin of a beam or body (3, 4)
 sort(kind) = kind == 0 ? 0 : kind < 3 ? 1 : 3
+# Rigid bodies are drawn as shapes, each with its edge, over the particles that make it.
+bodies = exists('bodies') ? bodies : ''
+body_face = '#d9a066'
+body_edge = '#5a3210'
+beams = exists('beams') ? beams : ''
+r_skin = words(bodies) == 0 ? r : 0.5 * dx
+looks = words(bodies) == 0 || from_above ? '' : dim == 2 ? '-bodies' : '-cut'
+bodies_too = looks eq '' ? '' : ", file[1:strlen(file) - 4].looks.'.csv' using 1:".(up == 2 ? 2 : 3)." skip 3 \
+    with filledcurves closed fs solid 1 border lc rgb body_edge lw 2 fc rgb body_face notitle"
 is(what) = sort(column(kind_column)) == what && in_plane($2, $3) ? $1 : NaN
 in_plane(y, z) = dim == 2 || (from_above ? z > low_z && z < low_z + 3 * dx : \
     abs(y - (low_y + high_y) / 2) < 1.01 * dx)
@@ -80,7 +89,8 @@ set yrange [bottom:above]
 has_wall_records = exists('has_wall_records') ? has_wall_records : 0
 has_skin_records = exists('has_skin_records') ? has_skin_records : 0
 solids = (has_wall_records > 0 ? " '".wall.":walls'" : '') \
-    .(has_skin_records > 0 ? " '".skin.":beams'" : '')
+    .(words(bodies) > 0 ? " '".body_face.":rigid bodies'" : '') \
+    .(words(beams) > 0 && has_skin_records > 0 ? " '".skin.":beams'" : '')
 
 # The file of moment m is left in `file`, its panel is set.
 next_panel = "stats '../snapshots.csv' using (t = $1, file = '../'.strcol(2), 0) \

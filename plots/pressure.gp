@@ -53,7 +53,7 @@ do for [m = 1:moments] {
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \
         file using (is(0)):up:(r):(column(p_column) / 1e3) skip 3 \
         with circles fs solid noborder lc palette notitle, \
-        file using (is(3)):up:(r) skip 3 with circles fs solid noborder lc rgb skin notitle
+        file using (beams eq '' && looks ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
     unset colorbox
     eval take_away
 }

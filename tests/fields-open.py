@@ -21,7 +21,7 @@ NAMES = {"velocity", "density", "pressure", "dye", "kind", "id"}
 def moments(index):
     """Time and particle file of each moment."""
     for grid in xml.parse(index).getroot().findall("./Domain/Grid/Grid"):
-        place = grid.find("./Geometry/DataItem").text.strip()
+        place = grid.find(".//Geometry/DataItem").text.strip()
         yield float(grid.find("Time").get("Value")), place.split(":")[0]
 
 
@@ -39,6 +39,20 @@ def show(reader, t, grid):
     return grid.GetNumberOfPoints() == grid.GetNumberOfCells() > 0
 
 
+def show_bodies(t, path):
+    """Prints corners, faces and bodies of a file of surfaces; says whether it is whole."""
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+    reader = vtkHDFReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    number = grid.GetCellData().GetArray("body")
+    bodies = int(number.GetRange()[1]) + 1 if number else 0
+    print(f"bodies t={t:g} bodies={bodies} corners={grid.GetNumberOfPoints()}"
+          f" faces={grid.GetNumberOfCells()} type={grid.GetCellType(0)}")
+    return bodies > 0 and grid.GetPointData().GetArray("velocity") is not None
+
+
 def by_files(directory, series):
     from vtkmodules.vtkIOHDF import vtkHDFReader
     fine = True
@@ -47,6 +61,9 @@ def by_files(directory, series):
         reader.SetFileName(os.path.join(directory, name))
         reader.Update()
         fine = show("hdf", t, reader.GetOutput()) and fine
+        bodies = os.path.join(directory, name.replace(".vtkhdf", "-bodies.vtkhdf"))
+        if os.path.exists(bodies):
+            fine = show_bodies(t, bodies) and fine
     return fine
 
 

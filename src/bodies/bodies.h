@@ -20,6 +20,8 @@
 #include "bodies/group.h"
 #include "state/part.h"
 
+struct surface;
+
 struct solid;
 struct solid_place;
 struct body;      /* one body of a kind                                        */
@@ -162,6 +164,10 @@ struct body_watch {
     /* For output; force as in show().  NULL: it is no rigid body. */
     void (*pose)(const struct body *b, struct body_work *w, const struct layout *l,
                  const double *y, const double (*force)[DIM], struct body_pose *out);
+
+    /* Of a rigid body: what pictures show of it, in its own frame; adds to *to.  How that stands:
+     * role.solid. */
+    int (*look)(const struct body *b, struct surface *to);
 
     /* Of a rigid body: do joints, a motion or springs give it forces?  NULL: none is rigid. */
     bool (*tied)(const struct body *b);

@@ -12,7 +12,7 @@
 
 #if DIM == 3
 
-enum { SIDES_LONG = 12, SIDES_SHORT = 16 };
+enum { SIDES_LONG = 12, SIDES_SHORT = 16, AROUND = 48 };
 
 static const double slim = 0.5; /* of a margin: how far the prism is inside of the rod */
 static const double pi = 3.14159265358979323846;
@@ -81,8 +81,31 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
     return is_long(f) ? 2 : 1;
 }
 
+/* Corners 2 i at the low end, 2 i + 1 at the high one. */
+static int surface(const struct rigid_figure *f, struct surface *to)
+{
+    const int from = to->corners;
+    int low[AROUND], high[AROUND];
+
+    for (int i = 0; i < 2 * AROUND; i++) {
+        const double turn = 2 * pi * (i / 2) / AROUND;
+        TRY(surface_corner(to, (double[DIM]){ f->radius * cos(turn), f->radius * sin(turn),
+                                              i % 2 ? f->half[2] : -f->half[2] }));
+    }
+    for (int i = 0; i < AROUND; i++) {
+        const int here = from + 2 * i, next = from + 2 * ((i + 1) % AROUND);
+        const int side[4] = { here, next, next + 1, here + 1 };
+        high[i] = here + 1;
+        low[AROUND - 1 - i] = here;
+        TRY(surface_face(to, side, 4));
+    }
+    TRY(surface_face(to, low, AROUND));
+    return surface_face(to, high, AROUND);
+}
+
 const struct rigid_form rigid_form_cylinder = { .name = "cylinder", .keys = " radius height ",
                                                 .measure = measure, .skin = skin, .depth = depth,
-                                                .kernels = kernels, .cores = cores };
+                                                .kernels = kernels, .cores = cores,
+                                                .surface = surface };
 
 #endif

@@ -219,6 +219,19 @@ int rigid_figure_kernels(struct rigid_figure *f, double margin)
     return STATUS_DONE;
 }
 
+int rigid_figure_surface(const struct rigid_figure *f, struct surface *to)
+{
+    double half[DIM];
+
+    if (f->form->surface)
+        return f->form->surface(f, to);
+    for (int i = 0; i < f->parts; i++)
+        TRY(surface_polytope(to, &f->part[i]));
+    for (int d = 0; d < DIM; d++)
+        half[d] = 0.5 * f->span[d];
+    return f->parts > 0 ? STATUS_DONE : surface_box(to, half);
+}
+
 /* Its ball reaches from the face of the kernel to that of the part. */
 struct core rigid_figure_core(const struct rigid_figure *f, int i, double margin)
 {

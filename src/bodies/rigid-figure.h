@@ -25,6 +25,9 @@ int rigid_figure_measure(struct rigid_figure *f);
  * depth where they are thin. */
 int rigid_figure_kernels(struct rigid_figure *f, double margin);
 
+/* What pictures show of it, in its own frame. */
+int rigid_figure_surface(const struct rigid_figure *f, struct surface *to);
+
 /* The core of part i. */
 struct core rigid_figure_core(const struct rigid_figure *f, int i, double margin);
 

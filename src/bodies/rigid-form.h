@@ -6,6 +6,7 @@
 #include "bodies/core.h"
 #include "bodies/rigid-def.h"
 #include "shapes/points.h"
+#include "shapes/surface.h"
 
 /* What follows from a shape.  All of it stands in the body's own frame, that of its centre of mass
  * and its axes of inertia, but for centre and frame. */
@@ -46,6 +47,10 @@ struct rigid_form {
 
     /* What contacts take it for: fills core, which may be NULL, and returns how many. */
     int (*cores)(const struct rigid_figure *f, double margin, struct core *core);
+
+    /* What pictures show of it: adds to *to, in its own frame.  Round ones are polygons whose corners
+     * lie on the circle.  NULL: its convex parts, or without them a box of its span. */
+    int (*surface)(const struct rigid_figure *f, struct surface *to);
 };
 
 extern const struct rigid_form rigid_form_box, rigid_form_round, rigid_form_clump;

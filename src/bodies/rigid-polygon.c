@@ -7,6 +7,7 @@
 #include "shapes/polygon-parts.h"
 #include "shapes/shape-polygon.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #if DIM == 2
@@ -62,9 +63,25 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
     return f->parts;
 }
 
+/* With its dents, which no convex part knows. */
+static int surface(const struct rigid_figure *f, struct surface *to)
+{
+    const int n = f->outline.n;
+    int *corner = status_alloc((size_t)n, sizeof *corner), code = corner ? STATUS_DONE : STATUS_FAILED;
+
+    for (int i = 0; code == STATUS_DONE && i < n; i++) {
+        corner[i] = to->corners;
+        code = surface_corner(to, f->outline.x[i]);
+    }
+    if (code == STATUS_DONE)
+        code = surface_face(to, corner, n);
+    free(corner);
+    return code;
+}
+
 const struct rigid_form rigid_form_polygon = { .name = "polygon", .keys = " points ",
                                                .measure = measure, .skin = skin, .depth = depth,
                                                .kernels = rigid_figure_kernels,
-                                               .cores = cores };
+                                               .cores = cores, .surface = surface };
 
 #endif

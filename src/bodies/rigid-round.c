@@ -74,7 +74,61 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
     return 1;
 }
 
+enum { AROUND = DIM == 2 ? 64 : 40, RINGS = 20 };
+
+#if DIM == 2
+static int surface(const struct rigid_figure *f, struct surface *to)
+{
+    int corner[AROUND];
+
+    for (int i = 0; i < AROUND; i++) {
+        double x[DIM];
+        around(i, AROUND, f->radius, x);
+        corner[i] = to->corners;
+        TRY(surface_corner(to, x));
+    }
+    return surface_face(to, corner, AROUND);
+}
+#else
+/* Corner i of ring k of a sphere, 0 and RINGS its poles: corners of rings from `from` on. */
+static int ring_corner(int from, int k, int i)
+{
+    return k == 0 ? from : k == RINGS ? from + 1 : from + 2 + (k - 1) * AROUND + i % AROUND;
+}
+
+static int ring_faces(int from, int k, struct surface *to)
+{
+    for (int i = 0; i < AROUND; i++) {
+        const int low[2] = { ring_corner(from, k, i), ring_corner(from, k, i + 1) };
+        const int high[2] = { ring_corner(from, k + 1, i), ring_corner(from, k + 1, i + 1) };
+        const int four[4] = { low[0], low[1], high[1], high[0] };
+        const int bottom[3] = { low[0], high[1], high[0] }, top[3] = { low[0], low[1], high[0] };
+        TRY(k == 0 ? surface_face(to, bottom, 3) : k + 1 == RINGS ? surface_face(to, top, 3)
+                   : surface_face(to, four, 4));
+    }
+    return STATUS_DONE;
+}
+
+static int surface(const struct rigid_figure *f, struct surface *to)
+{
+    const int from = to->corners;
+
+    TRY(surface_corner(to, (double[DIM]){ 0, 0, -f->radius }));
+    TRY(surface_corner(to, (double[DIM]){ 0, 0, f->radius }));
+    for (int k = 1; k < RINGS; k++)
+        for (int i = 0; i < AROUND; i++) {
+            const double across = f->radius * sin(pi * k / RINGS), turn = 2 * pi * i / AROUND;
+            TRY(surface_corner(to, (double[DIM]){ across * cos(turn), across * sin(turn),
+                                                  -f->radius * cos(pi * k / RINGS) }));
+        }
+    for (int k = 0; k < RINGS; k++)
+        TRY(ring_faces(from, k, to));
+    return STATUS_DONE;
+}
+#endif
+
 const struct rigid_form rigid_form_round = { .name = DIM == 2 ? "disc" : "sphere",
                                              .keys = " radius ", .rounds = true,
                                              .measure = measure, .skin = skin,
-                                             .depth = depth, .cores = cores };
+                                             .depth = depth, .cores = cores,
+                                             .surface = surface };

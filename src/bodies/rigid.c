@@ -221,6 +221,11 @@ static bool rigid_holds(const struct body *b, const double *x)
     return rigid_figure_holds(&b->figure, &b->def, x);
 }
 
+static int rigid_look(const struct body *b, struct surface *to)
+{
+    return rigid_figure_surface(&b->figure, to);
+}
+
 static bool rigid_tied(const struct body *b)
 {
     return b->joint.kind != RIGID_FREE || b->def.ties.springs > 0;
@@ -232,7 +237,7 @@ static double rigid_event(const struct body *b, double t)
 }
 
 static const struct body_watch watch = { .event = rigid_event, .holds = rigid_holds, .pose = rigid_pose,
-                                         .tied = rigid_tied };
+                                         .tied = rigid_tied, .look = rigid_look };
 
 const struct body_kind bodies_rigid = {
     .identity = {

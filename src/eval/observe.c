@@ -109,6 +109,13 @@ void observe_pose(const struct moment *run, int body, const double *y, struct bo
     b->kind->watch->pose(b->body, b->work, &run->layout, y, forces_on(run, body), out);
 }
 
+void observe_stand(const struct moment *run, int body, const double *y, struct solid_place *out)
+{
+    const struct moment_body *b = seen(run, body);
+
+    b->kind->role.solid->stand(b->body, &run->layout, y, out);
+}
+
 int observe_escaped(struct moment *run, double t, const double *y)
 {
     struct view v;

@@ -40,6 +40,8 @@ void observe_body(const struct moment *run, int body, double t, const double *y,
                   struct body_view *out);
 /* The same of a rigid body (plan_body_rigid()). */
 void observe_pose(const struct moment *run, int body, const double *y, struct body_pose *out);
+/* And where the frame stands in which plan_body_look() tells its surface. */
+void observe_stand(const struct moment *run, int body, const double *y, struct solid_place *out);
 
 /* For the message of a run that failed after the state (t, y): for which particle -- the
  * one that the last refusal named, or the one that is pushed hardest --, where, and which

@@ -7,4 +7,7 @@
 /* Writes path whole or not at all (STATUS_IO). */
 int fields_file_write(const char *path, const struct cloud_frame *frame);
 
+/* The same of the surfaces of its bodies, which it has. */
+int fields_file_write_bodies(const char *path, const struct cloud_frame *frame);
+
 #endif

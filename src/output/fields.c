@@ -6,24 +6,36 @@
 #include "base/status.h"
 #include "output/aside.h"
 #include "output/fields-file.h"
+#include <stdbool.h>
 #include <stdlib.h>
 
 struct fields {
     char folder[ASIDE_PATH], index[ASIDE_PATH];
     int moments, room;
+    const struct cloud_looks *looks; /* NULL: no rigid bodies */
     int safe;   /* moments whose files are on the disk */
     double *t;  /* [room] [s]        */
     long *n;    /* [room] particles  */
 };
 
-/* One array: TYPE is Scalar or Vector, PLACE its path below /VTKHDF. */
-static void item(FILE *to, int number, int rows, int columns, const char *type, const char *place)
+/* One array: TYPE its numbers, FILE fields/000012FILE.vtkhdf, PLACE its path in there. */
+static void item_of(FILE *to, int number, const char *file, int rows, int columns, const char *type,
+                    const char *place)
 {
     fprintf(to, "<DataItem Dimensions=\"%d", rows);
     if (columns > 1)
         fprintf(to, " %d", columns);
-    fprintf(to, "\" %s Format=\"HDF\">fields/%06d.vtkhdf:/VTKHDF/%s</DataItem>", type, number,
+    fprintf(to, "\" %s Format=\"HDF\">fields/%06d%s.vtkhdf:/%s</DataItem>", type, number, file,
             place);
+}
+
+/* Of the particles, below /VTKHDF. */
+static void item(FILE *to, int number, int rows, int columns, const char *type, const char *place)
+{
+    char path[80];
+
+    snprintf(path, sizeof path, "VTKHDF/%s", place);
+    item_of(to, number, "", rows, columns, type, path);
 }
 
 static void attribute(FILE *to, int number, int rows, int columns, const char *type,
@@ -38,18 +50,23 @@ static void attribute(FILE *to, int number, int rows, int columns, const char *t
     fputs("\n        </Attribute>\n", to);
 }
 
-static void grid(FILE *to, int number, double t, int n)
+static const char real[] = "NumberType=\"Float\" Precision=\"8\"";
+
+static void time_of(FILE *to, double t)
 {
-    static const char real[] = "NumberType=\"Float\" Precision=\"8\"";
+    fprintf(to, "        <Time Value=\"%.17g\"/>\n", t);
+}
+
+static void particles(FILE *to, int number, double t, int n, bool alone)
+{
     static const char byte[] = "NumberType=\"UChar\" Precision=\"1\"";
     static const char whole[] = "NumberType=\"Int\" Precision=\"4\"";
 
-    fprintf(to,
-            "      <Grid Name=\"particles\" GridType=\"Uniform\">\n"
-            "        <Time Value=\"%.17g\"/>\n"
-            "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%d\""
-            " NodesPerElement=\"1\">\n          ",
-            t, n);
+    fputs("      <Grid Name=\"particles\" GridType=\"Uniform\">\n", to);
+    if (alone)
+        time_of(to, t);
+    fprintf(to, "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"%d\""
+            " NodesPerElement=\"1\">\n          ", n);
     item(to, number, n, 1, "NumberType=\"Int\" Precision=\"8\"", "Connectivity");
     fputs("\n        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          ", to);
     item(to, number, n, 3, real, "Points");
@@ -63,6 +80,53 @@ static void grid(FILE *to, int number, double t, int n)
     fputs("      </Grid>\n", to);
 }
 
+static void bodies_item(FILE *to, int number, int rows, int columns, const char *type,
+                        const char *place)
+{
+    item_of(to, number, "-bodies", rows, columns, type, place);
+}
+
+/* Names are told by their numbers. */
+static void names(FILE *to, const struct cloud_looks *l)
+{
+    for (int i = 0; i < l->bodies; i++)
+        fprintf(to, "        <Information Name=\"body %d\" Value=\"%s\"/>\n", i, l->name[i]);
+}
+
+static void bodies(FILE *to, int number, const struct cloud_looks *l)
+{
+    static const char whole[] = "NumberType=\"Int\" Precision=\"4\"";
+    const int mixed = 2 * l->faces + l->first[l->faces];
+
+    fputs("      <Grid Name=\"bodies\" GridType=\"Uniform\">\n", to);
+    names(to, l);
+    fprintf(to, "        <Topology TopologyType=\"Mixed\" NumberOfElements=\"%d\">\n          ",
+            l->faces);
+    bodies_item(to, number, mixed, 1, whole, "XDMF/Mixed");
+    fputs("\n        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          ", to);
+    bodies_item(to, number, l->corners, 3, real, "VTKHDF/Points");
+    fputs("\n        </Geometry>\n        <Attribute Name=\"velocity\" AttributeType=\"Vector\" "
+          "Center=\"Node\">\n          ", to);
+    bodies_item(to, number, l->corners, 3, real, "VTKHDF/PointData/velocity");
+    fputs("\n        </Attribute>\n        <Attribute Name=\"body\" AttributeType=\"Scalar\" "
+          "Center=\"Cell\">\n          ", to);
+    bodies_item(to, number, l->faces, 1, whole, "VTKHDF/CellData/body");
+    fputs("\n        </Attribute>\n      </Grid>\n", to);
+}
+
+static void moment(const struct fields *f, FILE *to, int i)
+{
+    if (!f->looks) {
+        particles(to, i, f->t[i], (int)f->n[i], true);
+        return;
+    }
+    fputs("    <Grid Name=\"moment\" GridType=\"Collection\" CollectionType=\"Spatial\">\n", to);
+    time_of(to, f->t[i]);
+    particles(to, i, f->t[i], (int)f->n[i], false);
+    bodies(to, i, f->looks);
+    fputs("    </Grid>\n", to);
+}
+
 static int write_index(const struct fields *f)
 {
     struct aside a;
@@ -73,7 +137,7 @@ static int write_index(const struct fields *f)
           "    <Grid Name=\"moments\" GridType=\"Collection\" CollectionType=\"Temporal\">\n",
           a.to);
     for (int i = 0; i < f->moments; i++)
-        grid(a.to, i, f->t[i], (int)f->n[i]);
+        moment(f, a.to, i);
     fputs("    </Grid>\n  </Domain>\n</Xdmf>\n", a.to);
     return aside_close(&a);
 }
@@ -85,7 +149,7 @@ static int start(struct fields *f, const char *dir)
     return aside_directory(f->folder);
 }
 
-int fields_open(struct fields **out, const char *dir)
+int fields_open(struct fields **out, const char *dir, const struct cloud_looks *looks)
 {
     struct fields *f = status_alloc(1, sizeof *f);
     int code;
@@ -93,6 +157,7 @@ int fields_open(struct fields **out, const char *dir)
     *out = f;
     if (!f)
         return STATUS_FAILED;
+    f->looks = looks;
     code = start(f, dir);
     if (code != STATUS_DONE)
         fields_close(out);
@@ -125,11 +190,12 @@ static int remember(struct fields *f, const struct cloud_frame *frame)
     return STATUS_DONE;
 }
 
-static int file_of(const struct fields *f, int number, char *path)
+/* END: "" of particles, "-bodies" of bodies. */
+static int file_of(const struct fields *f, int number, const char *end, char *path)
 {
-    char name[32];
+    char name[40];
 
-    snprintf(name, sizeof name, "%06d.vtkhdf", number);
+    snprintf(name, sizeof name, "%06d%s.vtkhdf", number, end);
     return aside_join(path, f->folder, name);
 }
 
@@ -139,7 +205,11 @@ static int make_safe(struct fields *f)
     char path[ASIDE_PATH];
 
     for (; f->safe < f->moments; f->safe++) {
-        TRY(file_of(f, f->safe, path));
+        TRY(file_of(f, f->safe, "", path));
+        TRY(aside_sync(path));
+        if (!f->looks)
+            continue;
+        TRY(file_of(f, f->safe, "-bodies", path));
         TRY(aside_sync(path));
     }
     return aside_sync(f->folder);
@@ -164,8 +234,12 @@ int fields_write(struct fields *f, const struct cloud_frame *frame)
 {
     char path[ASIDE_PATH];
 
-    TRY(file_of(f, f->moments, path));
+    TRY(file_of(f, f->moments, "", path));
     TRY(fields_file_write(path, frame));
+    if (f->looks) {
+        TRY(file_of(f, f->moments, "-bodies", path));
+        TRY(fields_file_write_bodies(path, frame));
+    }
     TRY(remember(f, frame));
     return write_index(f);
 }

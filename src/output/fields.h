@@ -9,7 +9,11 @@
  *   VTK 9.1 of Debian   has no XDMF reader; its vtkHDFReader opens each file
  *   h5py, h5dump ...    /VTKHDF/Points, /VTKHDF/PointData/pressure, ...
  *
- * Both files are written aside and renamed, the index last: whatever happens to
+ * With rigid bodies there is DIR/fields/000012-bodies.vtkhdf beside it: their surfaces as polygons, with
+ * `velocity` at corners and `body`, a number from 0, on faces.  In fields.xdmf each moment is then a
+ * collection of two grids, `particles` and `bodies`.
+ *
+ * All files are written aside and renamed, the index last: whatever happens to
  * the run, what the index names is there and whole. */
 #ifndef OUTPUT_FIELDS_H
 #define OUTPUT_FIELDS_H
@@ -19,8 +23,8 @@
 
 struct fields;
 
-/* Makes DIR/fields.  A run that goes on with the files that are there calls fields_keep(). */
-int fields_open(struct fields **out, const char *dir);
+/* Makes DIR/fields.  All moments have these bodies (names and faces are lent), NULL: none.  A run that goes on with the files that are there calls fields_keep(). */
+int fields_open(struct fields **out, const char *dir, const struct cloud_looks *looks);
 
 /* Which moments there are; loading cuts the index back to them.  NULL is welcome. */
 int fields_keep(struct fields *f, struct archive *a);

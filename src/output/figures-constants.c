@@ -40,5 +40,6 @@ int figures_constants(const char *run, const struct figures_constants *c)
     figures_data_number(a.to, "E0", c->E0);
     figures_data_text(a.to, "beams", c->beams);
     figures_data_text(a.to, "sections", c->sections);
+    figures_data_text(a.to, "bodies", c->bodies);
     return aside_close(&a);
 }

@@ -31,6 +31,7 @@ struct figures_constants {
     const char *beams;   /* their names, with blanks between; NULL: none         */
     const char *sections; /* heights of their sections at the root [m], likewise; 0: it
                             has none                                             */
+    const char *bodies;   /* names of rigid bodies, likewise                        */
     double E0;           /* energy at t = 0                     [J, 2D: J/m]     */
 };
 

@@ -3,8 +3,9 @@
 
 #include "base/status.h"
 #include "output/aside.h"
+#include "output/movie-bodies.h"
+#include "output/movie-set.h"
 
-#include <hdf5.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -15,25 +16,6 @@ struct frame {
     double (*x)[3], (*u)[3], *p; /* [n] position, velocity, pressure */
     unsigned char *kind;         /* [n] */
 };
-
-/* All n numbers of a data set, `components' each. */
-static void *read_set(hid_t file, const char *name, hid_t type, hsize_t n, size_t bytes)
-{
-    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
-    const hid_t space = set >= 0 ? H5Dget_space(set) : -1;
-    const hssize_t there = space >= 0 ? H5Sget_simple_extent_npoints(space) : -1;
-    void *to = there == (hssize_t)n ? status_alloc(n, bytes) : NULL;
-
-    if (to && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to) < 0) {
-        free(to);
-        to = NULL;
-    }
-    if (space >= 0)
-        H5Sclose(space);
-    if (set >= 0)
-        H5Dclose(set);
-    return to;
-}
 
 static void free_frame(struct frame *f)
 {
@@ -53,14 +35,14 @@ static bool read_frame(const char *path, struct frame *f)
     file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file < 0)
         return false;
-    count = read_set(file, "/VTKHDF/NumberOfPoints", H5T_NATIVE_LLONG, 1, sizeof *count);
+    count = movie_set(file, "/VTKHDF/NumberOfPoints", H5T_NATIVE_LLONG, 1, sizeof *count);
     f->n = count && *count > 0 ? (hsize_t)*count : 0;
     free(count);
-    f->x = read_set(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE, 3 * f->n, sizeof **f->x);
-    f->u = read_set(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, 3 * f->n,
+    f->x = movie_set(file, "/VTKHDF/Points", H5T_NATIVE_DOUBLE, 3 * f->n, sizeof **f->x);
+    f->u = movie_set(file, "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, 3 * f->n,
                     sizeof **f->u);
-    f->p = read_set(file, "/VTKHDF/PointData/pressure", H5T_NATIVE_DOUBLE, f->n, sizeof *f->p);
-    f->kind = read_set(file, "/VTKHDF/PointData/kind", H5T_NATIVE_UCHAR, f->n, 1);
+    f->p = movie_set(file, "/VTKHDF/PointData/pressure", H5T_NATIVE_DOUBLE, f->n, sizeof *f->p);
+    f->kind = movie_set(file, "/VTKHDF/PointData/kind", H5T_NATIVE_UCHAR, f->n, 1);
     H5Fclose(file);
     return f->x && f->u && f->p && f->kind;
 }
@@ -87,10 +69,18 @@ static int write_frame(const char *from, const char *to)
 }
 
 /* Number i, of which the file is fields/FILE.vtkhdf and the time t. */
-static int add(const char *run, const char *to, int i, double t, int file, FILE *list)
+static int add(const struct movie_shot *shot, const char *run, const char *to, int i, double t,
+               int file, FILE *list)
 {
-    char name[40], from[ASIDE_PATH], frame[ASIDE_PATH];
+    char name[60], from[ASIDE_PATH], frame[ASIDE_PATH];
 
+    if (shot->bodies) {
+        snprintf(name, sizeof name, "fields/%06d-bodies.vtkhdf", file);
+        TRY(aside_join(from, run, name));
+        snprintf(name, sizeof name, "bodies-%04d.csv", i);
+        TRY(aside_join(frame, to, name));
+        TRY(movie_bodies(from, frame, shot->dim, shot->middle));
+    }
     snprintf(name, sizeof name, "fields/%06d.vtkhdf", file);
     TRY(aside_join(from, run, name));
     snprintf(name, sizeof name, "frame-%04d.csv", i);
@@ -100,7 +90,8 @@ static int add(const char *run, const char *to, int i, double t, int file, FILE 
 }
 
 /* Each file is named by many lines, and once behind its time. */
-static int add_all(const char *run, const char *to, FILE *from, FILE *list, int *n)
+static int add_all(const struct movie_shot *shot, const char *run, const char *to, FILE *from,
+                   FILE *list, int *n)
 {
     char line[1000];
     double t = NAN;
@@ -116,13 +107,13 @@ static int add_all(const char *run, const char *to, FILE *from, FILE *list, int 
             ;
         if (isnan(t) || sscanf(at, ">fields/%6d.vtkhdf", &file) != 1)
             continue;
-        TRY(add(run, to, (*n)++, t, file, list));
+        TRY(add(shot, run, to, (*n)++, t, file, list));
         t = NAN;
     }
     return STATUS_DONE;
 }
 
-int movie_frames(const char *run, const char *to, int *n)
+int movie_frames(const struct movie_shot *shot, const char *run, const char *to, int *n)
 {
     char path[ASIDE_PATH];
     struct aside list;
@@ -139,7 +130,7 @@ int movie_frames(const char *run, const char *to, int *n)
     if (status == STATUS_DONE)
         status = aside_open(&list, path);
     if (status == STATUS_DONE) {
-        status = add_all(run, to, from, list.to, n);
+        status = add_all(shot, run, to, from, list.to, n);
         if (status == STATUS_DONE)
             status = aside_close(&list);
         else

@@ -15,15 +15,15 @@
 
 enum { FEWEST = 3 };
 
-/* Says to the script whether frames are to be joined by ffmpeg. */
-static int tell_script(const struct figures_room *room, bool joined)
+/* Says to the script whether frames are to be joined by ffmpeg, and have rigid bodies. */
+static int tell_script(const struct figures_room *room, bool joined, bool bodies)
 {
     char path[ASIDE_PATH];
     struct aside a;
 
     TRY(aside_join(path, room->at, "joined.gp"));
     TRY(aside_open(&a, path));
-    fprintf(a.to, "joined = %d\n", joined);
+    fprintf(a.to, "joined = %d\nshaped = %d\n", joined, bodies);
     return aside_close(&a);
 }
 
@@ -39,20 +39,58 @@ static int join(const struct figures_room *room)
     return STATUS_DONE;
 }
 
+/* A line NAME = NUMBER of the constants; 0: there is none. */
+static double constant(const struct figures_room *room, const char *name)
+{
+    char path[ASIDE_PATH], line[1000];
+    const size_t n = strlen(name);
+    double value = 0;
+    FILE *in;
+
+    if (aside_join(path, room->at, "constants.gp") != STATUS_DONE)
+        return 0;
+    in = fopen(path, "r");
+    while (in && fgets(line, sizeof line, in))
+        if (strncmp(line, name, n) == 0 && strncmp(line + n, " = ", 3) == 0)
+            value = strtod(line + n + 3, NULL);
+    if (in)
+        fclose(in);
+    return value;
+}
+
+/* Bodies are in the index of the files if they are anywhere. */
+static bool has_bodies(const char *run)
+{
+    char path[ASIDE_PATH];
+
+    return aside_join(path, run, "fields/000000-bodies.vtkhdf") == STATUS_DONE
+           && access(path, R_OK) == 0;
+}
+
+static int frames(const struct figures_room *room, const char *run, int *n)
+{
+    const struct movie_shot shot = {
+        .bodies = has_bodies(run), .dim = (int)constant(room, "dim"),
+        .middle = 0.5 * (constant(room, "low_y") + constant(room, "high_y")),
+    };
+
+    return movie_frames(&shot, run, room->at, n);
+}
+
 static int draw(const struct figures_room *room, const char *run, const char *scripts)
 {
     char path[ASIDE_PATH];
     const bool joined = program_find("ffmpeg", path);
     int n;
 
-    TRY(movie_frames(run, room->at, &n));
+    TRY(figures_room_bring_data(room, "constants.gp"));
+    TRY(frames(room, run, &n));
     if (n < FEWEST)
         return status_fail(STATUS_BAD_SCENE, "%s: %d particle files make no movie; run the scene "
                            "with a smaller output.fields", run, n);
     TRY(figures_room_bring(room, scripts, "style.gp"));
     TRY(figures_room_bring(room, scripts, "movie.gp"));
-    TRY(figures_room_bring_data(room, "constants.gp"));
-    TRY(tell_script(room, joined));
+    TRY(tell_script(room, joined, has_bodies(run)));
     TRY(gnuplot_run(room->at, "movie.gp", room->at));
     return joined ? join(room) : STATUS_DONE;
 }

@@ -3,12 +3,15 @@
 
 #include "base/status.h"
 #include "output/aside.h"
+#include "output/looks-file.h"
 #include "output/series.h"
 #include <stdlib.h>
+#include <unistd.h>
 
 struct snapshot {
     char dir[ASIDE_PATH];
     int written, safe; /* safe: on the disk */
+    double step, middle; /* of points on surfaces, where bodies are cut [m] */
     struct series *index;
 };
 
@@ -40,20 +43,31 @@ int snapshot_open(struct snapshot **out, const char *dir, bool again)
     return code;
 }
 
-static int file_of(const struct snapshot *s, int number, char name[48], char *path)
+void snapshot_fineness(struct snapshot *s, double step, double middle)
 {
-    snprintf(name, 48, "snapshots/%04d.csv", number);
+    s->middle = middle;
+    s->step = step;
+}
+
+/* END: "" of particles, "-bodies", "-surface", "-cut". */
+static int file_of(const struct snapshot *s, int number, const char *end, char name[48], char *path)
+{
+    snprintf(name, 48, "snapshots/%04d%s.csv", number, end);
     return aside_join(path, s->dir, name);
 }
 
 /* A checkpoint promises the files that it counts. */
 static int make_safe(struct snapshot *s)
 {
+    static const char *const end[] = { "", "-bodies", "-surface", "-cut" };
     char name[48], path[ASIDE_PATH];
 
     for (; s->safe < s->written; s->safe++) {
-        TRY(file_of(s, s->safe, name, path));
-        TRY(aside_sync(path));
+        for (int i = 0; i < 4; i++) {
+            TRY(file_of(s, s->safe, end[i], name, path));
+            if (i == 0 || access(path, F_OK) == 0)
+                TRY(aside_sync(path));
+        }
     }
     TRY(aside_join(path, s->dir, "snapshots"));
     return aside_sync(path);
@@ -93,12 +107,29 @@ static int write_cloud(const char *path, const struct cloud_frame *c)
     return aside_close(&a);
 }
 
+static int write_looks(const struct snapshot *s, const struct cloud_frame *c)
+{
+    char name[48], path[ASIDE_PATH];
+
+    if (!c->looks)
+        return STATUS_DONE;
+    TRY(file_of(s, s->written, "-bodies", name, path));
+    TRY(looks_file_write(path, c->dim, c->t, c->looks));
+    if (c->dim == 2 || s->step <= 0)
+        return STATUS_DONE;
+    TRY(file_of(s, s->written, "-surface", name, path));
+    TRY(looks_file_write_points(path, s->step, c));
+    TRY(file_of(s, s->written, "-cut", name, path));
+    return looks_file_write_cut(path, c->t, s->middle, c->looks);
+}
+
 int snapshot_write(struct snapshot *s, const struct cloud_frame *frame)
 {
     char name[48], path[ASIDE_PATH];
 
-    TRY(file_of(s, s->written, name, path));
+    TRY(file_of(s, s->written, "", name, path));
     TRY(write_cloud(path, frame));
+    TRY(write_looks(s, frame));
     s->written++;
     TRY(series_text_row(s->index, &frame->t, (const char *[]){ NULL, name }));
     return series_flush(s->index);

@@ -6,6 +6,8 @@
 #include "plan/settings.h"
 #include "state/part.h"
 
+struct surface;
+
 const struct particles *plan_particles(const struct plan *plan); /* at t = 0 */
 const struct scales *plan_scales(const struct plan *plan);
 const struct settings *plan_settings(const struct plan *plan);
@@ -20,6 +22,7 @@ const char *plan_body_name(const struct plan *plan, int body);
 double plan_body_foresee(const struct plan *plan, int body, const char **path);
 bool plan_body_rigid(const struct plan *plan, int body); /* it has a pose, no tip */
 bool plan_body_tied(const struct plan *plan, int body); /* and joints, a motion or springs? */
+int plan_body_look(const struct plan *plan, int body, struct surface *to); /* of a rigid one */
 const char *plan_object_group(const struct plan *plan, int object); /* "fluid", "wall", "beam" */
 bool plan_body_stiff(const struct plan *plan, int body); /* has it an implicit side? */
 int plan_lanes(const struct plan *plan);

@@ -120,6 +120,11 @@ bool plan_body_tied(const struct plan *p, int body)
     return p->body[body].kind->watch->tied(p->body[body].body);
 }
 
+int plan_body_look(const struct plan *p, int body, struct surface *to)
+{
+    return p->body[body].kind->watch->look(p->body[body].body, to);
+}
+
 double plan_body_foresee(const struct plan *p, int body, const char **path)
 {
     const struct body_watch *watch = p->body[body].kind->watch;

@@ -63,18 +63,21 @@ static bool is_column(const struct particles *all)
 }
 
 struct beams {
-    char names[INPUT_BODIES * 65], sections[INPUT_BODIES * 25];
+    char names[INPUT_BODIES * 65], sections[INPUT_BODIES * 25], rigid[INPUT_BODIES * 65];
 };
 
-/* Names and sections of the beams, as they are in the last state. */
+/* Names of all, and sections of the beams, as they are in the last state. */
 static void list_beams(const struct run *r, struct beams *to)
 {
-    size_t n = 0, m = 0;
+    size_t n = 0, m = 0, k = 0;
 
     for (int i = 0; i < plan_bodies(r->plan); i++) {
         struct body_view view;
-        if (plan_body_rigid(r->plan, i))
+        if (plan_body_rigid(r->plan, i)) {
+            k += (size_t)snprintf(to->rigid + k, sizeof to->rigid - k, " %s",
+                                  plan_body_name(r->plan, i));
             continue;
+        }
         observe_body(r->moment, i, r->past.tally.t, r->method->state(r->self), &view);
         n += (size_t)snprintf(to->names + n, sizeof to->names - n, " %s",
                               plan_body_name(r->plan, i));
@@ -84,7 +87,7 @@ static void list_beams(const struct run *r, struct beams *to)
 
 int run_constants(const struct run *r)
 {
-    struct beams beams = { .names = "" };
+    struct beams beams = { .names = "", .rigid = "" };
     const struct particles *all = plan_particles(r->plan);
     const struct scales *s = plan_scales(r->plan);
     struct figures_constants c = {
@@ -93,7 +96,7 @@ int run_constants(const struct run *r)
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
         .until = r->until, .beam_x = first_solid(all), .column = is_column(all), .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
         .E0 = outputs_energy_initial(r->outputs), .beams = beams.names,
-        .sections = beams.sections,
+        .sections = beams.sections, .bodies = beams.rigid,
     };
 
     list_beams(r, &beams);

@@ -42,16 +42,20 @@ static bool is_ours(const char *name)
     return mark_is_in(files, name, length_of(name));
 }
 
-/* "000012.vtkhdf", "0003.csv" */
+/* "000012.vtkhdf", "000012-bodies.vtkhdf", "0003.csv", ... */
 static bool is_of_series(const char *name)
 {
+    static const char *const ends[] = { ".vtkhdf", "-bodies.vtkhdf", ".csv", "-bodies.csv",
+                                        "-surface.csv", "-cut.csv" };
     const size_t n = length_of(name);
     size_t digits = 0;
 
     while (isdigit((unsigned char)name[digits]))
         digits++;
-    return digits >= 4 && ((n == digits + 7 && strncmp(name + digits, ".vtkhdf", 7) == 0)
-                           || (n == digits + 4 && strncmp(name + digits, ".csv", 4) == 0));
+    for (size_t i = 0; digits >= 4 && i < sizeof ends / sizeof *ends; i++)
+        if (n == digits + strlen(ends[i]) && strncmp(name + digits, ends[i], strlen(ends[i])) == 0)
+            return true;
+    return false;
 }
 
 /* --- what is taken away -------------------------------------------------------------- */

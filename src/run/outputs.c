@@ -8,6 +8,7 @@
 #include "output/snapshot.h"
 #include "ranks/ranks.h"
 #include "run/columns.h"
+#include "run/looks.h"
 #include "run/saved.h"
 #include "run/tables.h"
 #include "state/period.h"
@@ -25,6 +26,7 @@ struct outputs {
     struct tables *tables;
     struct fields *fields;
     struct snapshot *snapshot;
+    struct looks *looks;     /* NULL: no rigid bodies */
     struct run_balance *balance; /* the run's */
     double *rho, *p, *x, *u; /* of all particles, for particle files */
     unsigned char *kind;
@@ -33,6 +35,7 @@ struct outputs {
 static int open_particles(struct outputs *o, const struct plan *plan, const char *dir, bool again)
 {
     const struct particles *all = plan_particles(plan);
+    const struct scales *s = plan_scales(plan);
     const int n = all->n;
 
     if (n == 0)
@@ -46,8 +49,11 @@ static int open_particles(struct outputs *o, const struct plan *plan, const char
         return STATUS_FAILED;
     for (int k = 0; k < KINDS; k++)
         memset(o->kind + all->from[k], k, particles_count(all, k));
-    TRY(fields_open(&o->fields, dir));
-    return snapshot_open(&o->snapshot, dir, again);
+    TRY(looks_open(&o->looks, plan));
+    TRY(fields_open(&o->fields, dir, looks_known(o->looks)));
+    TRY(snapshot_open(&o->snapshot, dir, again));
+    snapshot_fineness(o->snapshot, 0.3 * s->dx, 0.5 * (s->low[1] + s->high[1]));
+    return STATUS_DONE;
 }
 
 /* Two runs in one directory would mix their rows.  A file system that knows no
@@ -177,7 +183,8 @@ static void frame_of(struct outputs *o, struct moment *moment, double t, const d
     }
     plan_pressures(plan, all->n, o->rho, o->p);
     *f = (struct cloud_frame){ .t = t, .n = all->n, .dim = DIM, .x = o->x, .u = o->u,
-                               .rho = o->rho, .p = o->p, .dye = all->dye, .kind = o->kind };
+                               .rho = o->rho, .p = o->p, .dye = all->dye, .kind = o->kind,
+                               .looks = looks_at(o->looks, moment, y) };
 }
 
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y)
@@ -251,6 +258,7 @@ int outputs_close(struct outputs **outputs)
     status = tables_close(&o->tables);
     fields_close(&o->fields);
     closed = snapshot_close(&o->snapshot);
+    looks_close(&o->looks);
     free(o->rho);
     free(o->p);
     free(o->x);

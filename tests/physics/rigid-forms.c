@@ -4,8 +4,11 @@
 #include "tank.h"
 
 #include "base/status.h"
+#include "bodies/solid.h"
 #include "bodies/turning.h"
+#include "eval/observe.h"
 #include "plan/inside.h"
+#include "shapes/surface.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -69,6 +72,63 @@ static void moves_as_the_box(const char *box, const char *other, double down)
     }
     tank_free(&t[0]);
     tank_free(&t[1]);
+}
+
+/* What pictures show of a body encloses its volume; polygons in circles of n corners less. */
+static void encloses(const char *body, double volume)
+{
+    struct surface s = { 0 };
+    struct tank t;
+
+    tank_make(&t, PLACE HEAVY "body = { it = { at = ", DIM == 2 ? "[0.1, 2.0]" : "[0.1, 0.0, 2.0]",
+              "; density = 500.0; ", body, "}; };", NULL);
+    assert_int_equal(plan_body_look(t.plan, 0, &s), STATUS_DONE);
+    near(surface_volume(&s), volume, 1e-12, body);
+    surface_free(&s);
+    tank_free(&t);
+}
+
+static void surfaces_enclose_volumes(void **state)
+{
+    (void)state;
+#if DIM == 2
+    encloses("size = [0.3, 0.2]; angle = 20.0;", 0.06);
+    encloses("shape = \"disc\"; radius = 0.1;", 32 * sin(2 * M_PI / 64) * 0.01);
+    encloses("shape = \"polygon\"; points = ([0.0, 0.0], [0.3, 0.0], [0.3, 0.2], [0.2, 0.1], [0.0, 0.2]);",
+             0.045);
+#else
+    encloses("size = [0.3, 0.2, 0.1]; angle = [20.0, 0.0, 0.0];", 0.006);
+    encloses("shape = \"cylinder\"; radius = 0.1; height = 0.3;", 24 * sin(2 * M_PI / 48) * 0.003);
+    encloses("shape = \"hull\"; points = ([0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.3, 0.0], "
+             "[0.0, 0.0, 0.3]);", 0.0045);
+#endif
+}
+
+/* The corner of a turned box, where its pose has it. */
+static void surfaces_stand_with_their_body(void **state)
+{
+    struct surface s = { 0 };
+    struct solid_place at;
+    struct tank t;
+    double x[DIM];
+
+    (void)state;
+#if DIM == 2
+    const double corner[2] = { 0.1 - 0.15 * 0.5 + 0.1 * sqrt(0.75), 2 - 0.15 * sqrt(0.75) - 0.1 * 0.5 };
+    tank_make(&t, PLACE "body = { it = { at = [0.1, 2.0]; size = [0.3, 0.2]; angle = 60.0; "
+              "density = 500.0; }; };", NULL);
+#else
+    const double corner[3] = { 0.1 - 0.15 * 0.5 + 0.1 * sqrt(0.75), -0.15 * sqrt(0.75) - 0.1 * 0.5, 1.95 };
+    tank_make(&t, PLACE "body = { it = { at = [0.1, 0.0, 2.0]; size = [0.3, 0.2, 0.1]; "
+              "angle = [0.0, 0.0, 60.0]; density = 500.0; }; };", NULL);
+#endif
+    assert_int_equal(plan_body_look(t.plan, 0, &s), STATUS_DONE);
+    observe_stand(t.moment, 0, t.y, &at);
+    solid_space(&at, s.x[0], x);
+    for (int d = 0; d < DIM; d++)
+        near(at.x[d] + x[d], corner[d], 1e-14, "corner");
+    surface_free(&s);
+    tank_free(&t);
 }
 
 /* Bars that cross have no corner in each other. */
@@ -301,6 +361,8 @@ int main(void)
         cmocka_unit_test(cylinders_stand),
 #endif
         cmocka_unit_test(bars_that_cross_are_refused),
+        cmocka_unit_test(surfaces_enclose_volumes),
+        cmocka_unit_test(surfaces_stand_with_their_body),
         cmocka_unit_test(refusals_teach),
     };
 

@@ -30,16 +30,35 @@ static struct cloud_frame sample(int dim, int k)
         dye[i] = (unsigned char)(i % 2);
         kind[i] = (unsigned char)(i % 5);
     }
-    return (struct cloud_frame){ 0.1 * k + 0.01 * k * k, N, dim, x, u, rho, p, dye, kind, NULL };
+    return (struct cloud_frame){ .t = 0.1 * k + 0.01 * k * k, .n = N, .dim = dim, .x = x, .u = u,
+                                 .rho = rho, .p = p, .dye = dye, .kind = kind };
+}
+
+/* A tetrahedron that moves by (1, 1, 1). */
+static struct cloud_looks sample_looks(int k)
+{
+    static const char *const name[] = { "stone" };
+    static const int of[4] = { 0 }, first[] = { 0, 3, 6, 9, 12 };
+    static const int loop[] = { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 };
+    static double x[12], u[12];
+
+    for (int i = 0; i < 12; i++) {
+        x[i] = (i == 3 || i == 7 || i == 11 ? 3 : 0) + k;
+        u[i] = i + 0.5 * k;
+    }
+    return (struct cloud_looks){ 1, 4, 4, name, x, u, of, first, loop };
 }
 
 int output_write_sample(const char *where, int dim)
 {
+    struct cloud_looks looks = sample_looks(0);
     struct fields *f;
 
-    TRY(fields_open(&f, where));
+    TRY(fields_open(&f, where, dim == 3 ? &looks : NULL));
     for (int k = 0; k < MOMENTS; k++) {
-        const struct cloud_frame frame = sample(dim, k);
+        struct cloud_frame frame = sample(dim, k);
+        looks = sample_looks(k);
+        frame.looks = dim == 3 ? &looks : NULL;
         TRY(fields_write(f, &frame));
     }
     fields_close(&f);
@@ -64,6 +83,27 @@ static void read_array(const char *name, const char *array, hid_t type, int rank
     H5Fclose(file);
 }
 
+/* The surface stands where it stood, and names what it has. */
+static void check_bodies(void)
+{
+    const hid_t file = H5Fopen(output_path("fields/000002-bodies.vtkhdf"), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t points = H5Dopen2(file, "/VTKHDF/Points", H5P_DEFAULT);
+    const hid_t mixed = H5Dopen2(file, "/XDMF/Mixed", H5P_DEFAULT);
+    double x[4][3];
+    int cell[20];
+
+    assert_true(H5Dread(points, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x) >= 0);
+    assert_true(x[0][0] == 2 && x[1][0] == 5 && x[2][1] == 5 && x[3][2] == 5);
+    assert_true(H5Dread(mixed, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, cell) >= 0);
+    assert_true(cell[0] == 3 && cell[1] == 3 && cell[2] == 0 && cell[3] == 2 && cell[4] == 1);
+    H5Dclose(points);
+    H5Dclose(mixed);
+    H5Fclose(file);
+    assert_int_equal(output_count(output_contents("fields.xdmf"), "<Grid Name=\"bodies\""), MOMENTS);
+    assert_int_equal(output_count(output_contents("fields.xdmf"), "<Time Value="), MOMENTS);
+    assert_non_null(strstr(output_contents("fields.xdmf"), "Value=\"stone\""));
+}
+
 static void check_fields(int dim)
 {
     static double x[N][3], p[N];
@@ -80,6 +120,8 @@ static void check_fields(int dim)
             assert_true(x[i][d] == (d < dim ? frame.x[dim * i + d] : 0));
         assert_true(p[i] == frame.p[i] && id[i] == i && kind[i] == i % 5);
     }
+    if (dim == 3)
+        check_bodies();
     read_array("fields/000001.vtkhdf", "/VTKHDF/PointData/velocity", H5T_NATIVE_DOUBLE, 2, 3, x);
     assert_true(x[7][0] == 1 && x[7][1] == 8 && x[7][2] == (dim == 3 ? 15 : 0));
 }
@@ -125,7 +167,7 @@ static int fields_fill_up(void)
     struct fields *f;
 
     signal(SIGXFSZ, SIG_IGN);
-    if (fields_open(&f, output_dir) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
+    if (fields_open(&f, output_dir, NULL) != STATUS_DONE || fields_write(f, &frame) != STATUS_DONE)
         return 99;
     most.rlim_cur = most.rlim_max = 5000;
     if (setrlimit(RLIMIT_FSIZE, &most) != 0)
