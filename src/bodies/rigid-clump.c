@@ -207,7 +207,20 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
     return f->kernels;
 }
 
+/* Ball by ball: what of one lies in another is not seen. */
+static int surface(const struct rigid_figure *f, struct surface *to)
+{
+    for (int i = 0; i < f->kernels; i++) {
+        const int from = to->corners;
+        TRY(rigid_form_round.surface(f, to));
+        for (int k = from; k < to->corners; k++)
+            for (int d = 0; d < DIM; d++)
+                to->x[k][d] += f->kernel[i].x[0][d];
+    }
+    return STATUS_DONE;
+}
+
 const struct rigid_form rigid_form_clump = { .name = "clump", .keys = " radius ",
                                              .may = " points size pitch ", .rounds = true,
                                              .measure = measure, .skin = skin, .depth = depth,
-                                             .cores = cores };
+                                             .cores = cores, .surface = surface };
