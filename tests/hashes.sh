@@ -70,6 +70,7 @@ shipped_rows() {
     ship few rolling-disc until=0.3
     ship all floating-disc until=0.1
     ship few floating-wedge until=0.1
+    ship few floating-boat until=0.02
     ship all moored-box until=0.1
     ship few box-in-waves spacing=0.025 until=0.1
     ship few pendulum-gate until=0.1
@@ -170,6 +171,7 @@ part_rows() {
     row few "$flat" dv walls=contact $soft until=0.03
     row few tests/scenes/floating-box.scene default until=0.2 body.it.angle=3.0
     row few tests/scenes/driven-flap.scene default until=0.1
+    row few tests/scenes/clumps.scene default until=0.02
     row few data/scenes/gate.scene default walls=contact spacing=0.01 until=0.07
     row all data/scenes/gate.scene default eos.type=look-ahead spacing=0.01 until=0.15
     row all tests/scenes/lowered-box.scene default eos.type=look-ahead until=0.4

@@ -69,6 +69,7 @@ ship block-heap 0.3
 ship rolling-disc 0.3
 ship floating-disc 0.03
 ship floating-wedge 0.03
+ship floating-boat 0.01
 ship moored-box 0.05
 ship box-in-waves 0.05 spacing=0.025
 ship pendulum-gate 0.05

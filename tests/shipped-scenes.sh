@@ -131,6 +131,7 @@ scene block-heap 0.4 1e-3
 scene rolling-disc 0.3 1e-3
 scene floating-disc 0.05 1.1e-3
 scene floating-wedge 0.05 1.1e-3
+scene floating-boat 0.01 1.1e-3
 scene box-in-waves 0.05 1.1e-3 spacing=0.025
 scene moored-box 0.05 1.1e-3
 lost=1e-6 # momentum follows from an angle, so that it closes as steps do, not to rounding
