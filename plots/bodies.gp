@@ -17,7 +17,10 @@ set terminal pngcairo size 1200, 1000 font 'Sans,18'
 set output 'bodies.png'
 set multiplot layout 2, 1 title title noenhanced
 set xrange [0:until]
-set key center right samplen 2.5
+set rmargin 18
+set key outside right top Left reverse samplen 2
+# What a legend has no room for is told by the colours alone.
+if (words(bodies) > 6) { unset key; set rmargin 3 }
 set ylabel 'centre [m]'
 plot for [k = 1:words(bodies)] for [d = 1:words(axes)] table using 1:(column(at(k, word(axes, d)))) skip 2 \
     with lines lw 2.5 dt d lc rgb pick(k) title word(bodies, k).', '.word(axes, d)
