@@ -1,6 +1,6 @@
 #!/bin/sh
 # beam-contact.sh -- beams that touch rigid bodies and walls: a disc lies on a board, a board bends
-# down to the floor; without contacts the run ends there.
+# down to the floor, a board lies on another; without contacts the run ends there.
 . "$top_srcdir/tests/lib.sh"
 
 scene=$top_srcdir/tests/scenes/disc-on-beam.scene
@@ -34,6 +34,27 @@ claim 'at the floor, energy closes' "$(number floor energy_defect_max) < 0.01 * 
 go hits "$scene" $soft beam.board.contact=false
 claim 'without a contact the run ends' "$code == 1"
 prints hits 'beam.board has met wall.tank' 'contact = true'
+
+# Two boards of one stiffness, 1 mm apart: whatever they press with, the sum of their deflections is that by the
+# sum of their weights, 39.24 and 7.85 N, w L^4/(8 E I) = 35.3 mm at the tips.
+boards=$top_srcdir/tests/scenes/two-boards.scene
+well boards "$boards"
+upper=$(last boards beam.csv upper.tip_y)
+lower=$(last boards beam.csv lower.tip_y)
+on_upper=$(last boards beam.csv upper.root_force)
+on_lower=$(last boards beam.csv lower.root_force)
+claim 'two boards bend by both weights, within 3 %' "(($upper + $lower) / -35.3e-3 - 1)^2 < 0.03^2"
+claim 'one lies on the other, within a tenth of the gap' "(($upper - $lower) / -1e-3 - 1)^2 < 0.1^2"
+claim 'the roots carry both' "(($on_upper + $on_lower) / -47.09 - 1)^2 < 1e-3^2"
+claim 'the lower one the more' "$on_lower / -7.85 > 1.5"
+claim 'of two boards, momentum closes' "$(number boards momentum_defect) < 1e-9"
+claim 'of two boards, energy closes' "$(number boards energy_defect_max) < 1e-3"
+well rough "$boards" beam.friction=0.5 until=0.4
+claim 'with friction, momentum closes' "$(number rough momentum_defect) < 1e-9"
+claim 'with friction, energy closes' "$(number rough energy_defect_max) < 1e-3"
+go meet "$boards" beam.lower.contact=false
+claim 'two beams of which one touches nothing end the run' "$code == 1"
+prints meet 'beam.upper has met beam.lower'
 
 for threads in 1 2; do
     OMP_NUM_THREADS=$threads "$STIFFWATER" run "$scene" -q until=0.1 -o "$out/bits-$threads" 2>"$out/said" ||

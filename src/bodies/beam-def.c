@@ -72,7 +72,7 @@ const struct param beam_def_params[] = {
     { .key = "slip", .unit = "", AT(slip), .type = PARAM_FLAG,
       .about = "true: viscosity does not act on the skin" },
     { .key = "contact", .unit = "", AT(contact), .type = PARAM_FLAG,
-      .about = "true: its skin touches rigid bodies and walls, and they it; false: when it meets one the "
+      .about = "true: its skin touches rigid bodies, walls and such beams, and they it; false: when it meets one the "
                "run ends" },
     { .key = "restitution", .unit = "", AT(restitution), .fallback = 0.6, .min = 0.1, .max = 1,
       .about = "with contact: speed after an impact by that before it; with a body the root of the product" },

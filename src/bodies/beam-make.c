@@ -87,7 +87,8 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     b->trusted = strcmp(d->theory, "linear") == 0;
     b->speed = s->fluid ? 10 * s->speed : bending_first(&bending) * d->thickness;
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
-    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction };
+    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction,
+                                         skin.layers };
     TRY(bending_create(&bending, &b->bending));
     TRY(vectors_take((double **[]){ &b->weight, &b->pushed }, 2, b->bending->dofs, &b->memory));
     prepare_loads(b, d, s);

@@ -135,6 +135,7 @@ struct body_coupled {
 struct body_surface {
     bool touches;
     double restitution, friction; /* as keys of a rigid body                      */
+    int across;                   /* points of a row of it; rows one after the other */
 };
 
 /* What a run asks between its steps, and contacts at the start. */

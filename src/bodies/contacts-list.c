@@ -25,6 +25,7 @@ void contacts_list_free(struct contacts **contacts)
     free(c->pair_of);
     free(c->seats.first);
     free(c->skin);
+    free(c->beam);
     for (int i = 0; i < c->lifts; i++)
         contacts_uplift_free(&c->lift[i].of);
     free(c->lift);
@@ -66,9 +67,39 @@ static int list_skins(struct contacts *c, const struct contacts_scene *s)
             p->second = j;
             p->from = c->places;
             c->places += p->points;
-            c->known[i] = c->skinned[i] = true;
+            c->known[i] = true;
         }
     }
+    return STATUS_DONE;
+}
+
+static int add_beams(struct contacts *c, const struct contacts_scene *s, int body, int other)
+{
+    struct contacts_beams *p = &c->beam[c->beams++];
+    const struct contacts_rub rub = contacts_rules_of(s, contacts_rules_path(s, body),
+                                                      contacts_rules_path(s, other));
+
+    if (rub.made)
+        return no_law(s->body[body].path);
+    contacts_beams_make(p, &s->body[body], &s->body[other], &rub, s->scales);
+    p->body = body;
+    p->other = other;
+    p->from = c->places;
+    c->places += p->points;
+    c->known[body] = true;
+    return STATUS_DONE;
+}
+
+/* Each is told to each other. */
+static int list_beams(struct contacts *c, const struct contacts_scene *s)
+{
+    c->beam = status_alloc((size_t)s->bodies * (size_t)s->bodies + 1, sizeof *c->beam);
+    if (!c->beam)
+        return STATUS_FAILED;
+    for (int i = 0; i < s->bodies; i++)
+        for (int j = 0; j < s->bodies; j++)
+            if (i != j && contacts_solids_surface(&s->body[i]) && contacts_solids_surface(&s->body[j]))
+                TRY(add_beams(c, s, i, j));
     return STATUS_DONE;
 }
 
@@ -130,6 +161,7 @@ static int build(struct contacts *c, const struct contacts_scene *s)
     TRY(contacts_solids_list(c, s, &c->movers));
     TRY(contacts_table_make(c, s));
     TRY(list_skins(c, s));
+    TRY(list_beams(c, s));
     TRY(list_lifts(c, s, c->movers));
     TRY(contacts_table_check(c));
     return check_start(c);

@@ -2,6 +2,7 @@
 #ifndef BODIES_CONTACTS_LIST_H
 #define BODIES_CONTACTS_LIST_H
 
+#include "bodies/contacts-beams.h"
 #include "bodies/contacts-pair.h"
 #include "bodies/contacts-skin.h"
 #include "bodies/contacts-uplift.h"
@@ -27,12 +28,13 @@ struct contacts {
     int *part_of;                /* [solids] of which body, or wall from `bodies` on; a side that
                                     is no wall's: bodies + walls                   */
     struct solid_wall *of_wall;  /* [walls] their cores, those of frames without   */
-    bool *known, *skinned;       /* [bodies + walls] does it touch; as a skin only? */
-    int pairs, skins;
+    bool *known;                 /* [bodies + walls] does it touch?               */
+    int pairs, skins, beams;
     struct contacts_pair *pair;  /* [pairs] of solids                              */
     int *pair_of;                /* [movers][solids] which pair that is, -1: none  */
     int always;                  /* the pair with the fastest rate without a contact, -1: none */
     struct contacts_skin *skin;  /* [skins] of a skin and a solid                  */
+    struct contacts_beams *beam; /* [beams] of two skins, each pair both ways      */
     int lifts;
     struct contacts_lift {       /* of boxes with uplift                           */
         int solid, body;

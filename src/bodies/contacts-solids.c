@@ -24,9 +24,7 @@ static int take_memory(struct contacts *c, const struct contacts_scene *s)
     c->part_of = status_alloc(solids, sizeof *c->part_of);
     c->of_wall = status_alloc((size_t)s->walls + 1, sizeof *c->of_wall);
     c->known = status_alloc(all + 1, sizeof *c->known);
-    c->skinned = status_alloc(all + 1, sizeof *c->skinned);
-    return c->solid && c->part_of && c->of_wall && c->known && c->skinned ? STATUS_DONE
-                                                                          : STATUS_FAILED;
+    return c->solid && c->part_of && c->of_wall && c->known ? STATUS_DONE : STATUS_FAILED;
 }
 
 static double least_margin(const struct contacts *c, int bodies)
@@ -137,5 +135,4 @@ void contacts_solids_free(struct contacts *c)
     free(c->solid);
     free(c->part_of);
     free(c->known);
-    free(c->skinned);
 }

@@ -27,6 +27,8 @@ static int rows(struct contacts *c, struct layout *l)
         least = fmin(least, c->pair[i].depth);
     for (int i = 0; i < c->skins; i++)
         least = fmin(least, c->skin[i].depth);
+    for (int i = 0; i < c->beams; i++)
+        least = fmin(least, c->beam[i].depth);
     c->seats.scale = 0.4 * least;
     c->row = layout_add(l, LAYOUT_OTHER, "contacts.slip", "m", (int)c->places, DIM, c->seats.scale);
     if (c->row >= 0 && c->seats.n > 0)
@@ -41,10 +43,9 @@ static void start(const struct contacts *c, const struct layout *l, double *y)
         memcpy(y + layout_at(l, c->seats.row), c->seats.first, (size_t)c->seats.n * sizeof *y);
 }
 
-/* Skins do not touch each other. */
 static bool parts(const struct contacts *c, int i, int j)
 {
-    return c->known[i] && c->known[j] && !(c->skinned[i] && c->skinned[j]);
+    return c->known[i] && c->known[j];
 }
 
 static struct body_push *push_of(const struct contacts *c, const struct contacts_moment *m, int i,
@@ -178,6 +179,12 @@ static int meet(const struct contacts *c, const struct contacts_moment *m, char 
     for (int i = 0; i < c->skins; i++)
         if (meet_skin(c, m, &c->skin[i], xi, xi_rate) != STATUS_DONE)
             return fail("a beam", c->skin[i].solid->path, m->t, text, room);
+    for (int i = 0; i < c->beams; i++) {
+        const struct contacts_beams *p = &c->beam[i];
+        if (contacts_beams_meet(p, &c->scales, &m->body[p->body], &m->body[p->other],
+                                xi + p->from * DIM, xi_rate + p->from * DIM, m->power) != STATUS_DONE)
+            return fail("a beam", "another beam", m->t, text, room);
+    }
     for (int i = 0; i < c->lifts; i++)
         lift(c, m, &c->lift[i]);
     return STATUS_DONE;
@@ -227,6 +234,11 @@ static void limit(const struct contacts *c, const struct contacts_moment *m, str
         const struct contacts_skin *p = &c->skin[i];
         keep(out, contacts_skin_rate(p, &c->scales, &m->body[p->body],
                                      contacts_near_of(c, m, p->second, &at[0])), "a beam", p->solid->path);
+    }
+    for (int i = 0; i < c->beams; i++) {
+        const struct contacts_beams *p = &c->beam[i];
+        keep(out, contacts_beams_rate(p, &c->scales, &m->body[p->body], &m->body[p->other]), "a beam",
+             "a beam");
     }
 }
 

@@ -144,7 +144,8 @@ static int build(struct body *b, const struct beam_def *d, const struct scales *
     def.speed = s->fluid ? 10 * s->speed : bending_first(&def.bending) * d->thickness;
     beam_def_axes(d, b->along, b->normal);
     b->skin_kind = d->slip ? KIND_SKIN_SLIP : KIND_SKIN;
-    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction };
+    b->surface = (struct body_surface){ d->contact, d->restitution, d->friction,
+                                         skin.layers };
     TRY(elastica_create(&def, &b->beam));
     TRY(take_vectors(b));
     prepare_weight(b, d, s);

@@ -8,6 +8,6 @@
 int fields_file_write(const char *path, const struct cloud_frame *frame);
 
 /* The same of the surfaces of its bodies, which it has. */
-int fields_file_write_bodies(const char *path, const struct cloud_frame *frame);
+int fields_bodies_write(const char *path, const struct cloud_frame *frame);
 
 #endif

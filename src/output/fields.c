@@ -238,7 +238,7 @@ int fields_write(struct fields *f, const struct cloud_frame *frame)
     TRY(fields_file_write(path, frame));
     if (f->looks) {
         TRY(file_of(f, f->moments, "-bodies", path));
-        TRY(fields_file_write_bodies(path, frame));
+        TRY(fields_bodies_write(path, frame));
     }
     TRY(remember(f, frame));
     return write_index(f);
