@@ -28,6 +28,7 @@ static void assert_refused(struct shape s, const char *text)
         fail_msg("\"%s\" does not say \"%s\"", status_message(), text);
     assert_non_null(strstr(status_message(), "a.scene:7: wall.block: "));
     status_clear();
+    shape_free(&s);
 }
 
 static void assert_accepted(struct shape *s)
@@ -153,7 +154,7 @@ static void unknown_types_are_refused(void **state)
     assert_refused(given("cone"), "there is no type \"cone\"");
     assert_refused(given(NULL), "there is no type \"\"");
     assert_refused(given(DIM == 2 ? "sphere" : "disc"),
-                   DIM == 2 ? "one of box, polygon, disc or frame" : "one of box, sphere, cylinder or frame");
+                   DIM == 2 ? "one of box, polygon, disc or frame" : "one of box, sphere, cylinder, hull or frame");
 }
 
 static void keys_of_other_types_are_refused(void **state)
@@ -381,6 +382,70 @@ static void a_ball_holds_its_volume(void **state)
         assert_true(low[d] == s.centre[d] - 0.4 && high[d] == s.centre[d] + 0.4);
 }
 
+#if DIM == 3
+
+static struct shape hull(double (*x)[3], int n)
+{
+    struct shape s = given("hull");
+
+    s.points = (struct param_points){ .x = x, .n = n };
+    return s;
+}
+
+/* Half a cube, cut from edge to edge; places on the cut are in it or not. */
+static void a_hull_holds_its_volume(void **state)
+{
+    double x[][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 1, 0 }, { 1, 1, 0 }, { 1, 1, 1 } };
+    struct shape s = hull(x, 6);
+    double low[3], high[3];
+    const double deep[3] = { 0.75, 0.5, 0.125 }, out[3] = { 0.25, 0.5, 0.5 };
+
+    (void)state;
+    assert_accepted(&s);
+    assert_true(fabs(inside(&s, 50) / pow(50, 3) - 0.5) < 0.011);
+    shape_bounds(&s, low, high);
+    for (int d = 0; d < 3; d++)
+        assert_true(low[d] == 0 && high[d] == 1);
+    assert_true(fabs(shape_depth(&s, deep) - 0.125) < 1e-12);
+    assert_true(shape_depth(&s, out) == 0);
+    shape_free(&s);
+}
+
+/* Two halves of a cube, whose common face has places of the middle row. */
+static void hulls_share_no_point_of_their_border(void **state)
+{
+    double low[8][3], high[8][3];
+    long all = 0;
+
+    (void)state;
+    for (int i = 0; i < 8; i++)
+        for (int d = 0; d < 3; d++) {
+            const double x = i >> d & 1;
+            low[i][d] = d == 2 ? 0.5 * x : x;
+            high[i][d] = d == 2 ? 0.5 + 0.5 * x : x;
+        }
+    for (int k = 0; k < 2; k++) {
+        struct shape s = hull(k ? high : low, 8);
+        assert_accepted(&s);
+        all += inside(&s, 11);
+        shape_free(&s);
+    }
+    assert_int_equal(all, 11 * 11 * 11);
+}
+
+static void bad_hulls_are_refused(void **state)
+{
+    double flat[][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } };
+    double odd[][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, INFINITY } };
+
+    (void)state;
+    assert_refused(hull(flat, 3), "a hull needs points, four or more; 3 given");
+    assert_refused(hull(flat, 4), "its 4 points lie in one plane");
+    assert_refused(hull(odd, 4), "point 4 of points is no place");
+}
+
+#endif
+
 /* Domain 1/2 wide in the middle of the cube, shell of 1/8: cells of 1/16. */
 static void a_frame_holds_the_shell_for_all_open_sides(void **state)
 {
@@ -581,6 +646,10 @@ int main(void)
         cmocka_unit_test(bad_polygons_are_refused),
         cmocka_unit_test(a_polygon_holds_its_area_either_way_round),
         cmocka_unit_test(polygons_share_no_point_of_their_border),
+#else
+        cmocka_unit_test(a_hull_holds_its_volume),
+        cmocka_unit_test(hulls_share_no_point_of_their_border),
+        cmocka_unit_test(bad_hulls_are_refused),
 #endif
     };
 
