@@ -17,7 +17,7 @@ struct contacts_seats {
     long from;                   /* its first place                                */
     int row;
     double scale;                /* of a bend [m]                                  */
-    double *first;               /* [n] who has them at t = 0                      */
+    double *first;               /* [n] pairs that have them at t = 0, from 1       */
 };
 
 struct contacts {

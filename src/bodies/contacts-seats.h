@@ -22,7 +22,7 @@ bool contacts_seats_lack(const struct contacts *c, const struct contacts_moment 
 int contacts_seats_settle(const struct contacts *c, const struct contacts_moment *m, double *y,
                           char *text, size_t room);
 
-/* Of pairs that are near at t = 0; `seat` [seats] gets who has them, from 1. */
+/* Of pairs that are near at t = 0; `seat` [seats] gets the pairs that have them, from 1. */
 int contacts_seats_first(const struct contacts *c, double *seat);
 
 /* Takes seats without a bend out of y, puts others in the order of pairs, and closes the gap: what
