@@ -43,7 +43,7 @@ key_wide = 300
 gap = 118
 panel_wide = (wide - key_wide - panels * gap) / panels
 head = 60
-foot = 88
+foot = 98
 high = 600
 panel = "set lmargin at screen (gap + (w - 1) * (panel_wide + gap)) / wide; \
     set rmargin at screen (gap + (w - 1) * (panel_wide + gap) + panel_wide) / wide; \
@@ -76,7 +76,7 @@ start = "reset; load 'style.gp'; set datafile missing NaN; eval dashes; \
     set logscale y; set format y '10^{%T}'; unset key; \
     set xrange [*:*]; \
     if (x_min > 0 && x_max > 4 * x_min) { set logscale x; set xrange [x_min / 1.3:x_max * 1.3] }; \
-    set xtics autofreq format (x_max > 50 * x_min ? '10^{%T}' : '%g')"
+    set xtics autofreq format (x_max > 50 * x_min ? '10^{%T}' : '%g'); eval few_tics"
 most_rows = 6
 
 do for [k = 1:sweeps] {

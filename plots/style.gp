@@ -33,3 +33,10 @@ choose = "columns = ''; do for [i = 2:words(names)] { \
     if (ends_in(word(names, i), end)) { columns = columns.' '.i } }"
 # `column_of(name)` is the number of a column, 0 when there is none.
 column_of(name) = sum [i = 1:words(names)] (word(names, i) eq name ? i : 0)
+
+# `eval few_tics` after `stats ... name 'x'`: at most some five on the linear axis of x, so that their
+# numbers do not run into each other; on a logarithmic one gnuplot's own.
+round_up(r) = r > 5 ? 10 : r > 2 ? 5 : r > 1 ? 2 : 1
+decade(r) = 10.0 ** floor(log10(r))
+few_tics = "if (x_max > x_min && !(x_min > 0 && x_max > 4 * x_min)) { \
+    set xtics decade((x_max - x_min) / 4) * round_up((x_max - x_min) / 4 / decade((x_max - x_min) / 4)) }"

@@ -66,6 +66,7 @@ do for [k = 1:sweeps] {
         } else {
             stats table using (column(k)) skip 2 nooutput name 'x'
             if (x_min > 0 && x_max > 4 * x_min) { set logscale x }
+            eval few_tics
             set offsets graph 0.05, graph 0.05, 0, 0
         }
         set xlabel word(names, k) noenhanced

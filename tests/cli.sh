@@ -7,11 +7,11 @@ ask=
 asking
 
 # --- help and versions --------------------------------------------------------------------
-commands='run check plot list explain compare sweep spread'
+commands='run resume check plot report movie hull list explain compare sweep spread'
 for word in --help -h help; do
     expect 0 $word
     # shellcheck disable=SC2086 # one pattern a command
-    says $commands
+    says $commands movie.webm, KEY=V1,V2,...
 done
 for command in $commands; do
     expect 0 "$command" --help

@@ -177,14 +177,37 @@ static error_t take(int key, char *arg, struct argp_state *argp)
     return 0;
 }
 
+/* The first sentence of a command's words, in lines below its name.  A point inside a word ends
+ * none. */
+static void sentence(FILE *to, const char *doc)
+{
+    const int indent = 11, width = 80;
+    int column = width;
+
+    for (const char *end = NULL; doc; doc = end) {
+        int length = (int)strcspn(doc, " \v");
+
+        if (column + 1 + length > width) {
+            fprintf(to, "%s%*s%.*s", end ? "\n" : "", indent, "", length, doc);
+            column = indent + length;
+        } else {
+            fprintf(to, " %.*s", length, doc);
+            column += 1 + length;
+        }
+        end = doc[length] == ' ' && doc[length - 1] != '.' ? doc + length + 1 : NULL;
+    }
+    fputc('\n', to);
+}
+
 static void help(FILE *to)
 {
     fputs("Usage: stiffwater COMMAND ...\n\n"
           "Particle hydrodynamics and the structures it hits, as one ordinary differential\n"
           "equation that SUNDIALS integrates with error control.\n\n", to);
-    for (int i = 0; commands_table[i].name; i++)
-        fprintf(to, "  %-8s %-22.22s %.*s\n", commands_table[i].name, commands_table[i].args,
-                (int)strcspn(commands_table[i].doc, ".\v") + 1, commands_table[i].doc);
+    for (int i = 0; commands_table[i].name; i++) {
+        fprintf(to, "  %-8s %s\n", commands_table[i].name, commands_table[i].args);
+        sentence(to, commands_table[i].doc);
+    }
     fputs("\n  COMMAND --help      options of a command\n"
           "  --version           versions of the program and its libraries\n", to);
 }

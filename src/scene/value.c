@@ -71,9 +71,10 @@ static int refuse_kind(const struct scene_wish *w, const struct scene_node *node
     if (takes_nothing(node))
         return status_fail(STATUS_BAD_SCENE, "command line: %s = off takes away what the scene says, and "
                            "it says nothing of that: leave it out (%s)", w->name, w->row->about);
-    return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is %s, but %s is expected (%s)",
+    return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is %s, but %s is expected%s%s%s",
                        scene_where(node), w->name, shown(node), kind_text(node),
-                       scene_value_expected(w->row, w->dimension), w->row->about);
+                       scene_value_expected(w->row, w->dimension), w->row->about[0] ? " (" : "",
+                       w->row->about, w->row->about[0] ? ")" : "");
 }
 
 /* "lies outside 0 to 5" or what is true when one end is open. */
