@@ -3,6 +3,7 @@
 #include "scene/tree.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -68,13 +69,16 @@ static bool takes_nothing(const struct scene_node *node)
 
 static int refuse_kind(const struct scene_wish *w, const struct scene_node *node)
 {
+    const bool unit = node->kind == SCENE_TEXT && isdigit((unsigned char)node->text[0]);
+
     if (takes_nothing(node))
         return status_fail(STATUS_BAD_SCENE, "command line: %s = off takes away what the scene says, and "
                            "it says nothing of that: leave it out (%s)", w->name, w->row->about);
-    return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is %s, but %s is expected%s%s%s",
+    return status_fail(STATUS_BAD_SCENE, "%s: %s = %s is %s, but %s is expected%s%s%s%s",
                        scene_where(node), w->name, shown(node), kind_text(node),
                        scene_value_expected(w->row, w->dimension), w->row->about[0] ? " (" : "",
-                       w->row->about, w->row->about[0] ? ")" : "");
+                       w->row->about, w->row->about[0] ? ")" : "",
+                       unit ? "; numbers stand without quotes and units" : "");
 }
 
 /* "lies outside 0 to 5" or what is true when one end is open. */

@@ -662,6 +662,8 @@ static void overrides_that_fit_nothing_are_refused(void **state)
     refused("until = 1; beam = { a = { } }", "beam.F=7", "command line: unknown key beam.a.F");
     refused("until = 1", "utnil=7", "command line: unknown key utnil; did you mean until?");
     refused("beam = { a = { } }", "utnil=7", "command line: unknown key utnil; did you mean");
+    refused("until = 1", "until=5 ms", "command line: until = \"5 ms\" is a text, but a number in s is "
+            "expected|numbers stand without quotes and units");
     refused("until = 1", "until=soon", "command line: until = \"soon\" is a text, but a number in "
             "s is expected");
     refused("until = 1", "until=-1", "command line: until = -1 s lies outside");
