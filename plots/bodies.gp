@@ -1,4 +1,4 @@
-# bodies.gp -- where the centre of every rigid body goes and how far it turns, against time
+# bodies.gp -- how far the centre of every rigid body has gone and how far it has turned, against time
 # needs: bodies.csv figures/constants.gp
 load 'style.gp'
 table = '../bodies.csv'
@@ -10,6 +10,20 @@ do for [k = 1:words(columns)] { bodies = bodies.' '.stem(word(names, int(word(co
 axes = dim == 2 ? 'x y' : 'x y z'
 at(k, axis) = column_of(word(bodies, k).'.'.axis)
 turn(k) = column_of(word(bodies, k).end)
+# How far from where it stood, row i from 0; and where that was, for the legend.
+way(i, v) = (i == 0 ? (from = v) : 0, v - from)
+many = words(bodies) > 6
+array first[words(bodies) * words(axes)]
+place(k, d) = (k - 1) * words(axes) + d
+if (!many) {
+    do for [k = 1:words(bodies)] {
+        do for [d = 1:words(axes)] {
+            stats table using (start = column(at(k, word(axes, d))), 0) skip 2 every ::0::0 nooutput
+            first[place(k, d)] = start
+        }
+    }
+}
+say(k, d) = many ? '' : sprintf('%s, %s from %.4g', word(bodies, k), word(axes, d), first[place(k, d)])
 # In space: the angle of the turn from where it stood not turned at all.
 degrees(v) = 180 / pi * (dim == 2 ? v : 2 * acos(abs(v) < 1 ? abs(v) : 1))
 
@@ -17,13 +31,16 @@ set terminal pngcairo size 1200, 1000 font 'Sans,18'
 set output 'bodies.png'
 set multiplot layout 2, 1 title title noenhanced
 set xrange [0:until]
-set rmargin 18
+set lmargin 12
+set rmargin 25
 set key outside right top Left reverse samplen 2
 # What a legend has no room for is told by the colours alone.
-if (words(bodies) > 6) { unset key; set rmargin 3 }
-set ylabel 'centre [m]'
-plot for [k = 1:words(bodies)] for [d = 1:words(axes)] table using 1:(column(at(k, word(axes, d)))) skip 2 \
-    with lines lw 2.5 dt d lc rgb pick(k) title word(bodies, k).', '.word(axes, d)
+if (many) { unset key; set rmargin 3 }
+set ylabel 'way of the centre [m]'
+plot 0 lc rgb grey lw 1 notitle, \
+    for [k = 1:words(bodies)] for [d = 1:words(axes)] \
+        table using 1:(way($0, column(at(k, word(axes, d))))) skip 2 \
+        with lines lw 2.5 dt d lc rgb pick(k) title say(k, d)
 set xlabel 'time [s]'
 set ylabel 'turned by [deg]'
 plot 0 lc rgb grey lw 1 notitle, \

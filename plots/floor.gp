@@ -4,7 +4,7 @@
 load 'style.gp'
 if (dim == 2) { exit }
 from_above = 1
-legend = 150
+legend = 165
 load 'panels.gp'
 speed(a, b, c) = sqrt(a ** 2 + b ** 2 + c ** 2)
 
@@ -24,7 +24,7 @@ eval put_words
 set multiplot title heading noenhanced
 set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [0:fastest]
-set cblabel 'speed [m/s], end: and beyond'
+set cblabel "speed [m/s]\nend: and beyond"
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7

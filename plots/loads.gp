@@ -15,7 +15,7 @@ tall = 60 + each * panels + 110
 set terminal pngcairo size 1200, tall font 'Sans,17'
 set output picture
 set multiplot title title noenhanced
-set lmargin at screen 0.1
+set lmargin at screen 0.13
 set rmargin at screen 0.9
 set xrange [0:until]
 set key at graph 1.01, 1 left top Left reverse samplen 1.2
@@ -50,7 +50,7 @@ do for [panel = 1:panels] {
     set label 1 strlen(cut) ? 'beyond the axis: '.cut : '' at graph 0.01, 0.06 left noenhanced \
         font ',12' tc rgb '#606060'
     set key title word(bodies, panel) noenhanced
-    set ylabel dim == 2 ? 'force [N/m]' : 'force [N]' offset 1, 0
+    set ylabel dim == 2 ? 'force [N/m]' : 'force [N]'
     set yrange [low:high]
     plot 0 lc rgb grey lw 1 notitle, \
         for [d in shown] table using 1:(column(force_of(panel, d + 0))) skip 2 \

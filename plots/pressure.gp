@@ -1,7 +1,7 @@
 # pressure.gp -- six moments of the pressure in the water
 # needs: snapshots.csv figures/constants.gp
 load 'style.gp'
-legend = 150
+legend = 165
 load 'panels.gp'
 
 # One scale for all moments, that no single particle and no single impact sets: the mean over the
@@ -43,8 +43,7 @@ set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad
 if (lowest < 0) { set palette defined (low '#d73027', low / 500 '#fdbfae', 0 '#440154', \
     1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725') }
 set cbrange [lowest:highest]
-set cblabel lowest < 0 ? 'pressure [kPa], red: tension, ends: and beyond' \
-    : 'pressure [kPa], ends: and beyond'
+set cblabel 'pressure [kPa]'.(lowest < 0 ? ', red: tension' : '')."\nends: and beyond"
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7

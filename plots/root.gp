@@ -10,7 +10,7 @@ tall = 60 + each * panels + 110
 set terminal pngcairo size 1200, tall font 'Sans,17'
 set output 'root.png'
 set multiplot title title noenhanced
-set lmargin at screen 0.1
+set lmargin at screen 0.12
 set rmargin at screen 0.88
 set xrange [0:until]
 unset key
@@ -35,7 +35,7 @@ do for [panel = 1:panels] {
     set label 2 word(beams, b) at graph 0.99, 0.92 right noenhanced
     set label 3 moment && stress(b) == 0 ? 'no stress: the body has no section of one height' : '' \
         at graph 0.99, 0.80 right font ',12'
-    set ylabel (moment ? 'root moment [N m' : 'root force [N').per.']' offset 1, 0
+    set ylabel (moment ? 'root moment [N m' : 'root force [N').per.']'
     set ytics nomirror
     unset y2tics
     unset y2label

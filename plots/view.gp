@@ -3,7 +3,7 @@
 # needs: snapshots.csv figures/constants.gp
 load 'style.gp'
 if (dim == 2) { exit }
-legend = 150
+legend = 165
 load 'panels.gp'
 
 # Without perspective: turned by `turn' about the vertical, then tilted by `tilt'.
@@ -102,7 +102,7 @@ eval put_words
 set multiplot title title noenhanced
 set palette defined (0 '#440154', 1 '#414487', 2 '#2a788e', 3 '#22a884', 4 '#7ad151', 5 '#fde725')
 set cbrange [0:fastest]
-set cblabel 'speed [m/s], end: and beyond'
+set cblabel "speed [m/s]\nend: and beyond"
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7
