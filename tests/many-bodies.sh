@@ -88,10 +88,13 @@ bin()
 }
 
 # thrown NAME: what holds for all that were thrown into a bin; a core that is entered, or a pair
-# that touches without a seat, would be a right-hand side without an answer.
+# that touches without a seat, would be a right-hand side without an answer.  A margin, 2 mm, is half
+# of the spacing that such bodies would have in water.
 thrown()
 {
     claim "$1: energy closes to 2 %" "$(number "$1" energy_defect_max) < 0.02 * $(number "$1" energy_initial)"
+    claim "$1: none is deeper in another than a margin" \
+        "$(number "$1" contact_depth_max) > 1e-5 && $(number "$1" contact_depth_max) < 2e-3"
     claim "$1: momentum closes" "$(number "$1" momentum_defect) < 1e-9"
     claim "$1: less than half of its motion is left" \
         "$(last "$1" book kinetic) < 0.5 * $(awk -F, '!/^[#t]/ { print $2; exit }' "$out/$1/book.csv")"

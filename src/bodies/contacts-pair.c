@@ -185,7 +185,7 @@ static int find_spot(const struct contacts_pair *p, const struct contacts_guest 
 
 int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,
                        const double *xi, double *xi_rate, struct body_push *on_a,
-                       struct body_push *on_b, double power[2])
+                       struct body_push *on_b, double power[2], double *deepest)
 {
     struct contacts_guest guest[2];
 
@@ -200,6 +200,7 @@ int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stan
         TRY(find_spot(p, guest, i, &which, &spot));
         contacts_spot_push(&guest[which], &p->law, &spot, xi + i * DIM, xi_rate + i * DIM,
                            which ? on_b : on_a, which ? on_a : on_b, power);
+        *deepest = spot.share > 0 ? fmax(*deepest, spot.depth) : *deepest;
     }
     return STATUS_DONE;
 }

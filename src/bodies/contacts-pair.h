@@ -41,11 +41,11 @@ bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stan
 double contacts_pair_gap(const struct contacts_pair *p, const struct contacts_stand *s, double most);
 
 /* Sets rates of xi [places][DIM], which were those of touch_forget() before, and adds to what pushes both, b's with the same force and
- * the other sign, and to what pressing and rubbing give to bodies, power [2] [W].
- * STATUS_FAILED: a corner is inside the other's core. */
+ * the other sign, and to what pressing and rubbing give to bodies, power [2] [W]; *deepest [m] grows
+ * to the deepest overlap.  STATUS_FAILED: a corner is inside the other's core. */
 int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,
                        const double *xi, double *xi_rate, struct body_push *on_a,
-                       struct body_push *on_b, double power[2]);
+                       struct body_push *on_b, double power[2], double *deepest);
 
 /* The fastest rate that a step from here meets: that of the law, or that of coming close. */
 double contacts_pair_rate(const struct contacts_pair *p, const struct contacts_stand *s);

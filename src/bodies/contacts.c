@@ -76,7 +76,7 @@ static int meet_pair(const struct contacts *c, const struct contacts_moment *m, 
         return contacts_pair_gap(p, &s, 0) < 0 ? STATUS_FAILED : STATUS_DONE;
     return contacts_pair_meet(p, &s, xi + from * DIM, xi_rate + from * DIM,
                               push_of(c, m, p->first, &aside), push_of(c, m, p->second, &aside),
-                              m->power);
+                              m->power, m->deepest);
 }
 
 static int refuse_pair(const struct contacts *c, const struct contacts_moment *m, int i, char *text,

@@ -67,6 +67,7 @@ struct contacts_moment {
     double *power; /* [columns] what they give to bodies [W]; likewise             */
     struct contacts_work *work;
     long *looked;  /* counts pairs that meet() looks at                            */
+    double *deepest; /* the deepest overlap of solids that meet() has met so far [m] */
 };
 
 /* Of contacts whose rows serve few of many pairs at a time. */

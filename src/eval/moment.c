@@ -242,6 +242,7 @@ int moment_keep(struct moment *m, struct archive *a)
     TRY(archive_integers(a, "counts.iterations", &c->iterations, 1));
     TRY(archive_numbers(a, "counts.compression", &c->compression, 1));
     TRY(archive_numbers(a, "counts.gain", &c->gain, 1));
+    TRY(archive_numbers(a, "counts.deepest", &c->deepest, 1));
     if (archive_fills(a) && m->own)
         m->own->builds = c->rebuilds;
     return STATUS_DONE;

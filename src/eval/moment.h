@@ -176,6 +176,7 @@ void moment_body_book(struct moment *moment, double t, const double *y, double s
 struct moment_counts {
     long rhs_explicit, rhs_implicit /* with moment_rigid() */, passes, solves, products, rebuilds, refused;
     long settled, looked; /* ends of segments for seats of contacts; pairs of solids looked at */
+    double deepest;       /* overlap of solids that a right-hand side met [m]      */
     long iterations;      /* for pressures solved step by step                    */
     double compression;   /* the largest that a step has left, of the rest density */
     double gain;          /* what an iteration corrects, of what it should        */

@@ -54,7 +54,8 @@ struct contacts_moment touching_now(struct moment *m, double t, const double *y)
         carry(p, i, t, &m->meeting.wall[i].by);
     return (struct contacts_moment){ .layout = &m->layout, .t = t, .y = y, .body = m->meeting.body,
                                      .wall = m->meeting.wall, .power = m->meeting.power,
-                                     .work = m->meeting.work, .looked = &m->counts.looked };
+                                     .work = m->meeting.work, .looked = &m->counts.looked,
+                                     .deepest = &m->counts.deepest };
 }
 
 void touching_load(const struct moment *m, int i, double t, const double *y, double *ydot,

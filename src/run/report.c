@@ -79,6 +79,7 @@ static void write_work(struct json *j, const struct run *r)
     json_number(j, "pressure_gain", c->gain > 0 ? c->gain : NAN);
     json_integer(j, "contact_pairs", c->looked);
     json_integer(j, "contact_segments", c->settled);
+    json_number(j, "contact_depth_max", c->deepest);
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);

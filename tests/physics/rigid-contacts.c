@@ -221,15 +221,16 @@ static void rests(const char *bodies, const char *what)
     double least = HUGE_VAL, most = -HUGE_VAL, fastest = 0;
     struct tank t;
 
-    for (double until = 2; until < 4.1; until += 0.5) {
-        tank_make(&t, PLACE HEAVY "body = {", bodies, "};", NULL);
-        tank_run(&t, "cks43", 1e-2, until);
+    tank_make(&t, PLACE HEAVY "body = {", bodies, "};", NULL);
+    tank_run(&t, "cks43", 1e-2, 1.5);
+    for (int look = 0; look < 5; look++) {
+        tank_run(&t, "cks43", 1e-2, 0.5);
         least = fmin(least, row(&t, "top", "x")[UP]);
         most = fmax(most, row(&t, "top", "x")[UP]);
         for (int d = 0; d < DIM; d++)
             fastest = fmax(fastest, fabs(row(&t, "top", "v")[d]));
-        tank_free(&t);
     }
+    tank_free(&t);
     near(most - least, 0, 1e-8, what);
     near(fastest, 0, 1e-6, "its speed [m/s]");
 }
@@ -247,7 +248,7 @@ static void stacks_rest(void **state)
 
 /* --- walls --------------------------------------------------------------------------- */
 
-#define SLOPE(angle) "spacing = 0.05; wall = { slope = { type = \"box\"; from = "        \
+#define SLOPE(angle) "spacing = 0.1;  wall = { slope = { type = \"box\"; from = "        \
     VECTOR("-2.0", "-0.5", "1.0") "; to = " VECTOR("2.0", "0.5", "1.2") "; " angle " }; };"
 
 /* As it lies on a side of the domain; walls in space turn about the vertical only, so there it
