@@ -3,7 +3,7 @@
 #include "eval/share.h"
 
 #include "base/status.h"
-#include "space/record.h"
+#include "space/record-pack.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -34,59 +34,72 @@ static void write_place(double *r, const double *x, const double *offset)
 #endif
 }
 
-static void write_rest(double *r, const double *u, double rho, double press, double m)
+/* What stands outside of the box since the list was made. */
+static void send_away(const struct moment *m, const struct record_source *of, int from, int to)
 {
-    const double irho = 1 / rho;
+    for (int s = from; s < to; s++)
+        if (!list_inside(of->def, of->x + (size_t)(of->order[s] - of->first) * DIM))
+            pack_far(m->plan, s + 1, m->work->record + (size_t)s * RECORD);
+}
 
-    r[RECORD_V] = u[0];
-    r[RECORD_V + 1] = u[1];
-#if DIM == 3
-    r[RECORD_VZ] = u[2];
-#endif
-    r[RECORD_RHO] = rho;
-    r[RECORD_P2] = press * irho * irho;
-    r[RECORD_M] = m;
-    r[RECORD_IRHO] = irho;
+/* p/rho^2 that solids press with, or that a sum has given. */
+static void put_pressure(const struct record_source *of, int from, int to, const double *p2,
+                         double *record)
+{
+    for (int s = from; s < to; s++)
+        record[(size_t)s * RECORD + RECORD_P2] = p2[of->order[s] - of->first];
+}
+
+/* Densities of the places from..to-1 (NULL: all rho0); are they within bounds?  What the
+ * packer will read is scattered, so the loop asks for it. */
+static bool take_densities(const struct moment *m, const struct record_source *of,
+                           const double *given, int from, int to, double *rho)
+{
+    const double low = m->density[0], high = m->density[1], rho0 = m->plan->scales.rho0;
+    const double *x = of->x, *u = of->u;
+    const int *order = of->order, first = of->first;
+    bool good = true;
+
+    for (int s = from; s < to; s++) {
+        const int i = order[s] - first;
+        __builtin_prefetch(x + (size_t)i * DIM);
+        __builtin_prefetch(u + (size_t)i * DIM);
+        rho[s - from] = given ? given[i] : rho0;
+        good &= (rho[s - from] >= low) & (rho[s - from] <= high);
+    }
+    return good;
+}
+
+/* The first density out of bounds, of the place `from` and following; there is one. */
+static int first_bad(const struct moment *m, const double *rho, int from)
+{
+    while (*rho >= m->density[0] && *rho <= m->density[1]) {
+        rho++;
+        from++;
+    }
+    return from;
 }
 
 /* Places from..to-1, all of kind k.  Returns the first with a density out
- * of bounds, or -1.  What the second loop reads is scattered, so the first asks
- * for it. */
+ * of bounds, or -1. */
 static int pack_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
 {
     const struct plan *p = m->plan;
-    const double low = m->density[0], high = m->density[1];
-    const int first = v->p->from[k], *order = m->list->order;
-    const double *xs = v->x[k], *us = v->u[k], *rhos = v->rho[k], *p2 = v->p2[k], *ms = v->p->m;
-    const double (*offset)[DIM] = (const double (*)[DIM])m->list->offset;
-    const struct list_def def = p->list_def;
-    double *r = m->work->record + (size_t)from * RECORD;
-    double rho[CHUNK], press[CHUNK];
+    const struct record_source of = {
+        m->list->order, v->p->from[k], v->x[k], v->u[k], v->p->m,
+        (const double (*)[DIM])m->list->offset, &p->list_def,
+    };
+    double rho[CHUNK], press[CHUNK] = { 0 };
 
-    for (int s = from; s < to; s++) {
-        const int c = order[s], i = c - first;
-        __builtin_prefetch(xs + (size_t)i * DIM);
-        __builtin_prefetch(us + (size_t)i * DIM);
-        __builtin_prefetch(ms + c);
-        rho[s - from] = rhos ? rhos[i] : p->scales.rho0;
-        if (!(rho[s - from] >= low && rho[s - from] <= high))
-            return s;
-        press[s - from] = 0;
-    }
+    if (!take_densities(m, &of, v->rho[k], from, to, rho))
+        return first_bad(m, rho, from);
     if (p->pressure)
         p->pressure->part->as.pressure->pressures(p->pressure->self, to - from, rho, press);
-    for (int s = from; s < to; s++, r += RECORD) {
-        const int c = order[s], i = c - first;
-        const double *x = xs + (size_t)i * DIM;
-        if (!list_inside(&def, x)) {
-            pack_far(p, s + 1, r);
-            continue;
-        }
-        write_place(r, x, offset ? offset[s] : NULL);
-        write_rest(r, us + (size_t)i * DIM, rho[s - from], press[s - from], ms[c]);
-        if (p2)
-            r[RECORD_P2] = p2[i];
-    }
+    const bool inside = p->engine->sum->pack(&of, from, to, rho, press, m->work->record);
+    if (v->p2[k])
+        put_pressure(&of, from, to, v->p2[k], m->work->record);
+    if (!inside)
+        send_away(m, &of, from, to);
     return -1;
 }
 

@@ -46,11 +46,11 @@ static inline void look_ahead(const struct sum_job *job, int first, int owners, 
     }
 }
 
-static inline void set_apart(const struct sum_job *job, int first, int owners, const struct sum *part)
+static inline void set_apart(const struct sum_job *job, int first, int owners, struct sum part)
 {
     for (int l = 0; l < owners; l++)
         for (int d = 0; d < DIM; d++)
-            job->apart[(size_t)(first + l) * DIM + (size_t)d] = part[job->apart_slot].f[d][l];
+            job->apart[(size_t)(first + l) * DIM + (size_t)d] = part.f[d][l];
 }
 
 static inline struct sum_rates rates_of(const struct sum_job *job, int kind)
@@ -71,51 +71,69 @@ LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, i
         __builtin_prefetch(to.rho + order[l], 1);
 }
 
-static inline void write_rates(const struct sum_job *job, int kind, int first, int owners, lanes m,
-                        struct sum all)
+/* Written out for a full group, whose number of owners is a constant. */
+LANES_INLINE void write_lanes(const struct sum_job *job, int kind, int first, int owners,
+                              const struct sum *all)
 {
     const struct sum_rates to = rates_of(job, kind);
     const int *order = job->list->order + first;
-    const lanes im = 1 / m;
 
-    for (int d = 0; d < DIM && to.u; d++)
-        all.f[d] *= im;
     for (int l = 0; l < owners; l++) {
         double *f = to.u ? to.u[order[l]] : job->f + (size_t)(first + l) * DIM;
-        double *drho = to.rho ? to.rho + order[l] : job->drho + first + l;
 
         for (int d = 0; d < DIM; d++)
-            f[d] = all.f[d][l];
-        *drho = all.drho[l];
+            f[d] = all->f[d][l];
     }
+    for (int l = 0; l < owners; l++)
+        *(to.rho ? to.rho + order[l] : job->drho + first + l) = all->drho[l];
 }
 
-/* Adds the sums in order of places, writes the rates, books the power. */
-static inline void finish_group(const struct sum_job *job, int kind, int first, int owners,
-                         struct side *a, const struct sum *part, struct chunk_power *book)
+static inline void write_rates(const struct sum_job *job, int kind, int first, int owners, lanes m,
+                        struct sum all)
+{
+    const lanes im = 1 / m;
+
+    for (int d = 0; d < DIM && rates_of(job, kind).u; d++)
+        all.f[d] *= im;
+    if (owners == LANES)
+        write_lanes(job, kind, first, LANES, &all);
+    else
+        write_lanes(job, kind, first, owners, &all);
+}
+
+/* The sum of slot s, of those at hand. */
+typedef struct sum sum_of_slot(const void *sums, int s);
+
+/* Adds the sums in order of places, writes the rates, books the power.  `of` is a constant. */
+LANES_INLINE void finish_group(const struct sum_job *job, int kind, int first, int owners,
+                               struct side *a, sum_of_slot *of, const void *sums,
+                               struct chunk_power *book)
 {
     struct sum all = { 0 };
 
     for (int s = 0; s < job->slots; s++) {
+        const struct sum part = of(sums, s);
+
         if (job->apart && s == job->apart_slot)
             continue;
         for (int d = 0; d < DIM; d++)
-            all.f[d] += part[s].f[d];
-        all.drho += part[s].drho;
+            all.f[d] += part.f[d];
+        all.drho += part.drho;
     }
     all.drho /= a->m;
     if (job->later != 0)
         look_ahead(job, first, owners, &all, a);
     for (int s = 0; s < job->slots; s++) {
-        lanes power = a->p2 * part[s].drho;
+        const struct sum part = of(sums, s);
+        lanes power = a->p2 * part.drho;
 
         for (int d = 0; d < DIM; d++)
-            power += a->v[d] * part[s].f[d];
+            power += a->v[d] * part.f[d];
         exact_rows_add(&book->rows[s], power);
     }
     write_rates(job, kind, first, owners, a->m, all);
     if (job->apart)
-        set_apart(job, first, owners, part);
+        set_apart(job, first, owners, of(sums, job->apart_slot));
 }
 
 /* No neighbours: rates of exactly 0. */

@@ -7,27 +7,41 @@
 #include "space/record.h"
 #include "space/single-pack.h"
 
+#if LANES == 8
+#include <immintrin.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
 
 static const struct sum_single *const single = &LANE_SINGLE_NAME(sum_single);
 
-/* Half h of the sums as a law in double precision leaves them. */
-LANES_INLINE void widen(int slots, const float *sum, int h, struct sum *part)
+/* So many numbers of single precision in double. */
+LANES_INLINE lanes widened(const float *from)
 {
+#if LANES == 8 /* the compiler goes by halves */
+    return (lanes)_mm512_cvtps_pd(_mm256_loadu_ps(from));
+#else
     typedef float half __attribute__((vector_size(LANES * sizeof(float))));
-    half x[DIM + 1];
+    half x;
 
-    for (int s = 0; s < slots; s++, sum += (DIM + 1) * 2 * LANES) {
-        for (int d = 0; d <= DIM; d++)
-            memcpy(&x[d], sum + (2 * d + h) * LANES, sizeof x[d]);
-        for (int d = 0; d < DIM; d++)
-            part[s].f[d] = __builtin_convertvector(x[d], lanes);
-        part[s].drho = __builtin_convertvector(x[DIM], lanes);
-    }
+    memcpy(&x, from, sizeof x);
+    return __builtin_convertvector(x, lanes);
+#endif
 }
 
-static void end_group(const struct sum_job *job, int g, const struct sum *part,
+/* Of one of the two groups, as a law in double precision leaves them. */
+LANES_INLINE struct sum sum_of(const void *sums, int s)
+{
+    const float *from = (const float *)sums + (size_t)s * (DIM + 1) * 2 * LANES;
+    struct sum sum;
+
+    for (int d = 0; d < DIM; d++)
+        sum.f[d] = widened(from + 2 * d * LANES);
+    sum.drho = widened(from + 2 * DIM * LANES);
+    return sum;
+}
+
+static void end_group(const struct sum_job *job, int g, const float *sum,
                       struct chunk_power *book)
 {
     struct visit v = visit_group(job->list, g);
@@ -39,7 +53,7 @@ static void end_group(const struct sum_job *job, int g, const struct sum *part,
         return;
     }
     gather_side(job->record, v.first, v.end, job->list->listed, &a);
-    finish_group(job, v.kind, v.first, owners, &a, part, book);
+    finish_group(job, v.kind, v.first, owners, &a, sum_of, sum, book);
 }
 
 /* Asks for what the end of a group will read and write. */
@@ -59,7 +73,6 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
 {
     const struct sum_job *job = pass->job;
     float sum[SUM_SLOTS * (DIM + 1) * 2 * LANES] __attribute__((aligned(64)));
-    struct sum part[SUM_SLOTS];
 
     (void)b;
     for (int g = from; g < to; g += 2) {
@@ -68,10 +81,8 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
         for (int h = 0; h < 1 + both; h++)
             expect(job, g + h);
         single->groups(job, pass->record, g, both, sum);
-        for (int h = 0; h < 1 + both; h++) {
-            widen(job->slots, sum, h, part);
-            end_group(job, g + h, part, book);
-        }
+        for (int h = 0; h < 1 + both; h++)
+            end_group(job, g + h, sum + h * LANES, book);
     }
 }
 
@@ -106,6 +117,7 @@ static void arrange(struct pairs_table *table, bool fuse)
 }
 
 const struct sum_engine LANE_NAME(sum_engine_single) = {
-    .lanes = LANES, .list = &LANE_NAME(list_engine), .arrange = arrange, .pairs = sum_pairs,
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .pack = LANE_NAME(record_pack),
+    .arrange = arrange, .pairs = sum_pairs,
     .field = LANE_NAME(sum_field),
 };

@@ -46,16 +46,12 @@ static struct walk start(const struct list *list, int g, bool both)
     return w;
 }
 
-/* Owners of both groups; the dummy where there is none. */
-static void owners(const struct list *list, int g, bool both, int *j)
+static struct single_owners owners(const struct list *list, int g, bool both)
 {
-    for (int h = 0; h < 2; h++) {
-        const int at = h > 0 && !both ? list->listed : list->group_slot[g + h];
-        const int end = list->start[list->group_kind[g] + 1];
-
-        for (int l = 0; l < SINGLE_HALF; l++)
-            j[h * SINGLE_HALF + l] = at + l < end ? at + l : list->listed;
-    }
+    return (struct single_owners){
+        .first = { list->group_slot[g], both ? list->group_slot[g + 1] : list->listed },
+        .end = list->start[list->group_kind[g] + 1], .dummy = list->listed,
+    };
 }
 
 /* The partner whose rows come next, -1: there is none. */
@@ -128,14 +124,13 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
 {
     const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
     const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
+    const struct single_owners at = owners(job->list, g, both);
     struct walk w = start(job->list, g, both);
     struct sum part[SUM_SLOTS];
     struct single_side own;
     struct block b;
-    int j[LANES];
 
-    owners(job->list, g, both, j);
-    single_rows_side(&all, j, &own);
+    single_rows_side(&all, &at, &own);
     memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
         const struct pairs_table *table = &tables[partner];

@@ -25,6 +25,11 @@ static void arrange(struct pairs_table *table, bool fuse)
     table->laws = fused ? fused : laws_in_turn;
 }
 
+LANES_INLINE struct sum sum_of(const void *sums, int s)
+{
+    return ((const struct sum *)sums)[s];
+}
+
 static void sum_group(const struct sum_job *job, int g, struct block *b,
                       struct chunk_power *book)
 {
@@ -48,7 +53,7 @@ static void sum_group(const struct sum_job *job, int g, struct block *b,
                && visit_rows(&v, job->record, table->needs, NULL, &a, b))
             table->laws(table, &a, b, part);
     }
-    finish_group(job, v.kind, v.first, owners, &a, part, book);
+    finish_group(job, v.kind, v.first, owners, &a, sum_of, part, book);
 }
 
 static void sum_groups(const struct sum_pass *pass, int from, int to, struct block *b,
@@ -64,6 +69,7 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 }
 
 const struct sum_engine LANE_NAME(sum_engine) = {
-    .lanes = LANES, .list = &LANE_NAME(list_engine), .arrange = arrange, .pairs = sum_pairs,
+    .lanes = LANES, .list = &LANE_NAME(list_engine), .pack = LANE_NAME(record_pack),
+    .arrange = arrange, .pairs = sum_pairs,
     .field = LANE_NAME(sum_field),
 };

@@ -5,6 +5,7 @@
 #define PLAN_SUM_H
 
 #include "space/list.h"
+#include "space/record-pack.h"
 #include "state/part.h"
 
 struct pairs_table;
@@ -77,6 +78,7 @@ struct sum_scratch {
 struct sum_engine {
     int lanes;
     const struct list_engine *list;
+    record_packer *pack;
 
     /* How the laws of a table are run, before pairs() meets it and after each change
      * of it; `fuse`: in one loop where there is one (effects/fused.h), the same bits. */

@@ -138,23 +138,47 @@ LANES_INLINE void whole(const float *const of[LANES], bool alike, real mass, str
 }
 #endif
 
-void single_rows_side(const struct single_records *all, const int *j, struct single_side *own)
+/* Where the records of one half's owners are. */
+LANES_INLINE void find_owners(const struct single_owners *at, int half, const float *record,
+                              size_t floats, const float **of)
 {
-    const size_t floats = (size_t)single_floats((double)all->mass);
+    const int first = at->first[half];
+
+    if (first + SINGLE_HALF <= at->end)
+        for (int l = 0; l < SINGLE_HALF; l++)
+            of[l] = record + ((size_t)first + (size_t)l) * floats;
+    else
+        for (int l = 0; l < SINGLE_HALF; l++)
+            of[l] = record + (size_t)(first + l < at->end ? first + l : at->dummy) * floats;
+}
+
+/* `alike` is a constant, as for rows. */
+LANES_INLINE void fill_side(const struct single_records *all, bool alike,
+                            const struct single_owners *at, struct single_side *own)
+{
     const float *of[LANES];
     struct held h;
 
-    for (int l = 0; l < LANES; l++)
-        of[l] = all->record + (size_t)(unsigned)j[l] * floats;
-    if (SHORT && all->mass > 0)
-        whole(of, true, all->mass, &h);
-    else
-        whole(of, false, 0, &h);
-    own->a = (struct side){ .rho = h.rho, .p2 = h.p2, .m = h.m, .irho = h.irho };
+    for (int half = 0; half < 2; half++)
+        find_owners(at, half, all->record, alike || DIM == 2 ? 8 : 12, of + half * SINGLE_HALF);
+    whole(of, alike, all->mass, &h);
     for (int d = 0; d < DIM; d++) {
         own->x[d] = h.x[d];
         own->a.v[d] = h.v[d];
     }
+    own->a.rho = h.rho;
+    own->a.p2 = h.p2;
+    own->a.m = h.m;
+    own->a.irho = h.irho;
+}
+
+void single_rows_side(const struct single_records *all, const struct single_owners *at,
+                      struct single_side *own)
+{
+    if (SHORT && all->mass > 0)
+        fill_side(all, SHORT, at, own);
+    else
+        fill_side(all, false, at, own);
 }
 
 LANES_INLINE lanes dot(const lanes *a, const lanes *b)

@@ -7,7 +7,14 @@
 
 enum { SINGLE_HALF = LANES / 2 }; /* lanes of the list                       */
 
-/* The owners' own side, with their positions in counts. */
+/* The owners of both halves: from places first[] on, those before `end`; the dummy stands
+ * where there is none. */
+struct single_owners {
+    int first[2];
+    int end, dummy;
+};
+
+/* The owners' own side, with their positions in counts; a.x is not filled. */
 struct single_side {
     lanes_mask x[DIM];
     struct side a;
@@ -27,9 +34,9 @@ struct single_records {
     real mass;            /* of all particles; 0: they differ                   */
 };
 
-/* Owners in places j[LANES]; the dummy stands where there is none. */
 #define single_rows_side LANE_NAME(single_rows_side)
-void single_rows_side(const struct single_records *of, const int *j, struct single_side *own);
+void single_rows_side(const struct single_records *of, const struct single_owners *at,
+                      struct single_side *own);
 
 /* Fills rows at..at+n-1 of b with what `needs` (NEED_ bits) ask for, but for kernels. */
 #define single_rows_fill LANE_NAME(single_rows_fill)

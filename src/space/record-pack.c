@@ -1,0 +1,129 @@
+/* record-pack.c -- records of places, four at a time where the machine has room for that. */
+#include "space/record-pack.h"
+
+#include "base/lanes.h"
+
+#include <math.h>
+#include <string.h>
+
+/* One place; inside the box? */
+static inline bool pack_one(const struct record_source *of, int s, double rho, double pressure,
+                            double *r)
+{
+    const double irho = 1 / rho, *offset = of->offset ? of->offset[s] : NULL;
+    const size_t row = (size_t)(of->order[s] - of->first);
+    const double *x = of->x + row * DIM, *u = of->u + row * DIM;
+
+    r[RECORD_X] = offset ? x[0] + offset[0] : x[0];
+    r[RECORD_X + 1] = offset ? x[1] + offset[1] : x[1];
+    r[RECORD_V] = u[0];
+    r[RECORD_V + 1] = u[1];
+#if DIM == 3
+    r[RECORD_Z] = offset ? x[2] + offset[2] : x[2];
+    r[RECORD_VZ] = u[2];
+#endif
+    r[RECORD_RHO] = rho;
+    r[RECORD_P2] = pressure * irho * irho;
+    r[RECORD_M] = of->m[of->order[s]];
+    r[RECORD_IRHO] = irho;
+    return list_inside(of->def, x);
+}
+
+#if DIM == 2 && LANES > 2
+typedef double four __attribute__((vector_size(4 * sizeof(double))));
+typedef long long four_bits __attribute__((vector_size(4 * sizeof(double))));
+
+static inline four load(const double *from)
+{
+    four x;
+
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+/* Position and velocity. */
+static inline four motion(const double *x, const double *u)
+{
+    typedef double two __attribute__((vector_size(2 * sizeof(double))));
+    two a, b;
+
+    memcpy(&a, x, sizeof a);
+    memcpy(&b, u, sizeof b);
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3);
+}
+
+/* The second halves of four records: their rows in columns. */
+static inline void write_rest(four rho, four p2, four m, four irho, double *r)
+{
+    const four a = __builtin_shufflevector(rho, p2, 0, 4, 2, 6);
+    const four b = __builtin_shufflevector(rho, p2, 1, 5, 3, 7);
+    const four c = __builtin_shufflevector(m, irho, 0, 4, 2, 6);
+    const four d = __builtin_shufflevector(m, irho, 1, 5, 3, 7);
+    const four rest[] = {
+        __builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(b, d, 0, 1, 4, 5),
+        __builtin_shufflevector(a, c, 2, 3, 6, 7), __builtin_shufflevector(b, d, 2, 3, 6, 7),
+    };
+
+    for (int l = 0; l < 4; l++)
+        memcpy(r + l * RECORD + RECORD_RHO, &rest[l], sizeof rest[l]);
+}
+
+/* Places s..s+3; the bits of what is inside of low..high. */
+LANES_INLINE four_bits pack_four(const struct record_source *of, int s, four low, four high,
+                                 four rho, four pressure, double *r)
+{
+    const int *c = of->order + s;
+    const four irho = 1 / rho;
+    four_bits inside = ~(four_bits){ 0 };
+
+    for (int l = 0; l < 4; l++) {
+        const size_t row = (size_t)(c[l] - of->first);
+        const four xu = motion(of->x + row * DIM, of->u + row * DIM);
+
+        inside &= (xu >= low) & (xu <= high);
+        memcpy(r + l * RECORD, &xu, sizeof xu);
+    }
+    const four m = { of->m[c[0]], of->m[c[1]], of->m[c[2]], of->m[c[3]] };
+    write_rest(rho, pressure * irho * irho, m, irho, r);
+    return inside;
+}
+
+/* As many as there are whole fours of, none with offsets; returns the place after them. */
+static int pack_fours(const struct record_source *given, int from, int to, const double *rho,
+                      const double *pressure, double *record, bool *inside)
+{
+    const struct record_source of = *given; /* stays in registers: no record is written to it */
+    const double *a = of.def->low, *b = of.def->high;
+    const four low = { a[0], a[1], -INFINITY, -INFINITY }, high = { b[0], b[1], INFINITY, INFINITY };
+    four_bits all = ~(four_bits){ 0 };
+    int s = from;
+
+    for (; s + 4 <= to && !of.offset; s += 4)
+        all &= pack_four(&of, s, low, high, load(rho + s - from), load(pressure + s - from),
+                         record + (size_t)s * RECORD);
+    *inside = all[0] & all[1] & all[2] & all[3];
+    return s;
+}
+#else
+static int pack_fours(const struct record_source *of, int from, int to, const double *rho,
+                      const double *pressure, double *record, bool *inside)
+{
+    (void)of;
+    (void)to;
+    (void)rho;
+    (void)pressure;
+    (void)record;
+    *inside = true;
+    return from;
+}
+#endif
+
+bool LANE_NAME(record_pack)(const struct record_source *of, int from, int to, const double *rho,
+                            const double *pressure, double *record)
+{
+    bool inside;
+
+    for (int s = pack_fours(of, from, to, rho, pressure, record, &inside); s < to; s++)
+        inside &= pack_one(of, s, rho[s - from], pressure[s - from], record + (size_t)s * RECORD);
+    return inside;
+}
