@@ -144,6 +144,40 @@ if [ -n "${STIFFWATER_LONG-}" ]; then
     done
 fi
 
+# --- particles that change their rank --------------------------------------------------------
+# anew HOW NAME N KEY=VALUE...: a run on N ranks that cut anew so often has the bits of run NAME
+anew() {
+    STIFFWATER_BALANCE=$1 run=$2 n=$3
+    export STIFFWATER_BALANCE
+    shift 3
+    ranks "$n" "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" output.fields=100 \
+        output.snapshots=0 -q -f -o "$out/$run-$n" "$@"
+    if [ $code = 0 ]; then
+        bits "$run" "$n"
+        echo "cut anew ($STIFFWATER_BALANCE): $(value "$run-$n" repartitions) times," \
+            "$(value "$run-$n" particles_moved) particles moved"
+    else wrong "$run, cut anew ($STIFFWATER_BALANCE): status $code"; cat "$out/said"; fi
+    unset STIFFWATER_BALANCE
+}
+moving="spacing=0.005 until=0.12"
+well moving "$scenes/dam-break.scene" $moving
+for often in never 7 23; do
+    anew $often moving 3 $moving
+    [ $often = never ] || claim "particles move" "$(value moving-3 particles_moved) > 50"
+done
+claim "ranks whose work is unequal cut anew" "$(value dam-3 repartitions) > 0 && $(value dam-3 imbalance_before) > 1.1 \
+    && $(value dam-3 imbalance_after) < $(value dam-3 imbalance_before)"
+past="spacing=0.01 until=0.01 method=adams"
+well past "$scenes/dam-break.scene" $past
+anew 3 past 2 $past
+claim "the past of a method goes along" "$(value past-2 particles_moved) > 20"
+STIFFWATER_BALANCE=5
+export STIFFWATER_BALANCE
+ranks 3 "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" spacing=0.002 until=0.002 -q -f \
+    output.fields=100 output.snapshots=0 output.interval=1 -o "$out/fine"
+unset STIFFWATER_BALANCE
+claim "imbalance after a cut" "$(value fine repartitions) > 0 && $(value fine imbalance_after) <= 1.1"
+
 # --- checkpoints --------------------------------------------------------------------------------
 # on N M: a run on N ranks, killed late, goes on on M
 on() {

@@ -5,6 +5,7 @@
 #include "algebra/vector-private.h"
 
 #include "base/status.h"
+#include "ranks/ranks.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -48,10 +49,23 @@ static int check(const struct vector_family *f, int blocks, const struct vector_
                  struct scratch *s)
 {
     for (int k = 0; k < blocks; k++)
-        if (!apart(f, &block[k]) || !invert(&block[k], s->to))
+        if (!apart(f, &block[k]) || (block[k].from && !invert(&block[k], s->to)))
             return status_fail(STATUS_FAILED, "rows %ld to %ld of a vector cannot change places "
                                "like that", block[k].offset, end_of(&block[k]) - 1);
     return STATUS_DONE;
+}
+
+/* What arrives must not meet what leaves: a row does not do both. */
+static void travel(const struct vector_rows *b, double *x)
+{
+    const struct vector_travel *t = b->travel;
+    const size_t c = (size_t)b->components, row = c * sizeof *x;
+
+    ranks_route_go(t->route, row, x, t->room);
+    for (int i = 0; i < t->leaving; i++)
+        memset(x + (size_t)t->out[i] * c, 0, row);
+    for (int i = 0; i < t->coming; i++)
+        memcpy(x + (size_t)t->in[i] * c, t->room + (size_t)i * c, row);
 }
 
 static void move_block(const struct vector_rows *b, double *data, double *scratch)
@@ -59,6 +73,10 @@ static void move_block(const struct vector_rows *b, double *data, double *scratc
     const size_t c = (size_t)b->components, row = c * sizeof *data;
     double *x = data + b->offset;
 
+    if (!b->from) {
+        travel(b, x);
+        return;
+    }
     memcpy(scratch, x, (size_t)b->n * row);
     for (int i = 0; i < b->n; i++)
         memcpy(x + (size_t)i * c, scratch + (size_t)b->from[i] * c, row);
@@ -67,7 +85,7 @@ static void move_block(const struct vector_rows *b, double *data, double *scratc
 /* Where entry i goes. */
 static long moved(const struct vector_rows *b, const int *to, long i)
 {
-    if (i < b->offset || i >= end_of(b))
+    if (!b->from || i < b->offset || i >= end_of(b))
         return i;
     i -= b->offset;
     return b->offset + (long)to[i / b->components] * b->components + i % b->components;
@@ -75,7 +93,8 @@ static long moved(const struct vector_rows *b, const int *to, long i)
 
 static void rearrange(struct vector_family *f, const struct vector_rows *b, struct scratch *s)
 {
-    invert(b, s->to);
+    if (b->from)
+        invert(b, s->to);
     for (struct vector_store *store = f->all; store; store = store->other) {
         if (store->users == 0)
             continue;
@@ -83,8 +102,17 @@ static void rearrange(struct vector_family *f, const struct vector_rows *b, stru
         store->largest = moved(b, s->to, store->largest);
     }
     f->largest = moved(b, s->to, f->largest);
-    for (long i = 0; i < f->n; i++)
+    for (long i = 0; i < f->n && b->from; i++)
         f->order[i] = moved(b, s->to, f->order[i]);
+}
+
+static bool stay(int blocks, const struct vector_rows *block)
+{
+    bool all = true;
+
+    for (int k = 0; k < blocks; k++)
+        all &= block[k].from == NULL;
+    return all;
 }
 
 /* False: no memory. */
@@ -93,6 +121,8 @@ static bool make_room(struct vector_family *f, int blocks, const struct vector_r
 {
     size_t entries = 1, rows = 1;
 
+    if (stay(blocks, block))
+        return true;
     for (int k = 0; k < blocks; k++) {
         const size_t n = (size_t)block[k].n, all = n * (size_t)block[k].components;
 
@@ -131,14 +161,14 @@ int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block)
 int vector_rows_move(int blocks, const struct vector_rows *block, int arrays, double *const *x)
 {
     size_t entries = 1;
-    double *scratch;
+    const bool here = stay(blocks, block);
+    double *scratch = NULL;
 
     for (int k = 0; k < blocks; k++) {
         const size_t all = (size_t)block[k].n * (size_t)block[k].components;
         entries = all > entries ? all : entries;
     }
-    scratch = status_alloc(entries, sizeof *scratch);
-    if (!scratch)
+    if (!here && !(scratch = status_alloc(entries, sizeof *scratch)))
         return STATUS_FAILED;
     for (int i = 0; i < arrays; i++)
         for (int k = 0; k < blocks && x[i]; k++)
@@ -152,7 +182,7 @@ long vector_rows_moved(int blocks, const struct vector_rows *block, long i)
     for (int k = 0; k < blocks; k++) {
         const struct vector_rows *b = &block[k];
 
-        for (int to = 0; to < b->n && i >= b->offset && i < end_of(b); to++)
+        for (int to = 0; b->from && to < b->n && i >= b->offset && i < end_of(b); to++)
             if (b->from[to] == (i - b->offset) / b->components)
                 return b->offset + (long)to * b->components + (i - b->offset) % b->components;
     }

@@ -22,6 +22,8 @@
 #include "algebra/sundials.h"
 #include <stdbool.h>
 
+struct ranks_route;
+
 #define VECTOR_NOT_FINITE 1e30
 
 /* n entries, all 0; NULL and a failure kept when there is no memory.  Clones
@@ -66,7 +68,18 @@ long vector_largest(N_Vector v);
 struct vector_rows {
     long offset;
     int n, components;
-    const int *from;       /* [n] */
+    const int *from;       /* [n]; NULL: rows do not change places but ranks   */
+    const struct vector_travel *travel; /* then; else NULL                     */
+};
+
+/* Rows of a block go from rank to rank, each in its place: those that leave are 0 afterwards,
+ * in the past that an integrator keeps, too, so that they have no error where they are nobody's
+ * business.  All ranks rearrange together, and it takes no memory. */
+struct vector_travel {
+    struct ranks_route *route; /* numbers of a row at least components wide    */
+    int leaving, coming;
+    const int *out, *in;   /* rows, in the order of the route                  */
+    double *room;          /* [coming] rows                                    */
 };
 int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block);
 

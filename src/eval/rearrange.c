@@ -47,18 +47,41 @@ static int kind_of(const struct moment *m, int row)
     return KINDS;
 }
 
+/* The kind whose particles block i of y holds, with where they stand; KINDS: none. */
+static int block_of(const struct moment *m, int i, struct vector_rows *to)
+{
+    const struct layout_row *r = &m->layout.row[i];
+
+    *to = (struct vector_rows){ .offset = r->offset, .n = r->n, .components = r->components };
+    return kind_of(m, i);
+}
+
 int moment_rows(const struct moment *m, const int *const from[KINDS],
                 struct vector_rows row[MOMENT_ROWS])
 {
     int n = 0;
 
     for (int i = 0; i < m->layout.rows; i++) {
-        const struct layout_row *r = &m->layout.row[i];
-        const int k = kind_of(m, i);
+        struct vector_rows one;
+        const int k = block_of(m, i, &one);
 
-        if (k < KINDS && from[k])
-            row[n++] = (struct vector_rows){ .offset = r->offset, .n = r->n,
-                                             .components = r->components, .from = from[k] };
+        if (k < KINDS && (one.from = from[k]))
+            row[n++] = one;
+    }
+    return n;
+}
+
+int moment_travels(const struct moment *m, const struct vector_travel *const travel[KINDS],
+                   struct vector_rows row[MOMENT_ROWS])
+{
+    int n = 0;
+
+    for (int i = 0; i < m->layout.rows; i++) {
+        struct vector_rows one;
+        const int k = block_of(m, i, &one);
+
+        if (k < KINDS && (one.travel = travel[k]))
+            row[n++] = one;
     }
     return n;
 }

@@ -22,4 +22,8 @@ int moment_rearrange(struct moment *moment, const int *const from[KINDS]);
 int moment_rows(const struct moment *moment, const int *const from[KINDS],
                 struct vector_rows row[MOMENT_ROWS]);
 
+/* The same of rows that go to other ranks, by kind; NULL: none of them does. */
+int moment_travels(const struct moment *moment, const struct vector_travel *const travel[KINDS],
+                   struct vector_rows row[MOMENT_ROWS]);
+
 #endif

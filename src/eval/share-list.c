@@ -129,8 +129,7 @@ static void note_places(const struct moment *m)
     memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
 }
 
-/* After a rebuild. */
-static int find_halo(struct moment *m)
+int share_halo(struct moment *m)
 {
     struct moment_share *s = m->share;
     bool *needed = status_alloc((size_t)s->n + 1, sizeof *needed);
@@ -143,7 +142,6 @@ static int find_halo(struct moment *m)
             if (needed[s->row[i]])
                 s->halo[n++] = s->row[i];
     free(needed);
-    note_places(m);
     return request(s, n);
 }
 
@@ -210,7 +208,10 @@ static int remake(struct moment *m, const struct cloud *cloud)
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
     TRY(agreed);
-    return m->own->builds != builds ? find_halo(m) : STATUS_DONE;
+    if (m->own->builds == builds)
+        return STATUS_DONE;
+    note_places(m);
+    return share_halo(m);
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)

@@ -15,6 +15,7 @@ void share_free(struct moment_share **share)
     if (!s)
         return;
     ranks_route_free(&s->route);
+    balance_free(&s->move);
     free(s->mine);
     free(s->owner);
     free(s->row);
@@ -83,16 +84,15 @@ static int cut(const struct moment *m, const double *y, struct ranks_cut **out)
     return ranks_cut_create(out, DIM, n, x, weight);
 }
 
-static void own(const struct moment *m, const double *y, const struct ranks_cut *cuts)
+void share_own(const struct moment *m, const int *owner)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
     int n = 0;
 
     for (int i = 0; i < s->n; i++) {
-        s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
-        s->mine[i] = s->owner[i] == s->me;
-        s->rho[i] = p->scales->rho0; /* of rows that are never heard of */
+        s->owner[i] = owner[i];
+        s->mine[i] = owner[i] == s->me;
     }
     for (int r = 0; r < s->ranks; r++) {
         for (int k = 0; k < KINDS; k++) {
@@ -105,6 +105,17 @@ static void own(const struct moment *m, const double *y, const struct ranks_cut 
     }
 }
 
+static void own_first(const struct moment *m, const double *y, const struct ranks_cut *cuts)
+{
+    const struct moment_share *s = m->share;
+
+    for (int i = 0; i < s->n; i++) {
+        s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
+        s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
+    }
+    share_own(m, s->owner);
+}
+
 int moment_share(struct moment *m, const double *y)
 {
     struct moment_share *s;
@@ -114,10 +125,11 @@ int moment_share(struct moment *m, const double *y)
         return STATUS_DONE;
     s = m->share = status_alloc(1, sizeof *s);
     if (s)
-        *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n };
+        *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n,
+                                    .balance = balance_start() };
     TRY(ranks_agree(s ? take_memory(s, m) : STATUS_FAILED));
     TRY(cut(m, y, &cuts));
-    own(m, y, cuts);
+    own_first(m, y, cuts);
     ranks_cut_free(&cuts);
     m->own->mine = s->mine;
     return STATUS_DONE;

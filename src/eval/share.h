@@ -10,8 +10,10 @@
 #ifndef EVAL_SHARE_H
 #define EVAL_SHARE_H
 
+#include "eval/balance.h"
 #include "eval/passes.h"
 
+struct balance_move;
 struct ranks_route;
 
 enum { SHARE_HALO = 2 * DIM + 1 }; /* numbers of a particle: place, velocity, density */
@@ -34,10 +36,15 @@ struct moment_share {
     double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
     double *whole;         /* [size] y of all                                  */
     bool refuses;          /* some rank has a density out of bounds            */
+    struct balance balance; /* of work, so far                                 */
+    struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
 
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
+
+/* From now on particle i belongs to rank owner[i] [n]. */
+void share_own(const struct moment *m, const int *owner);
 
 /* Rows of a kind, c numbers each, of their owners to all; `from` and `to` may be the same. */
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
@@ -47,6 +54,9 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
+
+/* What rows of the list need of other ranks, after it was made. */
+int share_halo(struct moment *m);
 
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);

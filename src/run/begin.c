@@ -78,6 +78,7 @@ int run_start(struct run *r)
     TRY(moment_share(r->moment, r->y));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));
+    run_ranks_begin(r);
     choose_times(r);
     TRY(ranks_agree(open_outputs(r, false)));
     run_keep_extremes(r, 0, r->y);
@@ -99,6 +100,7 @@ int run_start_again(struct run *r, struct archive *from)
     TRY(ranks_agree(agree_again(r, from)));
     TRY(moment_share(r->moment, r->y));
     TRY(ranks_agree(create_method(r)));
+    run_ranks_begin(r);
     TRY(ranks_agree(open_outputs(r, true)));
     return ranks_agree(checkpoint_load_past(r, from));
 }

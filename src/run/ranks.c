@@ -2,6 +2,8 @@
 #include "run/ranks.h"
 
 #include "base/status.h"
+#include "eval/balance.h"
+#include "plan/solver.h"
 #include "ranks/ranks.h"
 #include "run/stop.h"
 
@@ -37,6 +39,30 @@ int run_ranks_agree(const struct run *r)
     return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
         .remedy = "run it on one rank, with as many threads as the machine has" },
         "%s: %d ranks cannot share %s%s yet", r->path, ranks_count(), what, method ? method : "");
+}
+
+/* A pressure that is solved for is found by each rank for itself, from all of y. */
+void run_ranks_begin(struct run *r)
+{
+    const bool whole = plan_solved(r->method->name) != NULL;
+
+    if (ranks_count() == 1)
+        return;
+    if (whole || r->method->rearrange(r->self, 0, NULL) != STATUS_DONE)
+        balance_never(r->moment);
+    status_clear();
+}
+
+int run_ranks_balance(struct run *r)
+{
+    struct vector_rows row[MOMENT_ROWS];
+    int blocks;
+
+    TRY(balance_cut(r->moment, row, &blocks));
+    if (blocks == 0)
+        return STATUS_DONE;
+    TRY(ranks_agree(r->method->rearrange(r->self, blocks, row)));
+    return balance_carry_out(r->moment);
 }
 
 bool run_ranks_writes(void)

@@ -8,6 +8,12 @@
 /* STATUS_BAD_SCENE where ranks cannot share this run yet; with one rank nothing is asked. */
 int run_ranks_agree(const struct run *r);
 
+/* Once the method is there: can what it keeps follow particles that change their rank? */
+void run_ranks_begin(struct run *r);
+
+/* After a step: ranks that have more work than others give particles away. */
+int run_ranks_balance(struct run *r);
+
 /* Is this the rank that writes? */
 bool run_ranks_writes(void);
 

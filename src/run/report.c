@@ -2,6 +2,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "eval/balance.h"
 #include "output/aside.h"
 #include "output/hash.h"
 #include "output/json.h"
@@ -93,6 +94,17 @@ static void write_work(struct json *j, const struct run *r)
     json_end(j);
 }
 
+/* How ranks share the work of pairs. */
+static void write_balance(struct json *j, const struct run *r)
+{
+    const struct balance b = balance_told(r->moment);
+
+    json_integer(j, "repartitions", b.cuts);
+    json_integer(j, "particles_moved", b.moved);
+    json_number(j, "imbalance_before", b.before);
+    json_number(j, "imbalance_after", b.after);
+}
+
 /* What numbers are to be held against. */
 static void write_scales(struct json *j, const struct run *r)
 {
@@ -152,6 +164,7 @@ int run_report(const struct run *r, int status, const char *message, const doubl
     write_what(j, r, status, message);
     write_sizes(j, r);
     write_work(j, r);
+    write_balance(j, r);
     write_books(j, r, y);
     write_warnings(j);
     return json_close(&j);

@@ -146,6 +146,7 @@ static int go(struct run *r, struct progress *progress)
         TRY(write_due(r, r->past.tally.t));
         TRY(run_next_segment(r));
         TRY(keep_when_due(r));
+        TRY(run_ranks_balance(r));
         if (run_ranks_stopped() && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");
     }

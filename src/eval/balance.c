@@ -1,0 +1,230 @@
+/* balance.c -- when ranks cut anew, and what then goes where. */
+#include "eval/share.h"
+
+#include "base/status.h"
+#include "ranks/ranks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double tolerable = 1.1; /* imbalance */
+static const double worth = 1.05;    /* more than a cut leaves, before the next; few particles
+                                        cannot be shared any better           */
+
+/* Who owns what from now on, and the rows of y that go there. */
+struct balance_move {
+    int *owner;            /* [n]                                              */
+    int *to, *row;         /* [n] scratch: of routes                           */
+    int *out, *in;         /* [n] rows that leave, that come, kind by kind     */
+    struct vector_travel travel[KINDS];
+};
+
+struct balance balance_start(void)
+{
+    const char *wish = getenv("STIFFWATER_BALANCE");
+
+    return (struct balance){ .every = !wish ? 0 : strcmp(wish, "never") == 0 ? -1 : atoi(wish),
+                             .left = 1, .before = NAN, .after = NAN };
+}
+
+void balance_never(struct moment *m)
+{
+    if (m->share)
+        m->share->balance.every = -1;
+}
+
+struct balance balance_told(const struct moment *m)
+{
+    return m->share ? m->share->balance : (struct balance){ .before = NAN, .after = NAN };
+}
+
+void balance_free(struct balance_move **move)
+{
+    struct balance_move *b = *move;
+
+    if (!b)
+        return;
+    for (int k = 0; k < KINDS; k++)
+        ranks_route_free(&b->travel[k].route);
+    free(b->owner);
+    free(b->to);
+    free(b->row);
+    free(b->out);
+    free(b->in);
+    free(b);
+    *move = NULL;
+}
+
+/* --- when ------------------------------------------------------------------------- */
+
+/* Of entries in rows: the most that a rank has, over the mean. */
+static double imbalance(const struct moment *m)
+{
+    const double mine = list_entries(m->own);
+    int64_t all = (int64_t)mine;
+    double most = mine;
+
+    ranks_most(1, &most);
+    ranks_add(1, &all);
+    return all > 0 ? most * m->share->ranks / (double)all : 1;
+}
+
+/* Is there to be a cut after this step? */
+static bool is_due(const struct moment *m)
+{
+    struct balance *b = &m->share->balance;
+    double now;
+
+    b->steps++;
+    if (b->every < 0 || !m->own->stands || (b->every > 0 && b->steps % b->every != 0)
+        || (b->every == 0 && b->builds == m->own->builds))
+        return false;
+    b->builds = m->own->builds;
+    now = imbalance(m);
+    if (b->every == 0 && !(now > fmax(tolerable, worth * b->left)))
+        return false;
+    b->before = fmax(b->before, now); /* of a NAN and a number, the number */
+    return true;
+}
+
+/* --- where ------------------------------------------------------------------------ */
+
+/* How many neighbours each particle has in rows here; weight [n] by row. */
+static void count_neighbours(const struct list *l, double *weight)
+{
+    for (int g = 0; g < l->groups; g++)
+        for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++)
+            for (int i = 0; i < l->segment[k].rows * l->lanes; i++)
+                if (l->segment[k].j[i] < l->listed)
+                    weight[l->order[l->group_slot[g] + i % l->lanes]]++;
+}
+
+/* Each rank brings its own particles, where they were when the list was made. */
+static int cut(const struct moment *m, struct ranks_cut **out)
+{
+    const struct moment_share *s = m->share;
+    double *x = s->all, *weight = s->pack, *of = s->in;
+    int n = 0;
+
+    memset(of, 0, (size_t)s->n * sizeof *of);
+    count_neighbours(m->own, of);
+    for (int i = s->from[s->me][0]; i < s->from[s->me][KINDS]; i++, n++) {
+        memcpy(x + (size_t)n * DIM, s->built + (size_t)s->row[i] * DIM, DIM * sizeof *x);
+        weight[n] = of[s->row[i]];
+    }
+    return ranks_cut_create(out, DIM, n, x, weight);
+}
+
+/* --- what goes where -------------------------------------------------------------- */
+
+static int take_memory(const struct moment_share *s, struct balance_move **out)
+{
+    struct balance_move *b = *out = status_alloc(1, sizeof *b);
+    const size_t n = (size_t)s->n + 1;
+
+    if (!b)
+        return STATUS_FAILED;
+    b->owner = status_alloc(n, sizeof *b->owner);
+    b->to = status_alloc(n, sizeof *b->to);
+    b->row = status_alloc(n, sizeof *b->row);
+    b->out = status_alloc(n, sizeof *b->out);
+    b->in = status_alloc(n, sizeof *b->in);
+    return b->owner && b->to && b->row && b->out && b->in ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Rows of kind k, counted within it, that leave and that come: by rank, ascending. */
+static int plan_travel(const struct moment *m, struct balance_move *b, int k)
+{
+    const struct moment_share *s = m->share;
+    const int first = m->particles->from[k];
+    struct vector_travel *t = &b->travel[k];
+    int *out = b->out + first, *in = b->in + first;
+
+    t->out = out;
+    t->in = in;
+    t->room = s->in;
+    for (int r = 0; r < s->ranks; r++)
+        for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++) {
+            const int row = s->row[i], to = b->owner[row];
+            if (r == s->me && to != r) {
+                b->to[t->leaving] = to;
+                out[t->leaving++] = row - first;
+            } else if (r != s->me && to == s->me) {
+                in[t->coming++] = row - first;
+            }
+        }
+    return ranks_route_create(&t->route, DIM * sizeof(double), t->leaving, b->to, out);
+}
+
+/* How many particles of all ranks move by this cut. */
+static long find_owners(const struct moment *m, const struct ranks_cut *cuts, struct balance_move *b)
+{
+    const struct moment_share *s = m->share;
+    long moved = 0;
+
+    for (int i = 0; i < s->n; i++) {
+        b->owner[i] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
+        moved += b->owner[i] != s->owner[i];
+    }
+    return moved;
+}
+
+static int find_travels(struct moment *m, long *moved)
+{
+    struct moment_share *s = m->share;
+    struct ranks_cut *cuts;
+
+    TRY(ranks_agree(take_memory(s, &s->move)));
+    TRY(cut(m, &cuts));
+    *moved = find_owners(m, cuts, s->move);
+    ranks_cut_free(&cuts);
+    for (int k = 0; k < KINDS && *moved > 0; k++)
+        if (k == KIND_FLUID || m->plan->row.density[k] >= 0)
+            TRY(plan_travel(m, s->move, k));
+    return STATUS_DONE;
+}
+
+int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *blocks)
+{
+    const struct vector_travel *travel[KINDS];
+    struct moment_share *s = m->share;
+    long moved;
+
+    *blocks = 0;
+    if (!s || !is_due(m))
+        return STATUS_DONE;
+    TRY(find_travels(m, &moved));
+    s->balance.moved += moved;
+    for (int k = 0; k < KINDS; k++)
+        travel[k] = s->move->travel[k].route ? &s->move->travel[k] : NULL;
+    if (moved > 0)
+        *blocks = moment_travels(m, travel, row);
+    else
+        balance_free(&s->move);
+    return STATUS_DONE;
+}
+
+/* The list by ids stays what it was, and has rows of other owners. */
+int balance_carry_out(struct moment *m)
+{
+    static const int *const as_before[KINDS];
+    struct moment_share *s = m->share;
+    struct balance *b = &s->balance;
+    const int *row[KINDS];
+    int status;
+
+    share_own(m, s->move->owner);
+    balance_free(&s->move);
+    memcpy(row, m->particles->row, sizeof row);
+    status = m->plan->engine->sum->list->rearrange(m->own, as_before, row);
+    if (status == STATUS_DONE)
+        status = workspace_fit(m->work, m->own);
+    TRY(ranks_agree(status));
+    m->work->met_list = NULL; /* it was of the rows before */
+    TRY(share_halo(m));
+    b->cuts++;
+    b->left = imbalance(m);
+    b->after = fmax(b->after, b->left);
+    return STATUS_DONE;
+}

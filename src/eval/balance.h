@@ -1,0 +1,39 @@
+/* balance.h -- ranks whose work has become unequal share it anew.
+ *
+ *     TRY(balance_cut(moment, row, &blocks));          blocks 0: all stays as it is
+ *     TRY(method->rearrange(self, blocks, row));       y and all that a method keeps
+ *     TRY(balance_carry_out(moment));                  all that a moment keeps
+ *
+ * Between two steps, by all ranks together.  Work is counted in entries of rows of pairs;
+ * imbalance is the most that a rank has over the mean.  Space is cut anew, by what each particle
+ * has of them, where particles were when the list was made, and the list is remade there: no bit
+ * of what follows depends on when that was, or whether. */
+#ifndef EVAL_BALANCE_H
+#define EVAL_BALANCE_H
+
+#include "eval/rearrange.h"
+
+struct balance {
+    int every;             /* steps from cut to cut; 0: by imbalance; -1: never */
+    long steps, builds;    /* seen so far; list that was looked at last        */
+    long cuts, moved;      /* so far; particles that changed their rank by them */
+    double left;           /* imbalance that the last cut left; 1 before       */
+    double before, after;  /* the largest before a cut, after one; NAN: none   */
+};
+
+/* The environment variable STIFFWATER_BALANCE says "never" or a number of steps, for tests. */
+struct balance balance_start(void);
+
+/* The same for all ranks, from a method whose past cannot travel. */
+void balance_never(struct moment *moment);
+
+int balance_cut(struct moment *moment, struct vector_rows row[MOMENT_ROWS], int *blocks);
+int balance_carry_out(struct moment *moment);
+
+/* So far; on one rank, no cut. */
+struct balance balance_told(const struct moment *moment);
+
+struct balance_move;
+void balance_free(struct balance_move **move); /* NULL is welcome */
+
+#endif
