@@ -31,17 +31,20 @@ set terminal pngcairo size 1200, 1000 font 'Sans,18'
 set output 'bodies.png'
 set multiplot layout 2, 1 title title noenhanced
 set xrange [0:until]
-set lmargin 12
+set lmargin 14
 set rmargin 25
 set key outside right top Left reverse samplen 2
 # What a legend has no room for is told by the colours alone.
 if (many) { unset key; set rmargin 3 }
+# Less than that is rounding.
+set yrange [*<-1e-6:1e-6<*]
 set ylabel 'way of the centre [m]'
 plot 0 lc rgb grey lw 1 notitle, \
     for [k = 1:words(bodies)] for [d = 1:words(axes)] \
         table using 1:(way($0, column(at(k, word(axes, d))))) skip 2 \
         with lines lw 2.5 dt d lc rgb pick(k) title say(k, d)
 set xlabel 'time [s]'
+set yrange [*<-1e-3:1e-3<*]
 set ylabel 'turned by [deg]'
 plot 0 lc rgb grey lw 1 notitle, \
     for [k = 1:words(bodies)] table using 1:(degrees(column(turn(k)))) skip 2 \

@@ -16,7 +16,7 @@ unit = dim == 2 ? ' [J/m]' : ' [J]'
 set terminal pngcairo size 1200, 1250 font 'Sans,18'
 set output 'energies.png'
 set multiplot title title noenhanced
-set lmargin 12
+set lmargin 15
 set rmargin 22
 set key at graph 1.01, 1 left top Left reverse samplen 1.5
 set xrange [0:until]

@@ -24,6 +24,8 @@ area(i, t, v) = (sum = i == 0 ? 0 : sum + (t - last_t) * (v + last_v) / 2, last_
     last_v = v, sum)
 
 # `eval start_limits', then widen() by means, then `eval limits': the axis goes by low and high of means, with room for most of what is raw.
+# What lies below `rounding', a part of the weight of the water, is nothing to draw.
+rounding = a > 0 && n2 > 0 && g > 0 ? 1e-9 * rho0 * g * n2 * a**2 * (dim == 2 ? 1 : a) : 0
 limits = "span = high - low; span = span > 0 ? span : (abs(high) > 0 ? abs(high) : 1); \
     low = low - 0.35 * span; high = high + 0.35 * span"
 start_limits = "set yrange [*:*]; low = 1e300; high = -1e300" # `stats' looks within the range

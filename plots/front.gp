@@ -10,6 +10,10 @@ load 'style.gp'
 table = '../front.csv'
 # Nothing to show: no column, or water that fills the tank from side to side.
 if (!(a > 0 && n2 > 0 && g > 0 && high_x - low_x > 1.05 * a)) { exit }
+# Nor where the first row says that it is no column on the floor at the low end: a drop, a jet.
+stats table using ($3 > 0 && abs(($2 + dx / 2 - low_x) / a - 1) < 0.1 ? 1 : NaN) skip 2 every ::0::0 \
+    nooutput name 'column'
+if (!exists('column_records') || column_records < 1) { exit }
 T(t) = t * sqrt(n2 * g / a)
 Z(x) = (x + dx / 2 - low_x) / a
 is(name) = strcol(1) eq name ? $2 : NaN

@@ -8,7 +8,6 @@ do for [k = 1:words(columns)] { bodies = bodies.' '.stem(word(names, int(word(co
 panels = words(bodies)
 force_of(b, d) = column_of(word(bodies, b).word('.fx .fy .fz', d))
 impulse_of(b, d) = column_of(word(bodies, b).word('.ix .iy .iz', d))
-factor = 1
 
 each = 300.0
 tall = 60 + each * panels + 110
@@ -34,12 +33,13 @@ do for [panel = 1:panels] {
         largest = f_max > largest ? f_max : largest
     }
     shown = ''
-    do for [d = 1:dim] { if (most[d] >= 1e-3 * largest) { shown = shown.' '.d } }
+    do for [d = 1:dim] { if (most[d] >= 1e-3 * largest && largest > rounding) { shown = shown.' '.d } }
+    factor = largest >= 1e5 ? 1e-3 : 1
     do for [d in shown] {
         c = impulse_of(panel, d + 0)
-        stats table using (widen(mean($0, $1, column(c)))) skip 2 nooutput
+        stats table using (widen(factor * mean($0, $1, column(c)))) skip 2 nooutput
     }
-    if (largest == 0) { low = -1; high = 1 }
+    if (shown eq '') { low = 0; high = 0 }
     eval limits
     cut = ''
     do for [d in shown] {
@@ -50,13 +50,13 @@ do for [panel = 1:panels] {
     set label 1 strlen(cut) ? 'beyond the axis: '.cut : '' at graph 0.01, 0.06 left noenhanced \
         font ',12' tc rgb '#606060'
     set key title word(bodies, panel) noenhanced
-    set ylabel dim == 2 ? 'force [N/m]' : 'force [N]'
+    set ylabel 'force ['.(factor < 1 ? 'k' : '').(dim == 2 ? 'N/m]' : 'N]')
     set yrange [low:high]
     plot 0 lc rgb grey lw 1 notitle, \
-        for [d in shown] table using 1:(column(force_of(panel, d + 0))) skip 2 \
+        for [d in shown] table using 1:(factor * column(force_of(panel, d + 0))) skip 2 \
         with lines lw 1 lc rgb faint(d + 0) notitle, \
         for [d in shown] table \
-        using (v = mean($0, $1, column(impulse_of(panel, d + 0))), middle):(v) skip 2 \
+        using (v = mean($0, $1, column(impulse_of(panel, d + 0))), middle):(factor * v) skip 2 \
         with lines lw 3 lc rgb pick(d + 0) title word('x y z', d + 0)
 }
 unset multiplot

@@ -37,6 +37,48 @@ left = low_x - rim
 right = high_x + rim
 bottom = (up == 2 ? low_y : low_z) - rim
 above = (up == 2 ? high_y : high_z) + rim
+# Where the tank itself moves there is to be room for it: all outermost walls have gone one way then.
+together(least, most) = abs(least - most) < dx ? least : 0
+do for [m = 1:moments] {
+    stats '../snapshots.csv' using (shot_file = '../'.strcol(2), 0) skip 2 every ::which(m)::which(m) nooutput
+    undefine wall_*
+    stats shot_file using (sort(column(kind_column)) == 1 ? $1 : NaN):(column(up)) skip 3 nooutput \
+        name 'wall'
+    if (exists('wall_max_x')) {
+        if (m == 1) { x1 = wall_min_x; x2 = wall_max_x; y1 = wall_min_y; y2 = wall_max_y }
+        along = together(wall_min_x - x1, wall_max_x - x2)
+        upward = together(wall_min_y - y1, wall_max_y - y2)
+        left = along < 0 && low_x - rim + along < left ? low_x - rim + along : left
+        right = along > 0 && high_x + rim + along > right ? high_x + rim + along : right
+        low_up = up == 2 ? low_y : low_z
+        high_up = up == 2 ? high_y : high_z
+        bottom = upward < 0 && low_up - rim + upward < bottom ? low_up - rim + upward : bottom
+        above = upward > 0 && high_up + rim + upward > above ? high_up + rim + upward : above
+    }
+}
+
+# Panels of equal scale in two rows of three, those of long tanks in three of two; the canvas
+# takes the shape of the tank.
+rim = 3.5 * dx
+left = low_x - rim
+right = high_x + rim
+bottom = (up == 2 ? low_y : low_z) - rim
+above = (up == 2 ? high_y : high_z) + rim
+# Where a tank itself moves there is to be room for it: by as much as its outermost walls do.
+file_at(m) = sprintf('%s', at_file)
+do for [m = 1:moments] {
+    stats '../snapshots.csv' using (at_file = '../'.strcol(2), 0) skip 2 every ::which(m)::which(m) nooutput
+    undefine wall_x* wall_up*
+    stats at_file using (sort(column(kind_column)) == 1 ? $1 : NaN) skip 3 nooutput name 'wall_x'
+    stats at_file using (sort(column(kind_column)) == 1 ? column(up) : NaN) skip 3 nooutput name 'wall_up'
+    if (exists('wall_x_min') && exists('wall_up_min')) {
+        if (m == 1) { first_left = wall_x_min; first_right = wall_x_max; \
+            first_bottom = wall_up_min; first_above = wall_up_max }
+        left = left < low_x - rim + wall_x_min - first_left ? left : low_x - rim + wall_x_min - first_left
+        right = right > high_x + rim + wall_x_max - first_right ? right \
+            : high_x + rim + wall_x_max - first_right
+    }
+}
 is_long = above - bottom < 0.45 * (right - left)
 across = moments < 3 ? moments : moments == 4 || (is_long && moments > 4) ? 2 : 3
 down = (moments + across - 1) / across

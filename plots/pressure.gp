@@ -19,7 +19,7 @@ do for [m = 1:moments] {
         smooth cnormal
     unset table
     set datafile separator whitespace
-    stats $sorted using ($2 <= 0.975 ? $1 : NaN) nooutput name 'most'
+    stats $sorted using ($2 <= 0.975 || $0 == 0 ? $1 : NaN) nooutput name 'most'
     stats $sorted using ($2 >= 0.025 ? $1 : NaN) nooutput name 'least'
     set datafile separator ','
     highest = highest + most_max / moments

@@ -26,6 +26,7 @@ do for [panel = 1:panels] {
     c = column_of(word(beams, b).(moment ? '.root_moment' : '.root_force'))
     eval start_limits
     stats table using (widen(mean($0, $1, area($0, $1, column(c))))) skip 2 nooutput
+    if (abs(low) < rounding && abs(high) < rounding) { low = -1; high = 1 }
     eval limits
     cut = ''
     called = 'it goes'

@@ -10,10 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* gnuplot divides whole numbers as C does: 1 / 2 is 0.  A point makes a number of any value a real one. */
 void figures_data_number(FILE *to, const char *name, double value)
 {
+    char text[32];
+
+    snprintf(text, sizeof text, "%.17g", value + 0.0);
     if (isfinite(value))
-        fprintf(to, "%s = %.17g\n", name, value + 0.0);
+        fprintf(to, "%s = %s%s\n", name, text, strpbrk(text, ".e") ? "" : ".0");
     else
         fprintf(to, "%s = NaN\n", name);
 }
