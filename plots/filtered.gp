@@ -40,7 +40,8 @@ beyond = "stats table using (factor * column(c)) skip 2 nooutput name 'raw'; \
 
 # The slowest sounds of a column of water, from what holds it to what is free.
 say_means = sprintf('Thin: rows as they are. Thick: means over %.3g ms.', 1e3 * K * interval)
-say_sound = a > 0 && n2 > 0 && c0 > 0 ? sprintf('Water that is let go from a hydrostatic start rings: \
+if (!exists('rings')) { rings = 1 }   # of an older version
+say_sound = rings && a > 0 && n2 > 0 && c0 > 0 ? sprintf('Water that is let go from a hydrostatic start rings: \
 periods about 4a/c0 = %.3g ms (its width a) and 4H/c0 = %.3g ms (its height H).', \
     4e3 * a / c0, 4e3 * n2 * a / c0) : ''
 faint(k) = '#80'.substr(pick(k), 2, 7)

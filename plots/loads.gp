@@ -34,12 +34,14 @@ do for [panel = 1:panels] {
     }
     shown = ''
     do for [d = 1:dim] { if (most[d] >= 1e-3 * largest && largest > rounding) { shown = shown.' '.d } }
+    none = shown eq ''
+    if (none) { shown = '1' }
     factor = largest >= 1e5 ? 1e-3 : 1
     do for [d in shown] {
         c = impulse_of(panel, d + 0)
         stats table using (widen(factor * mean($0, $1, column(c)))) skip 2 nooutput
     }
-    if (shown eq '') { low = 0; high = 0 }
+    if (none) { low = 0; high = 0 }
     eval limits
     cut = ''
     do for [d in shown] {

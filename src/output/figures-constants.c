@@ -33,6 +33,7 @@ int figures_constants(const char *run, const struct figures_constants *c)
     constant_points(a.to, "low", c->low, c->dim);
     constant_points(a.to, "high", c->high, c->dim);
     fprintf(a.to, "falls = %d\n", c->column);
+    fprintf(a.to, "rings = %d\n", c->rings);
     figures_data_number(a.to, "beam_x", c->beam_x);
     figures_data_number(a.to, "dx", c->dx);
     figures_data_number(a.to, "rho0", c->rho0);

@@ -40,8 +40,11 @@ const double *plan_panel_impulse(const struct plan *plan, const double *y, int p
 const double *plan_impulse(const struct plan *plan, const double *y, int object);
 
 /* Speed that the scene lets expect [m/s]: of the fluid at the start, of walls, of a
- * fall through the domain. */
+ * fall through the domain with what it begins with. */
 double plan_speed_expected(const struct plan *plan);
+
+/* Does any fluid begin with the pressure of its depth? */
+bool plan_hydrostatic(const struct plan *plan);
 
 double plan_driven(const struct plan *plan); /* that of the fluid at the start, and of walls */
 /* Does fluid stand so much higher than spread over the domain that it will fall? */

@@ -210,7 +210,15 @@ double plan_driven(const struct plan *p)
 
 double plan_speed_expected(const struct plan *p)
 {
-    return fmax(plan_driven(p), sqrt(fall(p)));
+    return fmax(plan_driven(p), hypot(start_speed(p), sqrt(fall(p))));
+}
+
+bool plan_hydrostatic(const struct plan *p)
+{
+    for (int i = 0; i < p->in.fluids; i++)
+        if (strcmp(p->in.fluid[i].set.initial, "hydrostatic") == 0)
+            return true;
+    return false;
 }
 
 /* How high all fluid would stand in the domain, solids in it left aside [m]. */

@@ -148,13 +148,15 @@ static void doubt_solids(const struct run *r)
 {
     const struct observe_sunk *s = outputs_sunk(r->outputs);
     const bool contact = strcmp(plan_settings(r->plan)->walls, "contact") == 0;
+    const bool clamped = plan_scales(r->plan)->clamped;
 
     if (s->n > 0)
         status_warn("fluid in solids: %d particles are in solids at t = %g s, more than half a "
                     "spacing deep, particle %d (%s at %s m) among them; what it does to forces "
-                    "and levels means nothing: take %seos.tension = false, a higher eos.c0, a "
-                    "smaller tol or thicker walls", s->n, s->t, s->particle, s->solid, s->place,
-                    contact ? "" : "walls = \"contact\", ");
+                    "and levels means nothing: take %s%sa higher eos.c0 (it is %.3g m/s), "
+                    "a smaller tol or thicker solids", s->n, s->t, s->particle, s->solid, s->place,
+                    contact ? "" : "walls = \"contact\", ", clamped ? "" : "eos.tension = false, ",
+                    plan_scales(r->plan)->c0);
 }
 
 int run_doubt_end(const struct run *r, const double *y)
@@ -163,8 +165,9 @@ int run_doubt_end(const struct run *r, const double *y)
     const int out = observe_escaped(r->moment, r->past.tally.t, y);
 
     if (out > 0)
-        status_warn("%d fluid particles left the domain; they fall for ever, and the energies of "
-                    "the book count them", out);
+        status_warn("%d fluid particle%s left the domain and fall%s for ever, and the energies of the "
+                    "book count them: a larger domain.to, its lid or a rim keeps spray in", out,
+                    out == 1 ? "" : "s", out == 1 ? "s" : "");
     doubt_solids(r);
     if (r->past.tally.density[1] > 1.2 * rho0 && moment_counts(r->moment)->iterations == 0)
         status_warn("density reached %g kg/m^3, %.0f %% above rho0: take a higher eos.c0 (10 times "
