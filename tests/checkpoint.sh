@@ -180,6 +180,39 @@ expect 0 run "$scene" -q output.checkpoint=0.008 -o full --force
 says 'no checkpoint at t = 0.016 s' 'the run goes on'
 ends full
 
+# --- a disk that is full while one is written -----------------------------------------------------
+# until 0.008 s there is room; then a checkpoint is the only file for which there is none
+run quiet output.fields=100 output.snapshots=0
+run half output.fields=100 output.snapshots=0 until=0.008
+cp half/checkpoint.h5 kept
+blocks=$(($(wc -c <kept) / 1024)) # of 512 bytes: half of it can be written
+(ulimit -f $blocks; "$STIFFWATER" resume half -q until=0.02) >said 2>&1 || wrong "resume: $(cat said)"
+says 'no checkpoint at t = 0.016 s' 'no checkpoint at t = 0.02 s' 'the checkpoint before stays'
+cmp -s half/checkpoint.h5 kept || wrong "a checkpoint that cannot be written loses the one before"
+[ -z "$(ls half | grep part)" ] || wrong "a checkpoint that cannot be written leaves its parts: $(ls half)"
+expect 0 resume half -q until=0.02
+[ "$(hash half)" = "$(hash quiet)" ] && cmp -s half/book.csv quiet/book.csv ||
+    wrong "a run whose disk was full ends elsewhere"
+[ -z "$(ls half/snapshots)" ] || wrong "a run that is resumed to a later end writes a snapshot"
+# and a disk on which nothing else can be written, too, where one may be mounted
+if unshare -rm sh -c 'mkdir -p disk && mount -t tmpfs -o size=1m none disk' 2>said; then
+    run part output.fields=100 output.snapshots=0 until=0.008
+    unshare -rm sh -c 'mount -t tmpfs -o size=1m none disk && cp -r part disk/run && cd disk || exit 99
+        head -c $(($(stat -f -c "%a * %S" .) - 30000)) /dev/zero >ballast
+        "$0" resume run -q until=0.02
+        echo $? >../code
+        cp run/checkpoint.h5 ../left
+        rm ballast
+        "$0" resume run -q until=0.02
+        cp -r run ../filled' "$STIFFWATER" >said 2>&1
+    says 'No space left on device'
+    ! grep -q damaged said || wrong "a full disk damages a checkpoint: $(cat said)"
+    cmp -s left part/checkpoint.h5 || wrong "a full disk loses a checkpoint"
+    claim 'a full disk is told' "$(cat code) == 4 || $(cat code) == 0"
+    [ "$(hash filled)" = "$(hash quiet)" ] && cmp -s filled/book.csv quiet/book.csv ||
+        wrong "a run on a disk that was full ends elsewhere: $(cat said)"
+fi
+
 # --- what a checkpoint counts is on the disk before it -------------------------------------------
 if strace -V >said 2>&1 && strace true 2>said; then
     # leaks cannot be looked for in a program that is watched

@@ -10,8 +10,11 @@
 #include "run/stop.h"
 #include "run/tables.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
+
+static const double never = DBL_MAX; /* [s]: whatever until= a run is resumed with */
 
 static void choose_times(struct run *r)
 {
@@ -20,8 +23,8 @@ static void choose_times(struct run *r)
 
     every[RUN_ROWS] = isnan(o->interval) ? r->until / 500 : o->interval;
     every[RUN_FIELDS] = isnan(o->fields) ? r->until / 50 : o->fields;
-    every[RUN_SNAPSHOTS] = o->snapshots > 1 ? r->until / (o->snapshots - 1) : 2 * r->until;
-    every[RUN_PROFILES] = !plan_profiles(r->plan) ? 2 * r->until
+    every[RUN_SNAPSHOTS] = o->snapshots > 1 ? r->until / (o->snapshots - 1) : never;
+    every[RUN_PROFILES] = !plan_profiles(r->plan) ? never
                         : isnan(o->profiles) ? r->until / 50 : o->profiles;
     r->past.slack = 1e-9 * r->until;
     if (o->snapshots == 0)

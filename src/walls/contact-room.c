@@ -21,6 +21,8 @@ struct tally {
     int skins;
     int skin[NEAR];     /* points whose cells may matter */
     double from[NEAR][DIM]; /* steps to them             */
+    int beside[CUTS + 1], reach[CUTS + 1][NEAR]; /* those of them, by number, that reach the part
+                                                    of a cell at hand, by cuts that are left */
     const double *across;   /* of a layer that is alone; NULL */
     double side[2];         /* what is open behind and before it */
     struct contact_share sum;
@@ -132,7 +134,7 @@ static bool in_domain(const struct scales *s, const double *x)
 
 /* A place at `step` from the particle.  Another solid may stand outside the domain, and may
  * leave. */
-static bool is_open(const struct tally *it, const double *step)
+static bool is_open(const struct tally *it, int cuts, const double *step)
 {
     const struct part_places *at = it->room->at;
     double x[DIM], home[DIM];
@@ -151,7 +153,8 @@ static bool is_open(const struct tally *it, const double *step)
             return false;
         open = true;
     }
-    for (int k = 0; k < it->skins; k++) {
+    for (int b = 0; b < it->beside[cuts]; b++) {
+        const int k = it->reach[cuts][b];
         for (int d = 0; d < DIM; d++)
             x[d] = step[d] - it->from[k][d];
         if (contact_skin_fills(&it->room->skin[it->skin[k]], x))
@@ -161,7 +164,8 @@ static bool is_open(const struct tally *it, const double *step)
 }
 
 /* Of a cube around `middle', its sides 2 half. */
-static enum contact_look look_at(const struct tally *it, const double *middle, double half)
+static enum contact_look look_at(const struct tally *it, int cuts, const double *middle,
+                                 double half)
 {
     double low[DIM], high[DIM];
 
@@ -169,7 +173,8 @@ static enum contact_look look_at(const struct tally *it, const double *middle, d
         low[d] = it->x[d] + middle[d] - half;
         high[d] = it->x[d] + middle[d] + half;
     }
-    return contact_look(it->room->at, it->room->bounds, it->group, it->skins > 0, low, high);
+    return contact_look(it->room->at, it->room->bounds, it->group, it->beside[cuts] > 0, low,
+                        high);
 }
 
 /* Steps to the corners of a cube around `middle`, its sides 2 half. */
@@ -181,12 +186,12 @@ static void corners(const double *middle, double half, double (*step)[DIM])
 }
 
 /* Which of these places are open, a bit each. */
-static unsigned open_ones(const struct tally *it, double (*step)[DIM])
+static unsigned open_ones(const struct tally *it, int cuts, double (*step)[DIM])
 {
     unsigned open = 0;
 
     for (int k = 0; k < POINTS; k++)
-        open |= (unsigned)is_open(it, step[k]) << k;
+        open |= (unsigned)is_open(it, cuts, step[k]) << k;
     return open;
 }
 
@@ -199,11 +204,27 @@ static void add_side(struct tally *it, const double *step, double w)
     it->side[part > 0] += w;
 }
 
+/* Which of these points of skins (NULL: all) may fill some of a cube around `middle', its sides
+ * 2 half: the others, most of them, need not be asked at each of its corners. */
+static void keep_beside(struct tally *it, int cuts, const int *of, int n, const double *middle,
+                        double half)
+{
+    it->beside[cuts] = 0;
+    for (int b = 0; b < n; b++) {
+        const int k = of ? of[b] : b;
+        double step[DIM];
+        for (int d = 0; d < DIM; d++)
+            step[d] = middle[d] - it->from[k][d];
+        if (contact_skin_reaches(&it->room->skin[it->skin[k]], step, half))
+            it->reach[cuts][it->beside[cuts]++] = k;
+    }
+}
+
 /* A part of a cell around `middle`, its sides 2 half, weight w if it is open.  It is cut in
  * halves where its corners do not agree; the last are measured by Gauss' points. */
 static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
 {
-    const enum contact_look look = look_at(it, middle, 0.995 * half); /* points lie within 0.99 */
+    const enum contact_look look = look_at(it, cuts, middle, 0.995 * half); /* points: within 0.99 */
     const unsigned all = (1u << POINTS) - 1;
     double step[POINTS][DIM];
     unsigned open;
@@ -211,16 +232,18 @@ static void add_part(struct tally *it, const double *middle, double half, int cu
     if (look == CONTACT_SHUT)
         return;
     corners(middle, 0.99 * half, step); /* faces often lie between cells */
-    open = look == CONTACT_OPEN ? all : open_ones(it, step);
+    open = look == CONTACT_OPEN ? all : open_ones(it, cuts, step);
     if (open != 0 && open != all && cuts > 0) {
         corners(middle, half / 2, step);
-        for (int k = 0; k < POINTS; k++)
+        for (int k = 0; k < POINTS; k++) {
+            keep_beside(it, cuts - 1, it->reach[cuts], it->beside[cuts], step[k], half / 2);
             add_part(it, step[k], half / 2, cuts - 1, w / POINTS);
+        }
         return;
     }
     corners(middle, half / sqrt(3), step);
     if (open != 0 && open != all)
-        open = open_ones(it, step);
+        open = open_ones(it, cuts, step);
     for (int k = 0; k < POINTS; k++) {
         if (!(open & 1u << k))
             continue;
@@ -288,9 +311,11 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
     it.side[0] = it.side[1] = 0;
     contact_cells_visit(r->cells, it.x, keep_skin, &it);
     for (int k = 0; k < cells; k++) {
+        if (!(r->weight[k] > 0))
+            continue;
         middle_of(r, k, middle);
-        if (r->weight[k] > 0)
-            add_part(&it, middle, half, CUTS, r->weight[k]);
+        keep_beside(&it, CUTS, NULL, it.skins, middle, half);
+        add_part(&it, middle, half, CUTS, r->weight[k]);
     }
     it.sum.alone = it.across != NULL;
     if (it.across)

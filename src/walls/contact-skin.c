@@ -72,3 +72,17 @@ bool contact_skin_fills(const struct contact_skin *s, const double *step)
     }
     return true;
 }
+
+bool contact_skin_reaches(const struct contact_skin *s, const double *step, double half)
+{
+    for (int d = 0; d < DIM; d++) {
+        double part = 0, reach = s->half[d];
+        for (int e = 0; e < DIM; e++) {
+            part += s->axis[d][e] * step[e];
+            reach += fabs(s->axis[d][e]) * half;
+        }
+        if (fabs(part) > reach * (1 + 1e-6))
+            return false;
+    }
+    return true;
+}

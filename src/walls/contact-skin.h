@@ -21,5 +21,8 @@ void contact_skin_fit(const struct part_places *at, const struct contact_cells *
 
 /* Is the place `step` [DIM] from its point in that cell? */
 bool contact_skin_fills(const struct contact_skin *s, const double *step);
+/* May that cell have a place in common with the cube around `step', its sides 2 half along the
+ * axes?  False is certain. */
+bool contact_skin_reaches(const struct contact_skin *s, const double *step, double half);
 
 #endif

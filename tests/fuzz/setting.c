@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "plan/plan.h"
+#include "plan/survey.h"
 #include "scene/scene.h"
 
 #include <string.h>
@@ -28,13 +29,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n)
 {
     struct scene *scene = NULL;
     const struct plan *plan = NULL;
+    struct plan_survey survey = { 0 };
     char path[64], *lines = calloc(n + 1, 1);
     const int file = bytes_open((const uint8_t *)sound, strlen(sound), path);
 
     memcpy(lines, bytes, n);
     if (scene_read(path, &scene) == STATUS_DONE && set_all(scene, lines) == STATUS_DONE
         && scene_override(scene, "spacing=0.02") == STATUS_DONE)
-        plan_create(scene, &plan);
+        plan_survey_create(scene, &survey, &plan);
+    plan_survey_free(&survey);
     plan_free(&plan);
     scene_free(&scene);
     status_forgive();

@@ -1,7 +1,7 @@
 /* table.c -- fuzzes the tables that comparisons read of their runs. */
 #include "bytes.h"
 
-#include "study/table.h"
+#include "output/table.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t n)
 {
