@@ -1,24 +1,19 @@
 /* rigid-clump.c -- a rigid body that contacts see as discs or balls of one radius, held together:
- * those of a list, or those below the surface of a box, as seed 003 makes its bodies.
+ * those of a list, or those below the surface of another shape, as seed 003 makes its bodies.
  *
- * Mass and inertia are those of the volume: of the box, or of the union of the balls, where what
+ * Mass and inertia are those of the volume: of that shape, or of the union of the balls, where what
  * lies in several counts once.  Every ball touches every ball of another clump. */
-#include "bodies/rigid-form.h"
+#include "bodies/rigid-figure.h"
 
 #include "base/status.h"
 #include "bodies/rigid-axes.h"
+#include "bodies/rigid-clump-fill.h"
 #include "shapes/ball-union.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { MOST_BALLS = 2000 };
-
-static bool is_box(const struct rigid_figure *f)
-{
-    return f->half[0] > 0;
-}
 
 static int take_ball(struct rigid_figure *to, const double *x)
 {
@@ -27,45 +22,22 @@ static int take_ball(struct rigid_figure *to, const double *x)
     return STATUS_DONE;
 }
 
-static int too_many(const char *path, double n)
-{
-    return status_fail(STATUS_BAD_SCENE, "%s: %.0f balls make this clump, and at most %d are allowed, as "
-                       "each may touch each of another clump; set a larger pitch, or give fewer points",
-                       path, n, MOST_BALLS);
-}
-
-/* Rows of balls below the faces of the box, which they touch from inside. */
+/* Below the surface of a shape. */
 static int fill(const struct rigid_def *d, const char *path, struct rigid_figure *to)
 {
-    int count[DIM];
-    double all = 1, within = 1;
+    struct points centre = { .n = 0 };
+    int code = rigid_clump_fill(d, path, to, &centre);
 
-    for (int k = 0; k < DIM; k++) {
-        const double room = d->size[k] - 2 * d->radius;
-        if (!(room > 0))
-            return status_fail(STATUS_BAD_SCENE, "%s: balls of radius %g m do not fit into a side of %g m; "
-                               "set a radius below half of it", path, d->radius, d->size[k]);
-        count[k] = (int)fmin(MOST_BALLS, fmax(1, round(room / d->pitch))) + 1;
-        all *= count[k];
-        within *= count[k] - 2;
+    if (code == STATUS_DONE && centre.n > RIGID_CLUMP_FILL_MOST)
+        code = rigid_clump_fill_refuse(path, (double)centre.n);
+    if (code == STATUS_DONE) {
+        to->kernel = status_alloc((size_t)centre.n + 1, sizeof *to->kernel);
+        code = to->kernel ? STATUS_DONE : STATUS_FAILED;
     }
-    if (all - within > MOST_BALLS)
-        return too_many(path, all - within);
-    to->kernel = status_alloc((size_t)(all - within), sizeof *to->kernel);
-    if (!to->kernel)
-        return STATUS_FAILED;
-    for (int i = 0; i < (int)all; i++) {
-        double x[DIM];
-        bool outer = false;
-        for (int k = 0, rest = i; k < DIM; rest /= count[k++]) {
-            const int j = rest % count[k];
-            outer |= j == 0 || j == count[k] - 1;
-            x[k] = ((double)j / (count[k] - 1) - 0.5) * (d->size[k] - 2 * d->radius);
-        }
-        if (outer)
-            TRY(take_ball(to, x));
-    }
-    return STATUS_DONE;
+    for (long i = 0; code == STATUS_DONE && i < (long)centre.n; i++)
+        code = take_ball(to, centre.x[i]);
+    free(centre.x);
+    return code;
 }
 
 /* Told from its centre of mass and along its axes of inertia. */
@@ -74,8 +46,8 @@ static int join(const double (*x)[DIM], int n, struct rigid_figure *to)
     struct polytope_moments m;
     double R[DIM][DIM];
 
-    TRY(ball_union_moments(x, n, to->radius, &m));
-    TRY(ball_union_surface(x, n, to->radius, &to->surface));
+    TRY(ball_union_moments(x, n, to->ball, &m));
+    TRY(ball_union_surface(x, n, to->ball, &to->surface));
     to->volume = m.volume;
     memcpy(to->centre, m.centre, sizeof to->centre);
     TRY(rigid_axes(&m, to->gyration, to->frame, R));
@@ -83,7 +55,7 @@ static int join(const double (*x)[DIM], int n, struct rigid_figure *to)
         TRY(take_ball(to, x[i]));
         polytope_tell(&to->kernel[i], m.centre, R);
     }
-    to->least = 2 * to->radius;
+    to->least = 2 * to->ball;
     return STATUS_DONE;
 }
 
@@ -93,8 +65,8 @@ static int list(const struct rigid_def *d, const char *path, struct rigid_figure
     double (*x)[DIM];
     int code = STATUS_FAILED;
 
-    if (n > MOST_BALLS)
-        return too_many(path, n);
+    if (n > RIGID_CLUMP_FILL_MOST)
+        return rigid_clump_fill_refuse(path, n);
     x = status_alloc((size_t)n, sizeof *x);
     to->kernel = status_alloc((size_t)n, sizeof *to->kernel);
     for (int i = 0; x && i < n; i++)
@@ -112,8 +84,8 @@ static void bounds(const struct rigid_figure *f, double *low, double *high)
         low[k] = HUGE_VAL;
         high[k] = -HUGE_VAL;
         for (int i = 0; i < f->kernels; i++) {
-            low[k] = fmin(low[k], f->kernel[i].x[0][k] - f->radius);
-            high[k] = fmax(high[k], f->kernel[i].x[0][k] + f->radius);
+            low[k] = fmin(low[k], f->kernel[i].x[0][k] - f->ball);
+            high[k] = fmax(high[k], f->kernel[i].x[0][k] + f->ball);
         }
     }
 }
@@ -127,32 +99,61 @@ static double most_together(const struct rigid_figure *f, const double *low, con
     for (int k = 0; k < DIM; k++) {
         int below = 0, above = 0;
         for (int i = 0; i < f->kernels; i++) {
-            below += f->kernel[i].x[0][k] - f->radius <= low[k] + 0.01 * f->radius;
-            above += f->kernel[i].x[0][k] + f->radius >= high[k] - 0.01 * f->radius;
+            below += f->kernel[i].x[0][k] - f->ball <= low[k] + 0.01 * f->ball;
+            above += f->kernel[i].x[0][k] + f->ball >= high[k] - 0.01 * f->ball;
         }
         most = (int)fmax(most, fmax(below, above));
     }
     return most * (1 << (DIM - 1));
 }
 
-static int measure(const struct rigid_def *d, const char *path, struct rigid_figure *to)
+/* A clump is either a list of balls, or made from a shape, whose keys it has then. */
+static int check(const struct rigid_def *d, const char *path, const struct rigid_form *of, bool listed)
 {
-    const bool listed = d->points.n > 0;
-    double low[DIM], high[DIM];
+    const bool round = strstr(of->keys, " radius ") != NULL;
 
-    if (listed == (d->size[0] > 0))
+    if (of == &rigid_form_box && listed == (d->size[0] > 0))
         return status_fail(STATUS_BAD_SCENE, "%s: a clump has either points, the centres of its balls, or "
-                           "size, a box whose surface balls cover; give one of them", path);
+                           "size, a box whose surface balls cover, or `of`, another shape; give one of them",
+                           path);
+    if (round != (d->body_radius > 0))
+        return status_fail(STATUS_BAD_SCENE, "%s: body_radius, of what a clump is made from (m), belongs to a "
+                           "clump of a disc, sphere or cylinder, and there it is needed", path);
     if (listed == (d->pitch > 0))
         return status_fail(STATUS_BAD_SCENE, "%s: pitch, how far apart centres of balls are (m), belongs to "
-                           "a clump with size, and there it is needed", path);
+                           "a clump that is made from a shape, and there it is needed", path);
+    return STATUS_DONE;
+}
+
+/* The shape it is made from, which calls its radius by that name. */
+static int measure_outer(const struct rigid_def *d, const char *path, struct rigid_figure *to)
+{
+    struct rigid_def outer = *d;
+    char name[100];
+
+    outer.radius = d->body_radius;
+    outer.pitch = outer.body_radius = 0;
+    outer.of = NULL;
+    snprintf(name, sizeof name, "%s (of = \"%s\")", path, d->of);
+    TRY(rigid_figure_keys(to->of, &outer, name));
+    return to->of->measure(&outer, path, to);
+}
+
+static int measure(const struct rigid_def *d, const char *path, struct rigid_figure *to)
+{
+    const struct rigid_form *of = rigid_figure_form(d->of);
+    const bool listed = d->points.n > 0 && of == &rigid_form_box;
+    double low[DIM], high[DIM];
+
+    TRY(check(d, path, of, listed));
+    to->of = listed ? NULL : of;
     if (!listed)
-        TRY(rigid_form_box.measure(d, path, to));
-    to->radius = d->radius;
+        TRY(measure_outer(d, path, to));
+    to->ball = d->radius;
     TRY((listed ? list : fill)(d, path, to));
     bounds(to, low, high);
     for (int i = 0; i < to->kernels; i++)
-        to->reach = fmax(to->reach, polytope_reach(&to->kernel[i]) + to->radius);
+        to->reach = fmax(to->reach, polytope_reach(&to->kernel[i]) + to->ball);
     for (int k = 0; k < DIM; k++)
         to->span[k] = high[k] - low[k];
     to->together = most_together(to, low, high);
@@ -163,25 +164,25 @@ static double depth(const struct rigid_figure *f, const double *own)
 {
     double most = -HUGE_VAL;
 
-    if (is_box(f))
-        return rigid_form_box.depth(f, own);
+    if (f->of)
+        return f->of->depth(f, own);
     for (int i = 0; i < f->kernels; i++) {
         double square = 0;
         for (int d = 0; d < DIM; d++)
             square += (own[d] - f->kernel[i].x[0][d]) * (own[d] - f->kernel[i].x[0][d]);
-        most = fmax(most, f->radius - sqrt(square));
+        most = fmax(most, f->ball - sqrt(square));
     }
     return most;
 }
 
-/* Water meets the box as it is; of a list, sites of a lattice near the surface of the balls. */
+/* Water meets the shape as it is; of a list, sites of a lattice near the surface of the balls. */
 static int skin(const struct rigid_figure *f, double spacing, int layers, struct points *to)
 {
     double low[DIM], high[DIM], all = 1;
     int count[DIM];
 
-    if (is_box(f))
-        return rigid_form_box.skin(f, spacing, layers, to);
+    if (f->of)
+        return f->of->skin(f, spacing, layers, to);
     bounds(f, low, high);
     for (int k = 0; k < DIM; k++) {
         count[k] = (int)fmax(1, round(f->span[k] / spacing));
@@ -203,16 +204,18 @@ static int cores(const struct rigid_figure *f, double margin, struct core *core)
 {
     (void)margin;
     for (int i = 0; core && i < f->kernels; i++)
-        core[i] = (struct core){ .ball = f->radius, .hull = &f->kernel[i] };
+        core[i] = (struct core){ .ball = f->ball, .hull = &f->kernel[i] };
     return f->kernels;
 }
 
 /* Ball by ball: what of one lies in another is not seen. */
 static int surface(const struct rigid_figure *f, struct surface *to)
 {
+    const struct rigid_figure ball = { .radius = f->ball };
+
     for (int i = 0; i < f->kernels; i++) {
         const int from = to->corners;
-        TRY(rigid_form_round.surface(f, to));
+        TRY(rigid_form_round.surface(&ball, to));
         for (int k = from; k < to->corners; k++)
             for (int d = 0; d < DIM; d++)
                 to->x[k][d] += f->kernel[i].x[0][d];
@@ -221,6 +224,6 @@ static int surface(const struct rigid_figure *f, struct surface *to)
 }
 
 const struct rigid_form rigid_form_clump = { .name = "clump", .keys = " radius ",
-                                             .may = " points size pitch ", .rounds = true,
+                                             .may = " points size pitch body_radius height of ", .rounds = true,
                                              .measure = measure, .skin = skin, .depth = depth,
                                              .cores = cores, .surface = surface };

@@ -13,11 +13,13 @@ static const double pi = 3.14159265358979323846;
 
 #if DIM == 2
 static const char *const shapes[] = { "box", "disc", "polygon", "clump", NULL };
+static const char *const solids[] = { "box", "disc", "polygon", NULL };
 static const char *const directions[] = { "x", "y", "turn", NULL };
 #define MASS "kg/m"
 #define TURN_TYPE PARAM_NUMBER
 #else
 static const char *const shapes[] = { "box", "sphere", "cylinder", "hull", "clump", NULL };
+static const char *const solids[] = { "box", "sphere", "cylinder", "hull", NULL };
 static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 #define MASS "kg"
 #define TURN_TYPE PARAM_VECTOR
@@ -26,8 +28,8 @@ static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 const struct param rigid_def_params[] = {
     { .key = "shape", .unit = "", AT(shape), .type = PARAM_WORD, .words = shapes,
       .about = "a box has a size, a disc (2D) or sphere (3D) a radius, a cylinder (3D) that and a height, "
-               "a polygon (2D) or convex hull (3D) points, a clump of discs (2D) or balls (3D) the radius of these, and points "
-               "or size and pitch" },
+               "a polygon (2D) or convex hull (3D) points, a clump of discs (2D) or balls (3D) the radius of these, and points, "
+               "or pitch and the keys of the shape `of`" },
     { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
       .required = 1, .about = "its centre at t = 0; of a body with points where the origin of these is" },
     { .key = "size", .unit = "m", AT(size), .max = 1e6, .type = PARAM_VECTOR,
@@ -39,8 +41,13 @@ const struct param rigid_def_params[] = {
       .fallback = NAN,
       .about = "2D: corners of a polygon in turn, either way round; 3D: points whose convex hull it is; "
                "from `at`, before it is turned; of a clump the centres of its balls" },
+    { .key = "of", .unit = "", AT(of), .type = PARAM_WORD, .words = solids,
+      .about = "of a clump without a list of balls: the shape that these lie below the surface of; its size, height "
+               "or points are those of that, and so are mass and inertia" },
+    { .key = "body_radius", .unit = "m", AT(body_radius), .max = 1e6,
+      .about = "of a clump of a disc, sphere or cylinder: the radius of that, as radius is that of its balls" },
     { .key = "pitch", .unit = "m", AT(pitch), .max = 1e6,
-      .about = "of a clump with a size: how far apart centres of its balls are, nearly; those of two clumps "
+      .about = "of a clump that is made from a shape: how far apart centres of its balls are, nearly; those of two clumps "
                "interlock unless radius is some pitches or more" },
     { .key = "density", .unit = "kg/m^3", AT(density), .max = 1e6,
       .about = "of the material; give this or mass, 0 is not given" },

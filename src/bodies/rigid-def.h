@@ -15,7 +15,9 @@ struct rigid_def {
     double radius;        /* disc, sphere, cylinder, balls of a clump [m]     */
     double height;        /* cylinder, along its third axis         [m]       */
     struct param_points points; /* polygon: corners in turn; hull; clump: centres [m] */
-    double pitch;         /* clump with a size: how far apart centres are [m] */
+    const char *of;       /* clump: the shape that it is made from            */
+    double body_radius;   /* clump of a disc, sphere, cylinder: of that [m]   */
+    double pitch;         /* clump made from a shape: how far apart centres are [m] */
     double frame[4];      /* 3D: of its axes of inertia in those that a scene tells it by, a
                              quaternion; all 0: they are those                */
     double density, mass; /* [kg/m^3], [kg, 2D: kg/m]; 0: not given           */

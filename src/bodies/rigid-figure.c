@@ -19,16 +19,16 @@ static const struct rigid_form *const forms[] = {
 
 enum { FORMS = sizeof forms / sizeof *forms };
 
-static const struct rigid_form *form_of(const struct rigid_def *d)
+const struct rigid_form *rigid_figure_form(const char *name)
 {
     for (int i = 0; i < FORMS; i++)
-        if (strcmp(forms[i]->name, d->shape) == 0)
+        if (strcmp(forms[i]->name, name) == 0)
             return forms[i];
     return forms[0];
 }
 
 /* Keys that only some shapes take: is each where it belongs? */
-static int check_keys(const struct rigid_form *form, const struct rigid_def *d, const char *path)
+int rigid_figure_keys(const struct rigid_form *form, const struct rigid_def *d, const char *path)
 {
     double size = 0;
 
@@ -43,6 +43,8 @@ static int check_keys(const struct rigid_form *form, const struct rigid_def *d, 
         { " height ", "height", "a length along its axis (m)", d->height > 0 },
         { " points ", "points", "its corners (m)", d->points.n > 0 },
         { " pitch ", "pitch", "a distance of balls (m)", d->pitch > 0 },
+        { " of ", "of", "a shape", d->of && strcmp(d->of, "box") != 0 },
+        { " body_radius ", "body_radius", "that of what it is made from (m)", d->body_radius > 0 },
     };
     for (int i = 0; i < (int)(sizeof key / sizeof *key); i++) {
         const bool takes = strstr(form->keys, key[i].word) != NULL;
@@ -87,8 +89,8 @@ int rigid_figure_make(struct rigid_def *d, const char *path, struct rigid_figure
 {
     int code;
 
-    *to = (struct rigid_figure){ .form = form_of(d) };
-    code = check_keys(to->form, d, path);
+    *to = (struct rigid_figure){ .form = rigid_figure_form(d->shape) };
+    code = rigid_figure_keys(to->form, d, path);
     if (code == STATUS_DONE)
         code = to->form->measure(d, path, to);
     if (code == STATUS_DONE)

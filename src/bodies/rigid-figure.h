@@ -7,6 +7,10 @@
 /* Refuses (BAD_SCENE) what makes no body.  From then on *d tells place and spin of the centre of
  * mass and of the axes of inertia. */
 int rigid_figure_make(struct rigid_def *d, const char *path, struct rigid_figure *to);
+/* The shape of that name, a box for others; BAD_SCENE: keys are missing or not its own. */
+const struct rigid_form *rigid_figure_form(const char *name);
+int rigid_figure_keys(const struct rigid_form *form, const struct rigid_def *d, const char *path);
+
 void rigid_figure_free(struct rigid_figure *f);
 
 double rigid_figure_mass(const struct rigid_figure *f, const struct rigid_def *d); /* [kg, 2D: kg/m] */

@@ -18,7 +18,9 @@ struct rigid_figure {
     double gyration[TURNING_SPINS];  /* moments of inertia by mass [m^2]            */
     double centre[DIM];              /* where the scene's frame has the centre [m]  */
     double frame[4];                 /* 3D: how that has its axes, a quaternion     */
-    double half[DIM], radius;        /* of a box, cylinder; of disc, sphere, cylinder, balls [m] */
+    double half[DIM], radius;        /* of a box, cylinder; of disc, sphere, cylinder [m] */
+    const struct rigid_form *of;     /* that a clump is made from; NULL: a list      */
+    double ball;                     /* radius of each ball of a clump [m]           */
     double together;                 /* balls of a clump that touch at once, at most  */
     struct param_points outline;     /* 2D: of a polygon, anticlockwise [m]          */
     int parts, kernels;

@@ -55,7 +55,7 @@ static void measure(struct rigid_def *d, struct rigid_figure *to)
 static void a_clump_weighs_what_its_box_does(void **state)
 {
     struct rigid_def box = { .shape = "box", .size = { 0.3, 0.2, 0.1 } };
-    struct rigid_def clump = { .shape = "clump", .size = { 0.3, 0.2, 0.1 }, .radius = 0.04,
+    struct rigid_def clump = { .shape = "clump", .of = "box", .size = { 0.3, 0.2, 0.1 }, .radius = 0.04,
                                .pitch = 0.03 };
     struct rigid_figure a, b;
 
@@ -93,7 +93,7 @@ static void what_overlaps_counts_once(void **state)
 {
     const double a = 0.4, c = 0.8, s = 0.6;
     double x[2][3] = { { 1 - a * c, 2 - a * s, 0 }, { 1 + a * c, 2 + a * s, 0 } };
-    struct rigid_def d = { .shape = "clump", .points = { 2, x }, .radius = 1 };
+    struct rigid_def d = { .shape = "clump", .of = "box", .points = { 2, x }, .radius = 1 };
     const double volume = ball_until(a, 0, false), along = ball_until(a, 2, false) / volume;
     const double aside = ball_until(a, 0, true) / volume;
     struct rigid_figure f;
@@ -111,6 +111,75 @@ static void what_overlaps_counts_once(void **state)
     if (DIM == 3)
         near(f.gyration[0], 2 * aside, 1e-4, "inertia about the line");
     rigid_figure_free(&f);
+}
+
+/* --- made from other shapes --------------------------------------------------------- */
+
+#if DIM == 2
+static double house[][3] = { { 0, 0 }, { 0.3, 0 }, { 0.3, 0.2 }, { 0.1, 0.3 } };
+static const struct rigid_def outer[] = {
+    { .shape = "disc", .radius = 0.1 },
+    { .shape = "polygon", .points = { 4, house } },
+};
+#else
+static double house[][3] = { { 0, 0, 0 }, { 0.3, 0, 0 }, { 0, 0.2, 0 }, { 0, 0, 0.2 }, { 0.3, 0.2, 0 } };
+static const struct rigid_def outer[] = {
+    { .shape = "sphere", .radius = 0.1 },
+    { .shape = "cylinder", .radius = 0.1, .height = 0.25 },
+    { .shape = "hull", .points = { 5, house } },
+};
+#endif
+
+/* How far the nearest other ball is. */
+static double neighbour(const struct rigid_figure *f, int i)
+{
+    double least = HUGE_VAL;
+
+    for (int k = 0; k < f->kernels; k++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++)
+            square += pow(f->kernel[i].x[0][d] - f->kernel[k].x[0][d], 2);
+        least = k != i ? fmin(least, sqrt(square)) : least;
+    }
+    return least;
+}
+
+/* Balls touch the surface from inside, a pitch apart or nearly so (a third more in the middle of a round end); all else is that of the shape. */
+static void balls_line(const struct rigid_def *shape)
+{
+    struct rigid_def def = *shape, made = *shape;
+    struct rigid_figure a, b;
+
+    made.of = shape->shape;
+    made.shape = "clump";
+    made.body_radius = shape->radius;
+    made.radius = 0.02;
+    made.pitch = 0.015;
+    measure(&def, &a);
+    measure(&made, &b);
+    printf("# %s: %d balls\n", shape->shape, b.kernels);
+    near(b.volume, a.volume, 0, "volume");
+    for (int i = 0; i < TURNING_SPINS; i++)
+        near(b.gyration[i], a.gyration[i], 0, "gyration");
+    for (int d = 0; d < DIM; d++) {
+        near(made.at[d], def.at[d], 0, "place of the centre");
+        near(b.span[d], a.span[d], shape->points.n ? 0.1 : 1e-3, "span");
+    }
+    check(b.kernels > (DIM == 2 ? 30 : 150), "%d balls only", b.kernels);
+    for (int i = 0; i < b.kernels; i++) {
+        near(a.form->depth(&a, b.kernel[i].x[0]), 0.02, 1e-9, "depth of a ball");
+        const double gap = neighbour(&b, i);
+        check(gap > 0.004 && gap < 0.0201 + 1e-9, "the nearest ball is %g m away, and a pitch is 0.015 m", gap);
+    }
+    rigid_figure_free(&a);
+    rigid_figure_free(&b);
+}
+
+static void balls_line_all_shapes(void **state)
+{
+    (void)state;
+    for (int i = 0; i < (int)(sizeof outer / sizeof *outer); i++)
+        balls_line(&outer[i]);
 }
 
 /* --- interlocking ------------------------------------------------------------------- */
@@ -236,6 +305,13 @@ static void refused(const char *rest, const char *words)
 #define SIZE "size = " VECTOR("0.3", "0.3", "0.3") ";"
 #define BALL_AT(x) VECTOR(x, "0.0", "1.0")
 
+#if DIM == 2
+#define LIKE "disc"
+#else
+#define LIKE "sphere"
+#endif
+#define LIKED "of = \"" LIKE "\"; body_radius = 0.1;"
+
 static void refusals_teach(void **state)
 {
     (void)state;
@@ -244,6 +320,26 @@ static void refusals_teach(void **state)
     refused("body = { it = {" AT SIZE "radius = 0.1; }; };", "pitch");
     refused("body = { it = {" AT SIZE "radius = 0.2; pitch = 0.1; }; };", "do not fit");
     refused("body = { it = {" AT SIZE "radius = 0.0001; pitch = 0.0001; }; };", "at most 2000");
+#if DIM == 2
+#define ROUND "of = \"disc\";"
+#define EDGED "of = \"polygon\";"
+    refused("body = { it = {" AT EDGED "radius = 0.01; pitch = 0.02; points = ([0.0, 0.0], [1.0, 0.0], [0.5, 0.2], "
+            "[0.5, 1.0]); }; };", "has dents");
+#else
+#define ROUND "of = \"cylinder\";"
+#define EDGED "of = \"hull\";"
+    refused("body = { it = {" AT ROUND "body_radius = 0.1; radius = 0.02; pitch = 0.02; }; };",
+            "body.it (of = \"cylinder\"): without height it is no cylinder");
+#endif
+    refused("body = { it = {" AT ROUND "radius = 0.02; pitch = 0.02; height = 0.1; }; };", "there it is needed");
+    refused("body = { it = {" AT ROUND "body_radius = 0.1; radius = 0.02; height = 0.1; }; };", "pitch");
+    refused("body = { it = {" AT SIZE "body_radius = 0.1; radius = 0.02; pitch = 0.02; }; };", "body_radius");
+    refused("body = { it = {" AT EDGED "radius = 0.02; pitch = 0.02; }; };", "without points it is no");
+    refused("body = { it = {" AT EDGED SIZE "radius = 0.02; pitch = 0.02; points = (" BALL_AT("0.0") ", "
+            BALL_AT("0.1") "); }; };", "has no size");
+    refused("body = { it = { of = \"" LIKE "\"; at = " BALL_AT("0.0") "; mass = 1.0;" SIZE "}; };", "a box has no of");
+    refused("body = { it = {" AT LIKED "radius = 0.11; pitch = 0.02; }; };", "do not fit");
+    refused("body = { it = {" AT LIKED "radius = 0.001; pitch = 0.0001; }; };", "at most 2000");
     refused("body = { it = { at = " BALL_AT("0.0") "; mass = 1.0; size = " VECTOR("0.3", "0.3", "0.3")
             "; pitch = 0.1; }; };", "has no pitch");
 #if DIM == 3
@@ -403,6 +499,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_clump_weighs_what_its_box_does),
         cmocka_unit_test(what_overlaps_counts_once),
+        cmocka_unit_test(balls_line_all_shapes),
         cmocka_unit_test(faces_of_balls_interlock),
         cmocka_unit_test(a_clump_rests_on_a_slope),
         cmocka_unit_test(the_book_of_a_clump_closes),
