@@ -94,20 +94,21 @@ double eos_energy(const struct eos *e, double rho)
 }
 
 /* Loops that take several at once: a limit of strains (-INFINITY: none) instead of a question,
- * as a branch on the sign of a strain is often mispredicted. */
-static void sevenths(double b, double rho0, double least, int n, const double *restrict rho,
-                     double *restrict p)
+ * as a branch on the sign of a strain is often mispredicted.  Copied into each width. */
+static inline __attribute__((always_inline)) void loops(const struct eos *e, int n,
+                                                        const double *restrict rho,
+                                                        double *restrict p)
 {
-#pragma omp simd
-    for (int i = 0; i < n; i++) {
-        const double given = (rho[i] - rho0) / rho0, d = least > given ? least : given;
-        p[i] = b * seventh(d);
-    }
-}
+    const double b = stiffness(e), rho0 = e->rho0, least = e->clamped ? 0 : -INFINITY;
 
-static void firsts(double b, double rho0, double least, int n, const double *restrict rho,
-                   double *restrict p)
-{
+    if (e->gamma == 7) {
+#pragma omp simd
+        for (int i = 0; i < n; i++) {
+            const double given = (rho[i] - rho0) / rho0, d = least > given ? least : given;
+            p[i] = b * seventh(d);
+        }
+        return;
+    }
 #pragma omp simd
     for (int i = 0; i < n; i++) {
         const double given = (rho[i] - rho0) / rho0;
@@ -115,14 +116,35 @@ static void firsts(double b, double rho0, double least, int n, const double *res
     }
 }
 
+typedef void eos_loops(const struct eos *e, int n, const double *rho, double *p);
+
+static void narrow(const struct eos *e, int n, const double *rho, double *p)
+{
+    loops(e, n, rho, p);
+}
+
+#if defined __x86_64__ && defined __GNUC__
+static __attribute__((target("avx2"))) void wide(const struct eos *e, int n, const double *rho,
+                                                 double *p)
+{
+    loops(e, n, rho, p);
+}
+
+static eos_loops *best(void)
+{
+    return __builtin_cpu_supports("avx2") ? wide : narrow;
+}
+#else
+static eos_loops *best(void)
+{
+    return narrow;
+}
+#endif
+
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
 {
-    const double least = e->clamped ? 0 : -INFINITY;
-
-    if (e->gamma == 7)
-        sevenths(stiffness(e), e->rho0, least, n, rho, p);
-    else if (e->gamma == 1)
-        firsts(stiffness(e), e->rho0, least, n, rho, p);
+    if (e->gamma == 7 || e->gamma == 1)
+        best()(e, n, rho, p);
     else
         for (int i = 0; i < n; i++)
             p[i] = eos_pressure(e, rho[i]);
