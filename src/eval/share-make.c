@@ -84,27 +84,6 @@ static int cut(const struct moment *m, const double *y, struct ranks_cut **out)
     return ranks_cut_create(out, DIM, n, x, weight);
 }
 
-void share_own(const struct moment *m, const int *owner)
-{
-    const struct moment_share *s = m->share;
-    const struct particles *p = m->particles;
-    int n = 0;
-
-    for (int i = 0; i < s->n; i++) {
-        s->owner[i] = owner[i];
-        s->mine[i] = owner[i] == s->me;
-    }
-    for (int r = 0; r < s->ranks; r++) {
-        for (int k = 0; k < KINDS; k++) {
-            s->from[r][k] = n;
-            for (int i = p->from[k]; i < p->from[k + 1]; i++)
-                if (s->owner[i] == r)
-                    s->row[n++] = i;
-        }
-        s->from[r][KINDS] = n;
-    }
-}
-
 static void own_first(const struct moment *m, const double *y, const struct ranks_cut *cuts)
 {
     const struct moment_share *s = m->share;

@@ -1,4 +1,4 @@
-/* share.c -- what ranks have to tell all others: rows, refusals, forces on solids. */
+/* share.c -- who owns what, and what ranks have to tell all others: rows, refusals, forces on solids. */
 #include "eval/share.h"
 
 #include "base/status.h"
@@ -6,6 +6,29 @@
 
 #include <math.h>
 #include <string.h>
+
+/* --- who owns what ---------------------------------------------------------------------- */
+
+void share_own(const struct moment *m, const int *owner)
+{
+    const struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    int n = 0;
+
+    for (int i = 0; i < s->n; i++) {
+        s->owner[i] = owner[i];
+        s->mine[i] = owner[i] == s->me;
+    }
+    for (int r = 0; r < s->ranks; r++) {
+        for (int k = 0; k < KINDS; k++) {
+            s->from[r][k] = n;
+            for (int i = p->from[k]; i < p->from[k + 1]; i++)
+                if (s->owner[i] == r)
+                    s->row[n++] = i;
+        }
+        s->from[r][KINDS] = n;
+    }
+}
 
 /* --- from all to all -------------------------------------------------------------------- */
 

@@ -43,6 +43,8 @@ struct moment_share {
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
 
+/* share.c */
+
 /* From now on particle i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
