@@ -5,6 +5,7 @@
 #include "ranks/ranks.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,7 +51,14 @@ static bool refuses(const struct moment *m, const struct view *v)
     return !all;
 }
 
-/* Marks rows of fluid that others own and that are neighbours of rows here; in s->halo. */
+/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
+ * a density of their own, they read those of others than neighbours. */
+static bool comes(const struct moment *m, int kind)
+{
+    return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->plan->passes.press);
+}
+
+/* Marks rows that others own and that are neighbours of rows here. */
 static void mark_needed(const struct moment *m, bool *needed)
 {
     const struct moment_share *s = m->share;
@@ -59,7 +67,7 @@ static void mark_needed(const struct moment *m, bool *needed)
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
             const struct list_segment *of = &l->segment[k];
-            for (int i = 0; of->partner == KIND_FLUID && i < of->rows * l->lanes; i++)
+            for (int i = 0; comes(m, of->partner) && i < of->rows * l->lanes; i++)
                 if (of->j[i] < l->listed && s->owner[l->order[of->j[i]]] != s->me)
                     needed[l->order[of->j[i]]] = true;
         }
@@ -138,7 +146,7 @@ int share_halo(struct moment *m)
     TRY(ranks_agree(needed ? STATUS_DONE : STATUS_FAILED));
     mark_needed(m, needed);
     for (int r = 0; r < s->ranks; r++)
-        for (int i = s->from[r][KIND_FLUID]; i < s->from[r][KIND_FLUID + 1]; i++)
+        for (int i = s->from[r][0]; i < s->from[r][KINDS]; i++)
             if (needed[s->row[i]])
                 s->halo[n++] = s->row[i];
     free(needed);
@@ -148,19 +156,22 @@ int share_halo(struct moment *m)
 /* Own rows of y, packed as they travel, and by field. */
 static void read_own(struct moment_share *s, const struct view *v)
 {
-    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++) {
-        const size_t row = (size_t)s->row[i];
-        double *to = s->seen + row * SHARE_HALO;
-        memcpy(to, v->x[KIND_FLUID] + row * DIM, DIM * sizeof *to);
-        memcpy(to + DIM, v->u[KIND_FLUID] + row * DIM, DIM * sizeof *to);
-        to[2 * DIM] = v->rho[KIND_FLUID][row];
-        memcpy(s->x + row * DIM, to, DIM * sizeof *to);
-        memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
-        s->rho[row] = to[2 * DIM];
-    }
+    for (int k = 0; k < KINDS; k++)
+        for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
+            const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
+            double *to = s->seen + row * SHARE_HALO;
+            to[2 * DIM] = s->rho[row] = v->rho[k][at];
+            if (k != KIND_FLUID)
+                continue;
+            memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
+            memcpy(to + DIM, v->u[k] + at * DIM, DIM * sizeof *to);
+            memcpy(s->x + row * DIM, to, DIM * sizeof *to);
+            memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
+        }
 }
 
-static void hear_halo(struct moment_share *s)
+/* Solids are where they are on all ranks, and have a density alone. */
+static void hear_halo(struct moment_share *s, const struct view *v)
 {
     const int n = ranks_route_coming(s->route);
 
@@ -168,21 +179,30 @@ static void hear_halo(struct moment_share *s)
     for (int i = 0; i < n; i++) {
         const size_t row = (size_t)s->halo[i];
         const double *from = s->in + (size_t)i * SHARE_HALO;
+        s->rho[row] = from[2 * DIM];
+        if (s->halo[i] >= v->p->from[KIND_FLUID + 1])
+            continue;
         memcpy(s->x + row * DIM, from, DIM * sizeof *from);
         memcpy(s->u + row * DIM, from + DIM, DIM * sizeof *from);
-        s->rho[row] = from[2 * DIM];
     }
 }
 
-static void hear_solids(struct moment_share *s, struct view *v)
+/* What is in y is read where the halo is, too, from now on. */
+static void look_at_share(const struct moment_share *s, struct view *v)
 {
-    for (int k = KIND_WALL; k < KINDS; k++) {
-        double *rho = s->rho + v->p->from[k];
-        if (!v->rho[k] || particles_count(v->p, (enum kind)k) == 0)
-            continue;
-        share_gather(s, v->p, (enum kind)k, 1, v->rho[k], rho);
-        v->rho[k] = rho;
-    }
+    v->x[KIND_FLUID] = s->x;
+    v->u[KIND_FLUID] = s->u;
+    for (int k = 0; k < KINDS; k++)
+        if (v->rho[k])
+            v->rho[k] = s->rho + v->p->from[k];
+}
+
+/* From all to all. */
+static void hear_solids(struct moment *m, const struct view *v)
+{
+    for (int k = KIND_WALL; k < KINDS; k++)
+        if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !comes(m, k))
+            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->rho + v->p->from[k]);
 }
 
 int share_remake(const struct moment *run, struct list *list)
@@ -219,19 +239,24 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[] = { may_be_old(m, v), refuses(m, v) };
+    double flag[] = { may_be_old(m, v), refuses(m, v), e->t, -e->t };
 
     read_own(s, v);
-    v->x[KIND_FLUID] = cloud->x[KIND_FLUID] = s->x;
-    v->u[KIND_FLUID] = s->u;
-    v->rho[KIND_FLUID] = s->rho;
-    ranks_most(2, flag);
+    look_at_share(s, v);
+    cloud->x[KIND_FLUID] = s->x;
+    ranks_most(4, flag);
     s->refuses = flag[1] > 0;
+    s->apart = flag[2] != -flag[3];
+    if (s->apart) {
+        snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
+                 "do all run the same program, with the same libraries?", -flag[3], flag[2]);
+        return STATUS_FAILED;
+    }
     if (flag[0] > 0) {
         share_gather(s, v->p, KIND_FLUID, DIM, s->x, s->x);
         TRY(remake(m, cloud));
     }
-    hear_halo(s);
-    hear_solids(s, v);
+    hear_halo(s, v);
+    hear_solids(m, v);
     return STATUS_DONE;
 }

@@ -1,6 +1,7 @@
 /* share-make.c -- who owns which rows, and the memory of that. */
 #include "eval/share.h"
 
+#include "algebra/exact-sum.h"
 #include "base/status.h"
 #include "ranks/ranks.h"
 
@@ -31,6 +32,7 @@ void share_free(struct moment_share **share)
     free(s->pack);
     free(s->all);
     free(s->whole);
+    free(s->power);
     free(s);
     *share = NULL;
 }
@@ -38,6 +40,7 @@ void share_free(struct moment_share **share)
 static int take_memory(struct moment_share *s, const struct moment *m)
 {
     const size_t n = (size_t)s->n + 1, ranks = (size_t)s->ranks;
+    const size_t powers = (size_t)m->plan->slots * EXACT_SUM_WORDS;
 
     s->mine = status_alloc(n, sizeof *s->mine);
     s->owner = status_alloc(n, sizeof *s->owner);
@@ -51,11 +54,12 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->built = status_alloc(n, DIM * sizeof *s->built);
     s->halo = status_alloc(n, sizeof *s->halo);
     s->in = status_alloc(n, SHARE_HALO * sizeof *s->in);
-    s->pack = status_alloc(n, SHARE_HALO * sizeof *s->pack);
-    s->all = status_alloc(n, SHARE_HALO * sizeof *s->all);
+    s->pack = status_alloc(n * SHARE_HALO + powers, sizeof *s->pack);
+    s->all = status_alloc(n * SHARE_HALO + ranks * powers, sizeof *s->all);
+    s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
     return s->mine && s->owner && s->row && s->from && s->count && s->seen && s->x && s->u
-        && s->rho && s->built && s->halo && s->in && s->pack && s->all && s->whole
+        && s->rho && s->built && s->halo && s->in && s->pack && s->all && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }
 

@@ -33,9 +33,11 @@ struct moment_share {
     struct ranks_route *route; /* of own rows to others; NULL                  */
     int *halo;             /* [n] rows that come                               */
     double *in;            /* [n][SHARE_HALO] what comes                             */
-    double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
+    double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
+    struct exact_sum *power; /* [slots] this rank's part                       */
     bool refuses;          /* some rank has a density out of bounds            */
+    bool apart;            /* ranks are not at one time: refused, in the moment's words */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
@@ -67,8 +69,13 @@ int share_remake(const struct moment *run, struct list *list);
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
-/* Forces of pairs on solids, of all ranks, in their places. */
-void share_forces(struct moment *m);
+/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
+ * as no forces on solids follow that these could travel with. */
+struct exact_sum *share_parts(const struct evaluation *e);
+
+/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
+ * were left. */
+void share_forces(struct evaluation *e);
 
 /* Rates of rows of other ranks are 0. */
 void share_silence(const struct moment *m, double *ydot);
