@@ -216,20 +216,21 @@ int share_remake(const struct moment *run, struct list *list)
     return run->plan->engine->sum->list->update(list, &cloud);
 }
 
-/* Of positions that all ranks have; one that has no memory for it fails for all. */
+/* Of positions that all ranks have, so that all or none make it anew; one that has no memory for it
+ * fails for all. */
 static int remake(struct moment *m, const struct cloud *cloud)
 {
     const long builds = m->own->builds;
     int status = m->plan->engine->sum->list->update(m->own, cloud), agreed;
 
+    if (status == STATUS_DONE && m->own->builds == builds)
+        return STATUS_DONE;
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     agreed = ranks_agree(status);
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
     TRY(agreed);
-    if (m->own->builds == builds)
-        return STATUS_DONE;
     note_places(m);
     return share_halo(m);
 }
