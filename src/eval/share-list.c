@@ -78,6 +78,22 @@ struct request {
     int rank, row;
 };
 
+static int ascending(const void *l, const void *r)
+{
+    const int *a = l, *b = r;
+
+    return (*a > *b) - (*a < *b);
+}
+
+/* The number of a row among those of this rank, which are ascending. */
+static int own_number(const struct moment_share *s, int row)
+{
+    const int *own = s->row + s->from[s->me][0];
+    const size_t n = (size_t)(s->from[s->me][KINDS] - s->from[s->me][0]);
+
+    return (int)((const int *)bsearch(&row, own, n, sizeof *own, ascending) - own);
+}
+
 /* Owners hear who needs which of their rows, and so know what to send to whom. */
 static int answer(struct moment_share *s, const struct request *asked, int n)
 {
@@ -86,7 +102,7 @@ static int answer(struct moment_share *s, const struct request *asked, int n)
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
         to[i] = asked[i].rank;
-        row[i] = asked[i].row;
+        row[i] = own_number(s, asked[i].row);
     }
     ranks_route_free(&s->route);
     if (status == STATUS_DONE)
@@ -102,7 +118,11 @@ static int request(struct moment_share *s, int n)
     struct request *mine = status_alloc((size_t)n + 1, sizeof *mine), *asked = NULL;
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     struct ranks_route *questions = NULL;
-    int status = ranks_agree(mine && to && row ? STATUS_DONE : STATUS_FAILED);
+    int status;
+
+    free(s->in);
+    s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
+    status = ranks_agree(mine && to && row && s->in ? STATUS_DONE : STATUS_FAILED);
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
         mine[i] = (struct request){ s->me, s->halo[i] };
@@ -159,7 +179,7 @@ static void read_own(struct moment_share *s, const struct view *v)
     for (int k = 0; k < KINDS; k++)
         for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
             const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
-            double *to = s->seen + row * SHARE_HALO;
+            double *to = s->seen + (size_t)(i - s->from[s->me][0]) * SHARE_HALO;
             to[2 * DIM] = s->rho[row] = v->rho[k][at];
             if (k != KIND_FLUID)
                 continue;

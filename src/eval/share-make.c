@@ -47,19 +47,17 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->row = status_alloc(n, sizeof *s->row);
     s->from = status_alloc(ranks, sizeof *s->from);
     s->count = status_alloc(ranks, sizeof *s->count);
-    s->seen = status_alloc(n, SHARE_HALO * sizeof *s->seen);
     s->x = status_alloc(n, DIM * sizeof *s->x);
     s->u = status_alloc(n, DIM * sizeof *s->u);
     s->rho = status_alloc(n, sizeof *s->rho);
     s->built = status_alloc(n, DIM * sizeof *s->built);
     s->halo = status_alloc(n, sizeof *s->halo);
-    s->in = status_alloc(n, SHARE_HALO * sizeof *s->in);
     s->pack = status_alloc(n * SHARE_HALO + powers, sizeof *s->pack);
     s->all = status_alloc(n * SHARE_HALO + ranks * powers, sizeof *s->all);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->mine && s->owner && s->row && s->from && s->count && s->seen && s->x && s->u
-        && s->rho && s->built && s->halo && s->in && s->pack && s->all && s->power && s->whole
+    return s->mine && s->owner && s->row && s->from && s->count && s->x && s->u
+        && s->rho && s->built && s->halo && s->pack && s->all && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -114,6 +112,7 @@ int moment_share(struct moment *m, const double *y)
     TRY(cut(m, y, &cuts));
     own_first(m, y, cuts);
     ranks_cut_free(&cuts);
+    TRY(ranks_agree(share_fit_own(s)));
     m->own->mine = s->mine;
     return STATUS_DONE;
 }

@@ -6,6 +6,7 @@
 #include "ranks/ranks.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* --- who owns what ---------------------------------------------------------------------- */
@@ -29,6 +30,15 @@ void share_own(const struct moment *m, const int *owner)
         }
         s->from[r][KINDS] = n;
     }
+}
+
+int share_fit_own(struct moment_share *s)
+{
+    const size_t own = (size_t)(s->from[s->me][KINDS] - s->from[s->me][0]);
+
+    free(s->seen);
+    s->seen = status_alloc(own + 1, SHARE_HALO * sizeof *s->seen);
+    return s->seen ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* --- from all to all -------------------------------------------------------------------- */

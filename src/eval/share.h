@@ -26,13 +26,13 @@ struct moment_share {
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
-    double *seen;          /* [fluid][SHARE_HALO] own rows as they travel      */
+    double *seen;          /* [own rows][SHARE_HALO] as they travel            */
     double *x, *u, *rho;   /* [fluid][DIM] [fluid][DIM] [n] own rows and the halo now, of
                               others some time ago                             */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     int *halo;             /* [n] rows that come                               */
-    double *in;            /* [n][SHARE_HALO] what comes                             */
+    double *in;            /* [rows that come][SHARE_HALO]                     */
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
@@ -49,6 +49,9 @@ void share_free(struct moment_share **share); /* NULL is welcome */
 
 /* From now on particle i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
+
+/* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
+int share_fit_own(struct moment_share *s);
 
 /* Rows of a kind, c numbers each, of their owners to all; `from` and `to` may be the same. */
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
