@@ -113,20 +113,34 @@ static double finish(enum vector_norm norm, const double *partial, long count, l
     return norm == VECTOR_NORM_P8 ? pow(sum / (double)n, 0.125) : sqrt(sum / (double)n);
 }
 
-/* The largest of all ranks, and where: an infinite one is beyond all others. */
-static void hear_others(struct vector_store *s)
+/* The largest of all ranks, and where: an infinite one is beyond all others.  Both in one message;
+ * other: NULL, there is one. */
+static void hear_others(struct vector_store *one, struct vector_store *other)
 {
+    struct vector_store *store[RANKS_FIRSTS] = { one, other };
     struct {
         double norm;
         long largest;
-    } most = { s->norm, s->largest };
+    } most[RANKS_FIRSTS];
+    double key[RANKS_FIRSTS];
+    long order[RANKS_FIRSTS];
+    const int n = other ? 2 : 1;
+    int rank[RANKS_FIRSTS];
 
-    ranks_first(-fmin(s->norm, DBL_MAX), s->largest, &most, sizeof most);
-    s->norm = most.norm;
-    s->largest = most.largest;
+    for (int i = 0; i < n; i++) {
+        key[i] = -fmin(store[i]->norm, DBL_MAX);
+        order[i] = store[i]->largest;
+        most[i].norm = store[i]->norm;
+        most[i].largest = store[i]->largest;
+    }
+    ranks_firsts(n, key, order, most, sizeof *most, rank);
+    for (int i = 0; i < n; i++) {
+        store[i]->norm = most[i].norm;
+        store[i]->largest = most[i].largest;
+    }
 }
 
-/* Keeps what the norm of a vector is, from the shares of its blocks. */
+/* Keeps what the norm of a vector is here, from the shares of its blocks. */
 static void conclude(const struct vector_content *v, const struct vector_store *weight,
                      const double *partial)
 {
@@ -142,7 +156,6 @@ static void conclude(const struct vector_content *v, const struct vector_store *
                                     vector_block_size(f->n, lead));
     if (f->order)
         s->largest = f->order[s->largest];
-    hear_others(s);
     s->by = weight->written;
 }
 
@@ -183,10 +196,11 @@ static void measure(struct vector_content *v, struct vector_content *other,
     if (later)
         vector_summed(v);
     conclude(v, weight, f->partial);
-    if (!other)
-        return;
-    vector_summed(other);
-    conclude(other, weight, f->partial + count);
+    if (other) {
+        vector_summed(other);
+        conclude(other, weight, f->partial + count);
+    }
+    hear_others(v->store, other ? other->store : NULL);
 }
 
 static bool has(const struct vector_sum *s, const struct vector_store *x)

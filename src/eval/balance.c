@@ -17,6 +17,7 @@ struct balance_move {
     int *owner;            /* [n]                                              */
     int *to, *row;         /* [n] scratch: of routes                           */
     int *out, *in;         /* [n] rows that leave, that come, kind by kind     */
+    double *weight;        /* [n] neighbours                                   */
     struct vector_travel travel[KINDS];
 };
 
@@ -45,13 +46,16 @@ void balance_free(struct balance_move **move)
 
     if (!b)
         return;
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < KINDS; k++) {
         ranks_route_free(&b->travel[k].route);
+        free(b->travel[k].room);
+    }
     free(b->owner);
     free(b->to);
     free(b->row);
     free(b->out);
     free(b->in);
+    free(b->weight);
     free(b);
     *move = NULL;
 }
@@ -104,10 +108,9 @@ static void count_neighbours(const struct list *l, double *weight)
 static int cut(const struct moment *m, struct ranks_cut **out)
 {
     const struct moment_share *s = m->share;
-    double *x = s->all, *weight = s->pack, *of = s->in;
+    double *x = s->all, *weight = s->pack, *of = s->move->weight;
     int n = 0;
 
-    memset(of, 0, (size_t)s->n * sizeof *of);
     count_neighbours(m->own, of);
     for (int i = s->from[s->me][0]; i < s->from[s->me][KINDS]; i++, n++) {
         memcpy(x + (size_t)n * DIM, s->built + (size_t)s->row[i] * DIM, DIM * sizeof *x);
@@ -130,7 +133,8 @@ static int take_memory(const struct moment_share *s, struct balance_move **out)
     b->row = status_alloc(n, sizeof *b->row);
     b->out = status_alloc(n, sizeof *b->out);
     b->in = status_alloc(n, sizeof *b->in);
-    return b->owner && b->to && b->row && b->out && b->in ? STATUS_DONE : STATUS_FAILED;
+    b->weight = status_alloc(n, sizeof *b->weight);
+    return b->owner && b->to && b->row && b->out && b->in && b->weight ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Rows of kind k, counted within it, that leave and that come: by rank, ascending. */
@@ -143,7 +147,6 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
 
     t->out = out;
     t->in = in;
-    t->room = s->in;
     for (int r = 0; r < s->ranks; r++)
         for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++) {
             const int row = s->row[i], to = b->owner[row];
@@ -154,6 +157,8 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
                 in[t->coming++] = row - first;
             }
         }
+    t->room = status_alloc((size_t)t->coming + 1, DIM * sizeof *t->room);
+    TRY(ranks_agree(t->room ? STATUS_DONE : STATUS_FAILED));
     return ranks_route_create(&t->route, DIM * sizeof(double), t->leaving, b->to, out);
 }
 
@@ -217,7 +222,9 @@ int balance_carry_out(struct moment *m)
     share_own(m, s->move->owner);
     balance_free(&s->move);
     memcpy(row, m->particles->row, sizeof row);
-    status = m->plan->engine->sum->list->rearrange(m->own, as_before, row);
+    status = share_fit_own(s);
+    if (status == STATUS_DONE)
+        status = m->plan->engine->sum->list->rearrange(m->own, as_before, row);
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     TRY(ranks_agree(status));

@@ -1,5 +1,5 @@
 /* laws.c -- sums over pairs: what laws between particles give. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 #include "eval/face.h"
@@ -45,7 +45,7 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
         .eos = p->pressure ? p->pressure->self : p->in.pressure_self,
         .f = w->f, .drho = w->drho, .power = w->power, .rates = laws->to,
         .apart = laws->apart, .apart_slot = laws->apart ? p->stiff->slot : 0,
-        .shared = e->m->share != NULL,
+        .shared = e->m->share != NULL, .parts = share_parts(e),
     };
 
     (void)of;

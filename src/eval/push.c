@@ -101,7 +101,7 @@ int passes_solids(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
     if (e->m->share)
-        share_forces(e->m);
+        share_forces(e);
     solids_sum(e->m);
     return STATUS_DONE;
 }

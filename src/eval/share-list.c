@@ -5,6 +5,7 @@
 #include "ranks/ranks.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,7 +51,14 @@ static bool refuses(const struct moment *m, const struct view *v)
     return !all;
 }
 
-/* Marks rows of fluid that others own and that are neighbours of rows here; in s->halo. */
+/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
+ * a density of their own, they read those of others than neighbours. */
+static bool comes(const struct moment *m, int kind)
+{
+    return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->plan->passes.press);
+}
+
+/* Marks rows that others own and that are neighbours of rows here. */
 static void mark_needed(const struct moment *m, bool *needed)
 {
     const struct moment_share *s = m->share;
@@ -59,7 +67,7 @@ static void mark_needed(const struct moment *m, bool *needed)
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
             const struct list_segment *of = &l->segment[k];
-            for (int i = 0; of->partner == KIND_FLUID && i < of->rows * l->lanes; i++)
+            for (int i = 0; comes(m, of->partner) && i < of->rows * l->lanes; i++)
                 if (of->j[i] < l->listed && s->owner[l->order[of->j[i]]] != s->me)
                     needed[l->order[of->j[i]]] = true;
         }
@@ -70,6 +78,22 @@ struct request {
     int rank, row;
 };
 
+static int ascending(const void *l, const void *r)
+{
+    const int *a = l, *b = r;
+
+    return (*a > *b) - (*a < *b);
+}
+
+/* The number of a row among those of this rank, which are ascending. */
+static int own_number(const struct moment_share *s, int row)
+{
+    const int *own = s->row + s->from[s->me][0];
+    const size_t n = (size_t)(s->from[s->me][KINDS] - s->from[s->me][0]);
+
+    return (int)((const int *)bsearch(&row, own, n, sizeof *own, ascending) - own);
+}
+
 /* Owners hear who needs which of their rows, and so know what to send to whom. */
 static int answer(struct moment_share *s, const struct request *asked, int n)
 {
@@ -78,7 +102,7 @@ static int answer(struct moment_share *s, const struct request *asked, int n)
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
         to[i] = asked[i].rank;
-        row[i] = asked[i].row;
+        row[i] = own_number(s, asked[i].row);
     }
     ranks_route_free(&s->route);
     if (status == STATUS_DONE)
@@ -94,7 +118,11 @@ static int request(struct moment_share *s, int n)
     struct request *mine = status_alloc((size_t)n + 1, sizeof *mine), *asked = NULL;
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     struct ranks_route *questions = NULL;
-    int status = ranks_agree(mine && to && row ? STATUS_DONE : STATUS_FAILED);
+    int status;
+
+    free(s->in);
+    s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
+    status = ranks_agree(mine && to && row && s->in ? STATUS_DONE : STATUS_FAILED);
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
         mine[i] = (struct request){ s->me, s->halo[i] };
@@ -138,7 +166,7 @@ int share_halo(struct moment *m)
     TRY(ranks_agree(needed ? STATUS_DONE : STATUS_FAILED));
     mark_needed(m, needed);
     for (int r = 0; r < s->ranks; r++)
-        for (int i = s->from[r][KIND_FLUID]; i < s->from[r][KIND_FLUID + 1]; i++)
+        for (int i = s->from[r][0]; i < s->from[r][KINDS]; i++)
             if (needed[s->row[i]])
                 s->halo[n++] = s->row[i];
     free(needed);
@@ -148,19 +176,22 @@ int share_halo(struct moment *m)
 /* Own rows of y, packed as they travel, and by field. */
 static void read_own(struct moment_share *s, const struct view *v)
 {
-    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++) {
-        const size_t row = (size_t)s->row[i];
-        double *to = s->seen + row * SHARE_HALO;
-        memcpy(to, v->x[KIND_FLUID] + row * DIM, DIM * sizeof *to);
-        memcpy(to + DIM, v->u[KIND_FLUID] + row * DIM, DIM * sizeof *to);
-        to[2 * DIM] = v->rho[KIND_FLUID][row];
-        memcpy(s->x + row * DIM, to, DIM * sizeof *to);
-        memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
-        s->rho[row] = to[2 * DIM];
-    }
+    for (int k = 0; k < KINDS; k++)
+        for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
+            const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
+            double *to = s->seen + (size_t)(i - s->from[s->me][0]) * SHARE_HALO;
+            to[2 * DIM] = s->rho[row] = v->rho[k][at];
+            if (k != KIND_FLUID)
+                continue;
+            memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
+            memcpy(to + DIM, v->u[k] + at * DIM, DIM * sizeof *to);
+            memcpy(s->x + row * DIM, to, DIM * sizeof *to);
+            memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
+        }
 }
 
-static void hear_halo(struct moment_share *s)
+/* Solids are where they are on all ranks, and have a density alone. */
+static void hear_halo(struct moment_share *s, const struct view *v)
 {
     const int n = ranks_route_coming(s->route);
 
@@ -168,21 +199,30 @@ static void hear_halo(struct moment_share *s)
     for (int i = 0; i < n; i++) {
         const size_t row = (size_t)s->halo[i];
         const double *from = s->in + (size_t)i * SHARE_HALO;
+        s->rho[row] = from[2 * DIM];
+        if (s->halo[i] >= v->p->from[KIND_FLUID + 1])
+            continue;
         memcpy(s->x + row * DIM, from, DIM * sizeof *from);
         memcpy(s->u + row * DIM, from + DIM, DIM * sizeof *from);
-        s->rho[row] = from[2 * DIM];
     }
 }
 
-static void hear_solids(struct moment_share *s, struct view *v)
+/* What is in y is read where the halo is, too, from now on. */
+static void look_at_share(const struct moment_share *s, struct view *v)
 {
-    for (int k = KIND_WALL; k < KINDS; k++) {
-        double *rho = s->rho + v->p->from[k];
-        if (!v->rho[k] || particles_count(v->p, (enum kind)k) == 0)
-            continue;
-        share_gather(s, v->p, (enum kind)k, 1, v->rho[k], rho);
-        v->rho[k] = rho;
-    }
+    v->x[KIND_FLUID] = s->x;
+    v->u[KIND_FLUID] = s->u;
+    for (int k = 0; k < KINDS; k++)
+        if (v->rho[k])
+            v->rho[k] = s->rho + v->p->from[k];
+}
+
+/* From all to all. */
+static void hear_solids(struct moment *m, const struct view *v)
+{
+    for (int k = KIND_WALL; k < KINDS; k++)
+        if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !comes(m, k))
+            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->rho + v->p->from[k]);
 }
 
 int share_remake(const struct moment *run, struct list *list)
@@ -196,20 +236,21 @@ int share_remake(const struct moment *run, struct list *list)
     return run->plan->engine->sum->list->update(list, &cloud);
 }
 
-/* Of positions that all ranks have; one that has no memory for it fails for all. */
+/* Of positions that all ranks have, so that all or none make it anew; one that has no memory for it
+ * fails for all. */
 static int remake(struct moment *m, const struct cloud *cloud)
 {
     const long builds = m->own->builds;
     int status = m->plan->engine->sum->list->update(m->own, cloud), agreed;
 
+    if (status == STATUS_DONE && m->own->builds == builds)
+        return STATUS_DONE;
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     agreed = ranks_agree(status);
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
     TRY(agreed);
-    if (m->own->builds == builds)
-        return STATUS_DONE;
     note_places(m);
     return share_halo(m);
 }
@@ -219,19 +260,24 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[] = { may_be_old(m, v), refuses(m, v) };
+    double flag[] = { may_be_old(m, v), refuses(m, v), e->t, -e->t };
 
     read_own(s, v);
-    v->x[KIND_FLUID] = cloud->x[KIND_FLUID] = s->x;
-    v->u[KIND_FLUID] = s->u;
-    v->rho[KIND_FLUID] = s->rho;
-    ranks_most(2, flag);
+    look_at_share(s, v);
+    cloud->x[KIND_FLUID] = s->x;
+    ranks_most(4, flag);
     s->refuses = flag[1] > 0;
+    s->apart = flag[2] != -flag[3];
+    if (s->apart) {
+        snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
+                 "do all run the same program, with the same libraries?", -flag[3], flag[2]);
+        return STATUS_FAILED;
+    }
     if (flag[0] > 0) {
         share_gather(s, v->p, KIND_FLUID, DIM, s->x, s->x);
         TRY(remake(m, cloud));
     }
-    hear_halo(s);
-    hear_solids(s, v);
+    hear_halo(s, v);
+    hear_solids(m, v);
     return STATUS_DONE;
 }

@@ -1,6 +1,7 @@
 /* share-make.c -- who owns which rows, and the memory of that. */
 #include "eval/share.h"
 
+#include "algebra/exact-sum.h"
 #include "base/status.h"
 #include "ranks/ranks.h"
 
@@ -31,6 +32,7 @@ void share_free(struct moment_share **share)
     free(s->pack);
     free(s->all);
     free(s->whole);
+    free(s->power);
     free(s);
     *share = NULL;
 }
@@ -38,24 +40,24 @@ void share_free(struct moment_share **share)
 static int take_memory(struct moment_share *s, const struct moment *m)
 {
     const size_t n = (size_t)s->n + 1, ranks = (size_t)s->ranks;
+    const size_t powers = (size_t)m->plan->slots * EXACT_SUM_WORDS;
 
     s->mine = status_alloc(n, sizeof *s->mine);
     s->owner = status_alloc(n, sizeof *s->owner);
     s->row = status_alloc(n, sizeof *s->row);
     s->from = status_alloc(ranks, sizeof *s->from);
     s->count = status_alloc(ranks, sizeof *s->count);
-    s->seen = status_alloc(n, SHARE_HALO * sizeof *s->seen);
     s->x = status_alloc(n, DIM * sizeof *s->x);
     s->u = status_alloc(n, DIM * sizeof *s->u);
     s->rho = status_alloc(n, sizeof *s->rho);
     s->built = status_alloc(n, DIM * sizeof *s->built);
     s->halo = status_alloc(n, sizeof *s->halo);
-    s->in = status_alloc(n, SHARE_HALO * sizeof *s->in);
-    s->pack = status_alloc(n, SHARE_HALO * sizeof *s->pack);
-    s->all = status_alloc(n, SHARE_HALO * sizeof *s->all);
+    s->pack = status_alloc(n * SHARE_HALO + powers, sizeof *s->pack);
+    s->all = status_alloc(n * SHARE_HALO + ranks * powers, sizeof *s->all);
+    s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->mine && s->owner && s->row && s->from && s->count && s->seen && s->x && s->u
-        && s->rho && s->built && s->halo && s->in && s->pack && s->all && s->whole
+    return s->mine && s->owner && s->row && s->from && s->count && s->x && s->u
+        && s->rho && s->built && s->halo && s->pack && s->all && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -84,27 +86,6 @@ static int cut(const struct moment *m, const double *y, struct ranks_cut **out)
     return ranks_cut_create(out, DIM, n, x, weight);
 }
 
-void share_own(const struct moment *m, const int *owner)
-{
-    const struct moment_share *s = m->share;
-    const struct particles *p = m->particles;
-    int n = 0;
-
-    for (int i = 0; i < s->n; i++) {
-        s->owner[i] = owner[i];
-        s->mine[i] = owner[i] == s->me;
-    }
-    for (int r = 0; r < s->ranks; r++) {
-        for (int k = 0; k < KINDS; k++) {
-            s->from[r][k] = n;
-            for (int i = p->from[k]; i < p->from[k + 1]; i++)
-                if (s->owner[i] == r)
-                    s->row[n++] = i;
-        }
-        s->from[r][KINDS] = n;
-    }
-}
-
 static void own_first(const struct moment *m, const double *y, const struct ranks_cut *cuts)
 {
     const struct moment_share *s = m->share;
@@ -131,6 +112,7 @@ int moment_share(struct moment *m, const double *y)
     TRY(cut(m, y, &cuts));
     own_first(m, y, cuts);
     ranks_cut_free(&cuts);
+    TRY(ranks_agree(share_fit_own(s)));
     m->own->mine = s->mine;
     return STATUS_DONE;
 }

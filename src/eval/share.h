@@ -26,16 +26,18 @@ struct moment_share {
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
-    double *seen;          /* [fluid][SHARE_HALO] own rows as they travel      */
+    double *seen;          /* [own rows][SHARE_HALO] as they travel            */
     double *x, *u, *rho;   /* [fluid][DIM] [fluid][DIM] [n] own rows and the halo now, of
                               others some time ago                             */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     int *halo;             /* [n] rows that come                               */
-    double *in;            /* [n][SHARE_HALO] what comes                             */
-    double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
+    double *in;            /* [rows that come][SHARE_HALO]                     */
+    double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
+    struct exact_sum *power; /* [slots] this rank's part                       */
     bool refuses;          /* some rank has a density out of bounds            */
+    bool apart;            /* ranks are not at one time: refused, in the moment's words */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
@@ -43,8 +45,13 @@ struct moment_share {
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
 
+/* share.c */
+
 /* From now on particle i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
+
+/* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
+int share_fit_own(struct moment_share *s);
 
 /* Rows of a kind, c numbers each, of their owners to all; `from` and `to` may be the same. */
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
@@ -65,8 +72,13 @@ int share_remake(const struct moment *run, struct list *list);
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
-/* Forces of pairs on solids, of all ranks, in their places. */
-void share_forces(struct moment *m);
+/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
+ * as no forces on solids follow that these could travel with. */
+struct exact_sum *share_parts(const struct evaluation *e);
+
+/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
+ * were left. */
+void share_forces(struct evaluation *e);
 
 /* Rates of rows of other ranks are 0. */
 void share_silence(const struct moment *m, double *ydot);

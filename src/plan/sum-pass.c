@@ -107,6 +107,10 @@ int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pas
     for (int s = 0; s < slots; s++)
         for (int t = 1; t < scratch->threads; t++)
             exact_sum_merge(&scratch->power[s], &scratch->power[t * slots + s]);
+    if (job->parts) {
+        memcpy(job->parts, scratch->power, (size_t)slots * sizeof *job->parts);
+        return STATUS_DONE;
+    }
     if (job->shared)
         add_ranks(slots, scratch->power);
     for (int s = 0; s < slots; s++)

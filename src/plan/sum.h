@@ -52,6 +52,8 @@ struct sum_job {
                                           `apart_slot` go instead of f; NULL  */
     int apart_slot;
     bool shared;                       /* with other ranks: powers are those of all */
+    struct exact_sum *parts;           /* [slots] or NULL: then powers are not written, but
+                                          what this rank has of them, for the caller to add */
 };
 
 /* Sums for a summed density, before there are forces. */

@@ -47,6 +47,12 @@ int ranks_first(double key, long order, void *said, size_t bytes)
     return key < HUGE_VAL ? 0 : -1;
 }
 
+void ranks_firsts(int n, const double *key, const long *order, void *said, size_t bytes, int *rank)
+{
+    for (int i = 0; i < n; i++)
+        rank[i] = ranks_first(key[i], order[i], said, bytes);
+}
+
 void ranks_most(int n, double *x)
 {
     (void)n;

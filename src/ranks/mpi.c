@@ -85,25 +85,49 @@ static void keep_first(void *in, void *kept, int *n, MPI_Datatype *type)
     }
 }
 
-int ranks_first(double key, long order, void *said, size_t bytes)
+/* Bids of all ranks, `size` bytes each, become the first ones. */
+static void bid(int n, void *mine, size_t size)
 {
-    struct bid mine = { key, order, me, { 0 } };
     MPI_Datatype type;
     MPI_Op op;
 
-    memcpy(mine.said, said, bytes);
-    if (count > 1) {
-        MPI_Type_contiguous((int)(offsetof(struct bid, said) + (bytes + 7) / 8 * 8), MPI_BYTE, &type);
-        MPI_Type_commit(&type);
-        MPI_Op_create(keep_first, 1, &op);
-        MPI_Allreduce(MPI_IN_PLACE, &mine, 1, type, op, MPI_COMM_WORLD);
-        MPI_Op_free(&op);
-        MPI_Type_free(&type);
+    if (count == 1)
+        return;
+    MPI_Type_contiguous((int)size, MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Op_create(keep_first, 1, &op);
+    MPI_Allreduce(MPI_IN_PLACE, mine, n, type, op, MPI_COMM_WORLD);
+    MPI_Op_free(&op);
+    MPI_Type_free(&type);
+}
+
+void ranks_firsts(int n, const double *key, const long *order, void *said, size_t bytes, int *rank)
+{
+    const size_t size = offsetof(struct bid, said) + (bytes + 7) / 8 * 8;
+    struct bid room[RANKS_FIRSTS];
+
+    for (int i = 0; i < n; i++) {
+        struct bid *one = (struct bid *)((char *)room + (size_t)i * size);
+        one->key = key[i];
+        one->order = order[i];
+        one->rank = me;
+        memcpy(one->said, (const char *)said + (size_t)i * bytes, bytes);
     }
-    if (!(mine.key < HUGE_VAL))
-        return -1;
-    memcpy(said, mine.said, bytes);
-    return (int)mine.rank;
+    bid(n, room, size);
+    for (int i = 0; i < n; i++) {
+        const struct bid *one = (const struct bid *)((const char *)room + (size_t)i * size);
+        rank[i] = one->key < HUGE_VAL ? (int)one->rank : -1;
+        if (rank[i] >= 0)
+            memcpy((char *)said + (size_t)i * bytes, one->said, bytes);
+    }
+}
+
+int ranks_first(double key, long order, void *said, size_t bytes)
+{
+    int rank;
+
+    ranks_firsts(1, &key, &order, said, bytes, &rank);
+    return rank;
 }
 
 int ranks_agree(int status)

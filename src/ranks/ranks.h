@@ -37,6 +37,11 @@ int ranks_agree(int status);
 enum { RANKS_SAID = 4200 };
 int ranks_first(double key, long order, void *said, size_t bytes);
 
+/* The same of n things at once, at most RANKS_FIRSTS, by key [n] and order [n]: said [n][bytes],
+ * who is heard of each is rank [n]. */
+enum { RANKS_FIRSTS = 2 };
+void ranks_firsts(int n, const double *key, const long *order, void *said, size_t bytes, int *rank);
+
 /* Each x[i] becomes the largest of all ranks; none is NaN. */
 void ranks_most(int n, double *x);
 
