@@ -1,5 +1,5 @@
 /* laws.c -- sums over pairs: what laws between particles give. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 #include "eval/face.h"
@@ -49,7 +49,10 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
     };
 
     (void)of;
-    return p->engine->sum->pairs(&job, &w->scratch);
+    TRY(p->engine->sum->pairs(&job, &w->scratch));
+    if (share_is_full(e->m))
+        share_laws(e->m, &job);
+    return STATUS_DONE;
 }
 
 int passes_faces(struct evaluation *e, const struct plan_field *of)

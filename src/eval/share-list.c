@@ -120,12 +120,12 @@ static int request(struct moment_share *s, int n)
 }
 
 /* Where all particles are, as the list is made. */
-static void note_places(const struct moment *m)
+static void note_places(const struct moment *m, const struct cloud *cloud)
 {
     const struct particles *p = m->particles;
     const size_t fluid = (size_t)particles_count(p, KIND_FLUID);
 
-    memcpy(m->share->built, m->share->x, fluid * DIM * sizeof *m->share->x);
+    memcpy(m->share->built, cloud->x[KIND_FLUID], fluid * DIM * sizeof *m->share->built);
     memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
 }
 
@@ -143,7 +143,6 @@ static int find_halo(struct moment *m)
             if (needed[s->row[i]])
                 s->halo[n++] = s->row[i];
     free(needed);
-    note_places(m);
     return request(s, n);
 }
 
@@ -198,19 +197,23 @@ int share_remake(const struct moment *run, struct list *list)
     return run->plan->engine->sum->list->update(list, &cloud);
 }
 
-/* Of positions that all ranks have; one that has no memory for it fails for all. */
+/* Of positions that all ranks have, so that all or none make it anew; one that has no memory for it
+ * fails for all. */
 static int remake(struct moment *m, const struct cloud *cloud)
 {
     const long builds = m->own->builds;
     int status = m->plan->engine->sum->list->update(m->own, cloud), agreed;
 
+    if (status == STATUS_DONE && m->own->builds == builds)
+        return STATUS_DONE;
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     agreed = ranks_agree(status);
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
     TRY(agreed);
-    return m->own->builds != builds ? find_halo(m) : STATUS_DONE;
+    note_places(m, cloud);
+    return m->share->full ? STATUS_DONE : find_halo(m);
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)
@@ -218,8 +221,12 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[] = { may_be_old(m, v), refuses(m, v) };
+    double flag[2];
 
+    if (s->full)
+        return remake(m, cloud);
+    flag[0] = may_be_old(m, v);
+    flag[1] = refuses(m, v);
     read_own(s, v);
     v->x[KIND_FLUID] = cloud->x[KIND_FLUID] = s->x;
     v->u[KIND_FLUID] = s->u;

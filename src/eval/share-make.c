@@ -34,7 +34,8 @@ void share_free(struct moment_share **share)
     *share = NULL;
 }
 
-static int take_memory(struct moment_share *s, const struct moment *m)
+/* What messages are packed in, and who owns what. */
+static int take_common(struct moment_share *s)
 {
     const size_t n = (size_t)s->n + 1, ranks = (size_t)s->ranks;
 
@@ -43,19 +44,29 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->row = status_alloc(n, sizeof *s->row);
     s->from = status_alloc(ranks, sizeof *s->from);
     s->count = status_alloc(ranks, sizeof *s->count);
+    s->built = status_alloc(n, DIM * sizeof *s->built);
+    s->pack = status_alloc(n, SHARE_WIDEST * sizeof *s->pack);
+    s->all = status_alloc(n, SHARE_WIDEST * sizeof *s->all);
+    return s->mine && s->owner && s->row && s->from && s->count && s->built && s->pack && s->all
+               ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int take_memory(struct moment_share *s, const struct moment *m)
+{
+    const size_t n = (size_t)s->n + 1;
+
+    TRY(take_common(s));
+    if (s->full)
+        return STATUS_DONE;
     s->seen = status_alloc(n, SHARE_HALO * sizeof *s->seen);
     s->x = status_alloc(n, DIM * sizeof *s->x);
     s->u = status_alloc(n, DIM * sizeof *s->u);
     s->rho = status_alloc(n, sizeof *s->rho);
-    s->built = status_alloc(n, DIM * sizeof *s->built);
     s->halo = status_alloc(n, sizeof *s->halo);
     s->in = status_alloc(n, SHARE_HALO * sizeof *s->in);
-    s->pack = status_alloc(n, SHARE_HALO * sizeof *s->pack);
-    s->all = status_alloc(n, SHARE_HALO * sizeof *s->all);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->mine && s->owner && s->row && s->from && s->count && s->seen && s->x && s->u
-        && s->rho && s->built && s->halo && s->in && s->pack && s->all && s->whole
-               ? STATUS_DONE : STATUS_FAILED;
+    return s->seen && s->x && s->u && s->rho && s->halo && s->in && s->whole ? STATUS_DONE
+                                                                            : STATUS_FAILED;
 }
 
 /* Where a particle is at the start. */
@@ -92,7 +103,8 @@ static void own(const struct moment *m, const double *y, const struct ranks_cut 
     for (int i = 0; i < s->n; i++) {
         s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
         s->mine[i] = s->owner[i] == s->me;
-        s->rho[i] = p->scales->rho0; /* of rows that are never heard of */
+        if (!s->full)
+            s->rho[i] = p->scales->rho0; /* of rows that are never heard of */
     }
     for (int r = 0; r < s->ranks; r++) {
         for (int k = 0; k < KINDS; k++) {
@@ -105,37 +117,41 @@ static void own(const struct moment *m, const double *y, const struct ranks_cut 
     }
 }
 
-int moment_share(struct moment *m, const double *y)
+/* Does a pass read numbers of all particles, or a filter between two steps? */
+static bool wants_all(const struct plan *p)
+{
+    bool all = p->passes.filters;
+
+    for (int i = 0; i < p->passes.n; i++)
+        all |= p->passes.pass[i].pass->all && p->passes.pass[i].pass->all(p);
+    return all;
+}
+
+/* Sums that all have to hear of. */
+static void attach(struct moment *m)
+{
+    m->own->mine = m->share->mine;
+    if (!m->share->full)
+        return;
+    m->own->complete = share_complete;
+    m->own->others = m;
+}
+
+int moment_share(struct moment *m, const double *y, bool full)
 {
     struct moment_share *s;
     struct ranks_cut *cuts;
 
-    if (ranks_count() == 1)
+    if (ranks_count() == 1 || m->plan->row.x < 0) /* all do what there is to do without fluid */
         return STATUS_DONE;
     s = m->share = status_alloc(1, sizeof *s);
     if (s)
-        *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n };
+        *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n,
+                                    .full = full || wants_all(m->plan) };
     TRY(ranks_agree(s ? take_memory(s, m) : STATUS_FAILED));
     TRY(cut(m, y, &cuts));
     own(m, y, cuts);
     ranks_cut_free(&cuts);
-    m->own->mine = s->mine;
+    attach(m);
     return STATUS_DONE;
-}
-
-const char *moment_share_lacks(const struct plan *p)
-{
-    const struct plan_part *force = NULL;
-
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->as.force && !p->part[i].part->as.force->weight)
-            force = &p->part[i];
-    return p->row.x < 0 ? "a scene without fluid"
-         : p->solver || p->stiff ? "an implicit viscosity"
-         : plan_ahead(p) > 0 ? "a pressure that looks ahead"
-         : p->passes.fields > 0 ? "summed densities, drifts and walls that sum over the fluid"
-         : p->face ? "a viscosity that sticks at faces"
-         : p->passes.filters ? "densities that are filtered between steps"
-         : force ? "body forces beside the weight"
-         : NULL;
 }

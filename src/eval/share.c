@@ -81,7 +81,7 @@ const double *moment_whole(struct moment *m, const double *y)
     struct moment_share *s = m->share;
     double *at;
 
-    if (!s)
+    if (!s || s->full)
         return y;
     memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
     for (int r = 0; r < s->ranks; r++)

@@ -6,6 +6,10 @@
  * with and are pressed with from all to all.  The list of pairs has all particles in the places
  * that it has on one rank, made of positions that all ranks have then, so no sum changes a bit.
  *
+ * Where something wants numbers of all particles (`full`), all ranks have the whole of y and of
+ * its rates, share sums over pairs alone, and each does all else for itself: those sums come from
+ * all to all as soon as they are there (share-full.c).
+ *
  * A moment for looking has no share: it looks at a y that is whole (moment_whole()). */
 #ifndef EVAL_SHARE_H
 #define EVAL_SHARE_H
@@ -14,7 +18,12 @@
 
 struct ranks_route;
 
-enum { SHARE_HALO = 2 * DIM + 1 }; /* numbers of a particle: place, velocity, density */
+struct sum_job;
+
+enum {
+    SHARE_HALO = 2 * DIM + 1, /* numbers of a particle: place, velocity, density */
+    SHARE_WIDEST = SHARE_HALO /* of a row of any message                       */
+};
 
 struct moment_share {
     int ranks, me, n;      /* n: particles                                     */
@@ -33,6 +42,8 @@ struct moment_share {
     double *in;            /* [n][SHARE_HALO] what comes                             */
     double *pack, *all;    /* [n][SHARE_HALO] scratch                                */
     double *whole;         /* [size] y of all                                  */
+    bool full;             /* all rows of y and of rates are here: of the members below and
+                              above, then, are there mine .. count, built, pack and all   */
     bool refuses;          /* some rank has a density out of bounds            */
 };
 
@@ -55,7 +66,18 @@ int share_remake(const struct moment *run, struct list *list);
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
-/* Forces of pairs on solids, of all ranks, in their places. */
+/* share-full.c */
+
+/* Is this moment shared so that each rank has the rates of all? */
+bool share_is_full(const struct moment *m);
+
+/* A function of struct list: sums of all ranks, by place, to the moment `others`. */
+void share_complete(void *others, unsigned kinds, int width, double *to);
+
+/* What laws gave, likewise, in one message. */
+void share_laws(struct moment *m, const struct sum_job *job);
+
+/* share.c: forces of pairs on solids, of all ranks, in their places. */
 void share_forces(struct moment *m);
 
 /* Rates of rows of other ranks are 0. */

@@ -65,7 +65,6 @@ static int open_outputs(struct run *r, bool again)
 /* What can be refused before ranks share anything. */
 static int agree(struct run *r)
 {
-    TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
     TRY(tables_agree(r->plan));
@@ -75,7 +74,7 @@ static int agree(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
-    TRY(moment_share(r->moment, r->y));
+    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));
     choose_times(r);
@@ -89,7 +88,6 @@ int run_start(struct run *r)
 
 static int agree_again(struct run *r, struct archive *from)
 {
-    TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     return checkpoint_load_state(r, from);
 }
@@ -97,7 +95,7 @@ static int agree_again(struct run *r, struct archive *from)
 int run_start_again(struct run *r, struct archive *from)
 {
     TRY(ranks_agree(agree_again(r, from)));
-    TRY(moment_share(r->moment, r->y));
+    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
     TRY(ranks_agree(create_method(r)));
     TRY(ranks_agree(open_outputs(r, true)));
     return ranks_agree(checkpoint_load_past(r, from));
