@@ -50,7 +50,7 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
 
     (void)of;
     TRY(p->engine->sum->pairs(&job, &w->scratch));
-    if (share_is_full(e->m))
+    if (moment_is_full(e->m))
         share_laws(e->m, &job);
     return STATUS_DONE;
 }

@@ -56,6 +56,10 @@ struct ask {
  * STATUS_FAILED, on all. */
 int moment_share(struct moment *moment, const double *y, bool full);
 
+/* Is each rank given the rates of all rows?  Bytes of what a moment is shared with; 0 on one rank. */
+bool moment_is_full(const struct moment *moment);
+double moment_share_bytes(const struct moment *moment);
+
 /* y with the rows of all ranks: y itself where there is one, else lent until the next call.  All
  * ranks ask together. */
 const double *moment_whole(struct moment *moment, const double *y);

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-bool share_is_full(const struct moment *m)
+bool moment_is_full(const struct moment *m)
 {
     return m->share && m->share->full;
 }
@@ -22,8 +22,8 @@ int moment_agree(const struct moment *m, int status)
 
 /* Copies numbers of a rank's rows of some kinds between their places and a message; places of rows
  * in no list have none, but room in the message.  Returns what comes behind. */
-static double *copy_places(const struct moment *m, int rank, unsigned kinds, size_t width, bool pack,
-                           double *place, double *message)
+static double *copy_places(const struct moment *m, int rank, unsigned kinds, size_t width,
+                           bool pack, double *place, double *message)
 {
     const struct moment_share *s = m->share;
     const int *slot = m->own->slot;

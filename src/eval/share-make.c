@@ -117,6 +117,19 @@ static void own(const struct moment *m, const double *y, const struct ranks_cut 
     }
 }
 
+/* As take_memory() has it. */
+double moment_share_bytes(const struct moment *m)
+{
+    const double common = sizeof(bool) + 2 * sizeof(int)
+                          + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
+    const double halo = sizeof(int) + (2 * SHARE_HALO + 2 * DIM + 1) * sizeof(double);
+
+    if (!m->share)
+        return 0;
+    return m->share->n * (m->share->full ? common : common + halo)
+           + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
+}
+
 /* Does a pass read numbers of all particles, or a filter between two steps? */
 static bool wants_all(const struct plan *p)
 {

@@ -68,9 +68,6 @@ int share_agree(struct moment *m, int status);
 
 /* share-full.c */
 
-/* Is this moment shared so that each rank has the rates of all? */
-bool share_is_full(const struct moment *m);
-
 /* A function of struct list: sums of all ranks, by place, to the moment `others`. */
 void share_complete(void *others, unsigned kinds, int width, double *to);
 
