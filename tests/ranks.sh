@@ -171,6 +171,19 @@ keys="until=0.02 output.checkpoint=0.012 output.interval=0.004 -q"
 on 1 3
 on 2 1
 on 3 2
+if [ -n "${STIFFWATER_LONG-}" ]; then # all rows
+    cp -R "$out/whole" "$out/kept"
+    kept=$scenes/standing-wave.scene
+    keys="spacing=0.05 until=0.06 output.checkpoint=0.02 output.interval=0.01 method=imex3 -q"
+    rm -rf "$out/whole"
+    "$STIFFWATER" run "$kept" $keys -o "$out/whole" >"$out/said" 2>&1 || cat "$out/said"
+    on 3 2
+    kept=$scenes/floating-box.scene
+    keys="until=0.02 output.checkpoint=0.012 output.interval=0.004 -q"
+    rm -rf "$out/whole"
+    mv "$out/kept" "$out/whole"
+    on 2 3
+fi
 "$STIFFWATER" resume "$out/parts" until=0.022 --ranks 2 -q >"$out/said" 2>&1 || cat "$out/said"
 "$STIFFWATER" resume "$out/whole" until=0.022 -q >"$out/said" 2>&1 || cat "$out/said"
 if [ "$(value parts ranks)" = 2 ] && [ "$(hash whole)" = "$(hash parts)" ]; then good "resume --ranks 2"
@@ -236,7 +249,7 @@ if [ -z "$torn" ]; then good "and files are whole"; else wrong "torn: $torn"; fi
 if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-malloc.c" 2>"$out/said"; then
     program=$top_builddir/stiffwater-2d-mpi
     lacking() {
-        set -- "$1" "$program" run "$scenes/dam-break.scene" spacing=0.025 until=0.01 output.fields=100 \
+        set -- "$1" "$program" run "$scenes/dam-break.scene" spacing=0.025 until=0.01 $more output.fields=100 \
             output.snapshots=0 -q -f -o "$out/lacking"
         request=$1
         shift
@@ -244,14 +257,19 @@ if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-ma
         timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" : -n 1 env LD_PRELOAD="$out/refuse.so" \
             FAIL_ONLY=stiffwater FAIL_COUNT=1 FAIL_ONCE="$request" "$@" >"$out/said" 2>&1 || code=$?
     }
-    lacking 100000000
-    all=$(sed -n 's/requests: //p' "$out/said")
-    for share in 55 70 83 85 98; do
-        lacking $((all * share / 100))
-        if [ $code = 1 ] && [ "$(grep -c 'out of memory' "$out/said")" = 1 ]; then
-            good "request $((all * share / 100)) of $all is refused to one rank: all end with status 1"
-        else wrong "request $((all * share / 100)) of $all is refused: status $code"; cat "$out/said"; fi
-    done
+    lacks() {
+        more=$*
+        lacking 100000000
+        all=$(sed -n 's/requests: //p' "$out/said")
+        for share in 55 70 83 85 98; do
+            lacking $((all * share / 100))
+            if [ $code = 1 ] && [ "$(grep -c 'out of memory' "$out/said")" = 1 ]; then
+                good "request $((all * share / 100)) of $all is refused to one rank: all end with status 1"
+            else wrong "request $((all * share / 100)) of $all is refused: status $code"; cat "$out/said"; fi
+        done
+    }
+    lacks
+    [ -z "${STIFFWATER_LONG-}" ] || lacks walls=adami method=bdf
 else
     echo "skipped: no library that refuses memory"
 fi
