@@ -218,11 +218,12 @@ static int check_printed(void)
 /* What can be carried out on so many ranks. */
 static int agree_ranks(const struct cli *c)
 {
-    if (ranks_count() == 1 || c->command == CLI_RUN || c->command == CLI_RESUME)
+    if (ranks_count() == 1 || c->command == CLI_RUN || c->command == CLI_RESUME
+        || c->command == CLI_CHECK)
         return STATUS_DONE;
     return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
         .remedy = "start the program without mpirun" },
-        "%d ranks share `run' and `resume', and no other command", ranks_count());
+        "%d ranks share `run', `resume' and `check', and no other command", ranks_count());
 }
 
 /* All ranks have the same status; the first of them says why. */

@@ -2,6 +2,8 @@
  * the numbers are where they look for them. */
 #include "algebra/vector-private.h"
 
+#include "ranks/ranks.h"
+
 static N_Vector in(N_Vector v)
 {
     vector_settle(vector_content(v));
@@ -59,9 +61,13 @@ static sunbooleantype constraint_mask(N_Vector c, N_Vector x, N_Vector z)
     return N_VConstrMask_Serial(in(c), in(x), out(z));
 }
 
+/* CVODE and ARKODE bound a first step by it, on all ranks alike: rates of rows of others are 0. */
 static sunrealtype largest(N_Vector x)
 {
-    return N_VMaxNorm_Serial(in(x));
+    double most = N_VMaxNorm_Serial(in(x));
+
+    ranks_most(1, &most);
+    return most;
 }
 
 static sunrealtype least(N_Vector x)

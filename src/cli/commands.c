@@ -123,7 +123,8 @@ const struct commands_row commands_table[] = {
       "Warns of scenes that lead nowhere: no wall below the water, a probe inside a solid, a Mach "
       "number above 0.3; refuses those whose files the disk cannot hold or whose start has no "
       "right-hand side.  Shares of effects are measured, on scenes of up to 30,000 particles: what a "
-      "right-hand side takes less without the effect.  SCENE may be - for standard input.", run_options, true },
+      "right-hand side takes less without the effect.  With --ranks, memory of each rank and what a "
+      "right-hand side sends, instead.  SCENE may be - for standard input.", run_options, true },
     { "plot", CLI_PLOT, "DIR",
       "Draws the figures of a run, comparison or spread again, by gnuplot.",
       no_options, false },

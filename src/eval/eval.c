@@ -114,8 +114,10 @@ int moment_try(struct moment *m, double t, const double *y)
     const struct moment_counts counts = m->counts;
     const long builds = m->own ? m->own->builds : 0;
     double *ydot = status_alloc((unsigned long)moment_size(m), sizeof *ydot);
-    const int status = ydot ? moment_eval(m, ASK_ALL, t, y, ydot) : STATUS_FAILED;
+    int status = moment_agree(m, ydot ? STATUS_DONE : STATUS_FAILED);
 
+    if (status == STATUS_DONE)
+        status = moment_eval(m, ASK_ALL, t, y, ydot);
     free(ydot);
     if (status != STATUS_DONE)
         return status;

@@ -113,14 +113,19 @@ static void hold(const struct moment *m, const struct couple_job *job)
     m->plan->engine->couple->multiply(job, KIND_BIT(KIND_FLUID), o->slip, o->f);
 }
 
+static int fit(struct face *o, const struct list *l)
+{
+    TRY(face_fit_slots(o, l));
+    return face_fit_pairs(o, l);
+}
+
 int face_find(struct moment *m)
 {
     struct face *o = m->face;
     const struct couple_engine *couple = m->plan->engine->couple;
 
     o->job.list = m->list;
-    TRY(face_fit_slots(o, m->list));
-    TRY(face_fit_pairs(o, m->list));
+    TRY(moment_agree(m, fit(o, m->list)));
     read_records(m, velocity_at, o->velocity);
     couple->assemble(&o->job, m->work->record, o->velocity, o->law);
     find_arms(m, &o->job);
@@ -221,7 +226,7 @@ int face_ready(struct moment *m, const struct couple_job *law)
 {
     struct couple_job job = *law;
 
-    TRY(face_fit_slots(m->face, law->list));
+    TRY(moment_agree(m, face_fit_slots(m->face, law->list)));
     job.acts = m->face->of->acts;
     find_arms(m, &job);
     for (int s = 0; s < law->list->start[KINDS] && m->face->of->mirrored; s++)

@@ -94,6 +94,9 @@ int workspace_create(const struct plan *p, struct workspace **out);
 void workspace_free(const struct plan *p, struct workspace **w);
 int workspace_fit(struct workspace *w, const struct list *l);
 
+/* share-full.c: STATUS_DONE where all that share this moment bring that, for what one may lack. */
+int moment_agree(const struct moment *m, int status);
+
 /* moment.c: another moment of the run's plan, for looking. */
 int moment_create_beside(struct moment *run, struct moment **out);
 

@@ -49,7 +49,10 @@ int passes_laws(struct evaluation *e, const struct plan_field *of)
     };
 
     (void)of;
-    return p->engine->sum->pairs(&job, &w->scratch);
+    TRY(p->engine->sum->pairs(&job, &w->scratch));
+    if (moment_is_full(e->m))
+        share_laws(e->m, &job);
+    return STATUS_DONE;
 }
 
 int passes_faces(struct evaluation *e, const struct plan_field *of)

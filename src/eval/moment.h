@@ -51,12 +51,14 @@ struct ask {
 
 /* On many ranks: each becomes the owner of a part of the particles, cut where they are at y,
  * which all ranks have alike; on one rank nothing happens.  From now on all ranks evaluate
- * together, and the rates that each gets are 0 in rows that it does not own.
+ * together, and the rates that each gets are 0 in rows that it does not own; with `full`, or
+ * where the plan wants it, each gets those of all rows.
  * STATUS_FAILED, on all. */
-int moment_share(struct moment *moment, const double *y);
+int moment_share(struct moment *moment, const double *y, bool full);
 
-/* NULL, or what a plan has that ranks cannot share yet. */
-const char *moment_share_lacks(const struct plan *plan);
+/* Is each rank given the rates of all rows?  Bytes of what a moment is shared with; 0 on one rank. */
+bool moment_is_full(const struct moment *moment);
+double moment_share_bytes(const struct moment *moment);
 
 /* y with the rows of all ranks: y itself where there is one, else lent until the next call.  All
  * ranks ask together. */

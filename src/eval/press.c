@@ -1,5 +1,5 @@
 /* press.c -- solids that press by more than a density of their own. */
-#include "eval/passes.h"
+#include "eval/share.h"
 
 #include "base/status.h"
 
@@ -123,7 +123,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
         return STATUS_DONE;
     lead(e, rho);
-    press(e->m, rho, p2, false);
+    press(e->m, rho, p2, e->m->share);
     for (int id = first; id < p->n; id++) {
         const int row = particles_row_of(p, id);
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);

@@ -100,7 +100,7 @@ int passes_drift(struct evaluation *e, const struct plan_field *of)
 int passes_solids(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
-    if (e->m->share)
+    if (e->m->share && !e->m->share->full)
         share_forces(e);
     solids_sum(e->m);
     return STATUS_DONE;

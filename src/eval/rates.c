@@ -66,7 +66,7 @@ int rates_eval(struct moment *m, const struct ask *ask, double t, const double *
     TRY(run(&e, question_of(ask, apart)));
     if (ask->rates == ASK_VELOCITIES) /* loads give q' = v, too */
         stand_still(m, 0, LAYOUT_VELOCITY, ydot);
-    if (m->share)
+    if (m->share && !m->share->full)
         share_silence(m, ydot);
     return STATUS_DONE;
 }

@@ -148,12 +148,12 @@ static int request(struct moment_share *s, int n)
 }
 
 /* Where all particles are, as the list is made. */
-static void note_places(const struct moment *m)
+static void note_places(const struct moment *m, const struct cloud *cloud)
 {
     const struct particles *p = m->particles;
     const size_t fluid = (size_t)particles_count(p, KIND_FLUID);
 
-    memcpy(m->share->built, m->share->x, fluid * DIM * sizeof *m->share->x);
+    memcpy(m->share->built, cloud->x[KIND_FLUID], fluid * DIM * sizeof *m->share->built);
     memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
 }
 
@@ -251,8 +251,8 @@ static int remake(struct moment *m, const struct cloud *cloud)
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
     TRY(agreed);
-    note_places(m);
-    return share_halo(m);
+    note_places(m, cloud);
+    return m->share->full ? STATUS_DONE : share_halo(m);
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)
@@ -260,8 +260,14 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[] = { may_be_old(m, v), refuses(m, v), e->t, -e->t };
+    double flag[4];
 
+    if (s->full)
+        return remake(m, cloud);
+    flag[0] = may_be_old(m, v);
+    flag[1] = refuses(m, v);
+    flag[2] = e->t;
+    flag[3] = -e->t;
     read_own(s, v);
     look_at_share(s, v);
     cloud->x[KIND_FLUID] = s->x;

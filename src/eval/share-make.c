@@ -37,7 +37,8 @@ void share_free(struct moment_share **share)
     *share = NULL;
 }
 
-static int take_memory(struct moment_share *s, const struct moment *m)
+/* What messages are packed in, and who owns what. */
+static int take_common(struct moment_share *s, const struct moment *m)
 {
     const size_t n = (size_t)s->n + 1, ranks = (size_t)s->ranks;
     const size_t powers = (size_t)m->plan->slots * EXACT_SUM_WORDS;
@@ -47,18 +48,28 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->row = status_alloc(n, sizeof *s->row);
     s->from = status_alloc(ranks, sizeof *s->from);
     s->count = status_alloc(ranks, sizeof *s->count);
+    s->built = status_alloc(n, DIM * sizeof *s->built);
+    s->pack = status_alloc(n * SHARE_WIDEST + powers, sizeof *s->pack);
+    s->all = status_alloc(n * SHARE_WIDEST + ranks * powers, sizeof *s->all);
+    return s->mine && s->owner && s->row && s->from && s->count && s->built && s->pack && s->all
+               ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int take_memory(struct moment_share *s, const struct moment *m)
+{
+    const size_t n = (size_t)s->n + 1;
+
+    TRY(take_common(s, m));
+    if (s->full)
+        return STATUS_DONE;
     s->x = status_alloc(n, DIM * sizeof *s->x);
     s->u = status_alloc(n, DIM * sizeof *s->u);
     s->rho = status_alloc(n, sizeof *s->rho);
-    s->built = status_alloc(n, DIM * sizeof *s->built);
     s->halo = status_alloc(n, sizeof *s->halo);
-    s->pack = status_alloc(n * SHARE_HALO + powers, sizeof *s->pack);
-    s->all = status_alloc(n * SHARE_HALO + ranks * powers, sizeof *s->all);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->mine && s->owner && s->row && s->from && s->count && s->x && s->u
-        && s->rho && s->built && s->halo && s->pack && s->all && s->power && s->whole
-               ? STATUS_DONE : STATUS_FAILED;
+    return s->x && s->u && s->rho && s->halo && s->power && s->whole ? STATUS_DONE
+                                                                      : STATUS_FAILED;
 }
 
 /* Where a particle is at the start. */
@@ -92,44 +103,65 @@ static void own_first(const struct moment *m, const double *y, const struct rank
 
     for (int i = 0; i < s->n; i++) {
         s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
-        s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
+        if (!s->full)
+            s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
     }
     share_own(m, s->owner);
 }
 
-int moment_share(struct moment *m, const double *y)
+/* As take_memory() has it, with a share of rows that travel and as many that come. */
+double moment_share_bytes(const struct moment *m)
+{
+    const double common = sizeof(bool) + 2 * sizeof(int)
+                          + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
+    const double halo = sizeof(int) + (2 * DIM + 1) * sizeof(double);
+    const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
+
+    if (!m->share)
+        return 0;
+    return m->share->n * (m->share->full ? common : common + halo + travels)
+           + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
+}
+
+/* Does a pass read numbers of all particles, or a filter between two steps? */
+static bool wants_all(const struct plan *p)
+{
+    bool all = p->passes.filters;
+
+    for (int i = 0; i < p->passes.n; i++)
+        all |= p->passes.pass[i].pass->all && p->passes.pass[i].pass->all(p);
+    return all;
+}
+
+/* Sums that all have to hear of. */
+static void attach(struct moment *m)
+{
+    m->own->mine = m->share->mine;
+    if (!m->share->full)
+        return;
+    m->own->complete = share_complete;
+    m->own->others = m;
+}
+
+int moment_share(struct moment *m, const double *y, bool full)
 {
     struct moment_share *s;
     struct ranks_cut *cuts;
 
-    if (ranks_count() == 1)
+    if (ranks_count() == 1 || m->plan->row.x < 0) /* all do what there is to do without fluid */
         return STATUS_DONE;
     s = m->share = status_alloc(1, sizeof *s);
     if (s)
         *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n,
+                                    .full = full || wants_all(m->plan),
                                     .balance = balance_start() };
     TRY(ranks_agree(s ? take_memory(s, m) : STATUS_FAILED));
     TRY(cut(m, y, &cuts));
     own_first(m, y, cuts);
     ranks_cut_free(&cuts);
-    TRY(ranks_agree(share_fit_own(s)));
-    m->own->mine = s->mine;
+    TRY(ranks_agree(s->full ? STATUS_DONE : share_fit_own(s)));
+    if (s->full)
+        balance_never(m);
+    attach(m);
     return STATUS_DONE;
-}
-
-const char *moment_share_lacks(const struct plan *p)
-{
-    const struct plan_part *force = NULL;
-
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->as.force && !p->part[i].part->as.force->weight)
-            force = &p->part[i];
-    return p->row.x < 0 ? "a scene without fluid"
-         : p->solver || p->stiff ? "an implicit viscosity"
-         : plan_ahead(p) > 0 ? "a pressure that looks ahead"
-         : p->passes.fields > 0 ? "summed densities, drifts and walls that sum over the fluid"
-         : p->face ? "a viscosity that sticks at faces"
-         : p->passes.filters ? "densities that are filtered between steps"
-         : force ? "body forces beside the weight"
-         : NULL;
 }

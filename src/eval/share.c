@@ -115,7 +115,7 @@ const double *moment_whole(struct moment *m, const double *y)
     struct moment_share *s = m->share;
     double *at;
 
-    if (!s)
+    if (!s || s->full)
         return y;
     memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
     for (int r = 0; r < s->ranks; r++)
@@ -169,7 +169,7 @@ struct exact_sum *share_parts(const struct evaluation *e)
                         && m->particles->from[KINDS] > m->particles->from[KIND_WALL];
     const bool read = e->job.apart || e->job.ahead != 0 || plan_ahead(m->plan) > 0; /* before */
 
-    return m->share && follow && !read ? m->share->power : NULL;
+    return m->share && !m->share->full && follow && !read ? m->share->power : NULL;
 }
 
 void share_forces(struct evaluation *e)

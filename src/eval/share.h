@@ -6,6 +6,10 @@
  * with and are pressed with from all to all.  The list of pairs has all particles in the places
  * that it has on one rank, made of positions that all ranks have then, so no sum changes a bit.
  *
+ * Where something wants numbers of all particles (`full`), all ranks have the whole of y and of
+ * its rates, share sums over pairs alone, and each does all else for itself: those sums come from
+ * all to all as soon as they are there (share-full.c).
+ *
  * A moment for looking has no share: it looks at a y that is whole (moment_whole()). */
 #ifndef EVAL_SHARE_H
 #define EVAL_SHARE_H
@@ -16,7 +20,12 @@
 struct balance_move;
 struct ranks_route;
 
-enum { SHARE_HALO = 2 * DIM + 1 }; /* numbers of a particle: place, velocity, density */
+struct sum_job;
+
+enum {
+    SHARE_HALO = 2 * DIM + 1, /* numbers of a particle: place, velocity, density */
+    SHARE_WIDEST = SHARE_HALO /* of a row of any message                       */
+};
 
 struct moment_share {
     int ranks, me, n;      /* n: particles                                     */
@@ -36,6 +45,8 @@ struct moment_share {
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
+    bool full;             /* all rows of y and of rates are here: of the members below and
+                              above, then, are there mine .. count, built, pack and all   */
     bool refuses;          /* some rank has a density out of bounds            */
     bool apart;            /* ranks are not at one time: refused, in the moment's words */
     struct balance balance; /* of work, so far                                 */
@@ -79,6 +90,14 @@ struct exact_sum *share_parts(const struct evaluation *e);
 /* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
  * were left. */
 void share_forces(struct evaluation *e);
+/* share-full.c */
+
+/* A function of struct list: sums of all ranks, by place, to the moment `others`. */
+void share_complete(void *others, unsigned kinds, int width, double *to);
+
+/* What laws gave, likewise, in one message. */
+void share_laws(struct moment *m, const struct sum_job *job);
+
 
 /* Rates of rows of other ranks are 0. */
 void share_silence(const struct moment *m, double *ydot);

@@ -189,7 +189,7 @@ static int find(void *self, struct moment *m, double t, const double *y, const d
     int status = STATUS_DONE;
 
     a->m = m;
-    if (fit(a, l) != STATUS_DONE) {
+    if (moment_agree(m, fit(a, l)) != STATUS_DONE) {
         snprintf(m->refusal, sizeof m->refusal, "no memory to solve for the pressure at t = %g s",
                  t);
         return status_starved("the pressure at t = %g s cannot be solved for", t);

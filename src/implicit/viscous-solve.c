@@ -48,7 +48,7 @@ static int set_system(struct moment *m, double t, double gamma, const double *r)
     struct view v;
 
     TRY(rates_fields(m, t, u->stage, &v));
-    TRY(viscous_fit(u));
+    TRY(moment_agree(m, viscous_fit(u)));
     memset(u->x, 0, (size_t)u->fluid * sizeof *u->x);
     memset(u->right, 0, (size_t)u->fluid * sizeof *u->right);
     memset(u->residual, 0, (size_t)u->fluid * sizeof *u->residual);

@@ -86,6 +86,9 @@ static void assemble(const struct couple_job *job, const double *record, const d
     visit_clear(job->list, VISIT_ALL, 1, job->firm);
     visit_clear(job->list, VISIT_ALL, DIM, f);
     visit_chunks(job->list, VISIT_ALL, couple_groups, &pass);
+    list_complete(job->list, VISIT_ALL, 1, job->diagonal);
+    list_complete(job->list, VISIT_ALL, 1, job->firm);
+    list_complete(job->list, VISIT_ALL, DIM, f);
 }
 
 static void multiply_group(const struct pass *pass, int g)
@@ -114,6 +117,7 @@ static void multiply(const struct couple_job *job, unsigned kinds, const double 
 
     visit_clear(job->list, kinds, DIM, f);
     visit_chunks(job->list, kinds, multiply_groups, &pass);
+    list_complete(job->list, kinds, DIM, f);
 }
 
 const struct couple_engine LANE_NAME(couple_engine) = {

@@ -65,6 +65,8 @@ struct pass {
     unsigned asked;        /* PASS_FOR_ bits                                             */
     bool (*present)(const struct plan *plan); /* NULL: always                            */
     int (*run)(struct evaluation *e, const struct plan_field *of);
+    bool (*all)(const struct plan *plan); /* does it read numbers of all particles, in an order
+                              of theirs or as solves do?  NULL: no                       */
 };
 
 /* All that there are, ended by a line without name: eval/passes.c. */

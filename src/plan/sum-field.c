@@ -30,4 +30,5 @@ void LANE_NAME(sum_field)(const struct sum_field_job *job)
     for (int kind = 0; kind < KINDS; kind++)
         kinds |= job->meets[kind] ? KIND_BIT(kind) : 0;
     visit_chunks(job->list, kinds, field_groups, job);
+    list_complete(job->list, kinds, PAIRS_FIELD, job->sum[0]);
 }

@@ -42,20 +42,25 @@ static void clear_idle(const struct sum_job *job)
                         list->start[kind + 1] - list->start[kind]);
 }
 
-static int make_room(struct sum_scratch *scratch, int slots)
+/* Where ranks share sums, all make room at their first one, and end if one has none. */
+static int make_room(struct sum_scratch *scratch, int slots, bool shared)
 {
     const int threads = threads_most();
+    bool made = false;
+    int status;
 
     if (threads > scratch->threads || slots != scratch->slots) {
         free(scratch->power);
         free(scratch->cut);
+        made = true;
         scratch->threads = threads;
         scratch->slots = slots;
         scratch->power = malloc((size_t)threads * (size_t)(slots + 1) * sizeof *scratch->power);
         scratch->cut = calloc((size_t)threads * (size_t)(slots + 1), sizeof *scratch->cut);
     }
-    if (!scratch->power || !scratch->cut)
-        return status_starved("the power of %d effects cannot be summed", slots);
+    status = scratch->power && scratch->cut
+                 ? STATUS_DONE : status_starved("the power of %d effects cannot be summed", slots);
+    TRY(made && shared ? ranks_agree(status) : status);
     memset(scratch->power, 0, (size_t)scratch->threads * (size_t)slots * sizeof *scratch->power);
     return STATUS_DONE;
 }
@@ -99,7 +104,7 @@ int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pas
     if (slots > SUM_SLOTS)
         return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
                            SUM_SLOTS);
-    TRY(make_room(scratch, slots));
+    TRY(make_room(scratch, slots, job->shared));
     work = (struct work){ { job, scratch->power, scratch->cut, scratch->record }, groups };
     clear_idle(job);
     weigh(job, cost);

@@ -96,7 +96,11 @@ int ranks_cut_create(struct ranks_cut **out, int dim, int n, const double *x,
     int status = STATUS_FAILED;
 
     *out = cut;
-    if (cut && Zoltan_Initialize(0, NULL, &version) == ZOLTAN_OK) {
+    if (ranks_agree(cut ? STATUS_DONE : STATUS_FAILED) != STATUS_DONE) {
+        ranks_cut_free(out);
+        return STATUS_FAILED;
+    }
+    if (Zoltan_Initialize(0, NULL, &version) == ZOLTAN_OK) {
         *cut = (struct ranks_cut){ Zoltan_Create(MPI_COMM_WORLD), dim, n, x, weight };
         if (cut->zoltan && set_up(cut))
             status = STATUS_DONE;

@@ -2,6 +2,7 @@
  *
  * One Alltoall of counts makes a route, none is needed to use it. */
 #include "ranks/ranks.h"
+#include "ranks/traffic.h"
 
 #include "base/status.h"
 
@@ -143,6 +144,7 @@ void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void 
     for (int i = 0; i < ranks_route_leaving(r); i++)
         memcpy(r->packed + (size_t)i * bytes, (const char *)from + (size_t)r->row[i] * bytes,
                bytes);
+    ranks_traffic_exchange(r->out.n, ranks_route_leaving(r) * (double)bytes);
     MPI_Neighbor_alltoallv(r->packed, r->out.count, r->out.first, row, in, r->in.count,
                            r->in.first, row, r->comm);
     MPI_Type_free(&row);

@@ -1,6 +1,7 @@
 /* mpi.c -- ranks by Open MPI: beginning, end, and what all know. */
 #include "ranks/copies.h"
 #include "ranks/ranks.h"
+#include "ranks/traffic.h"
 
 #include "base/status.h"
 
@@ -93,6 +94,7 @@ static void bid(int n, void *mine, size_t size)
 
     if (count == 1)
         return;
+    ranks_traffic_ask(n * (int)size);
     MPI_Type_contiguous((int)size, MPI_BYTE, &type);
     MPI_Type_commit(&type);
     MPI_Op_create(keep_first, 1, &op);
@@ -148,14 +150,18 @@ int ranks_agree(int status)
 
 void ranks_most(int n, double *x)
 {
-    if (count > 1)
-        MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    if (count == 1)
+        return;
+    ranks_traffic_ask(n * (double)sizeof *x);
+    MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
 }
 
 void ranks_add(int n, int64_t *x)
 {
-    if (count > 1)
-        MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    if (count == 1)
+        return;
+    ranks_traffic_ask(n * (double)sizeof *x);
+    MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
 }
 
 void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
@@ -166,6 +172,7 @@ void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
     first[0] = 0;
     for (int r = 1; r < count; r++)
         first[r] = first[r - 1] + rows[r - 1];
+    ranks_traffic_gather(rows[me] * (double)bytes);
     MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
     MPI_Type_commit(&row);
     MPI_Allgatherv(mine, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);

@@ -68,7 +68,6 @@ static int open_outputs(struct run *r, bool again)
 /* What can be refused before ranks share anything. */
 static int agree(struct run *r)
 {
-    TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
     TRY(tables_agree(r->plan));
@@ -78,7 +77,7 @@ static int agree(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
-    TRY(moment_share(r->moment, r->y));
+    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));
     run_ranks_begin(r);
@@ -93,7 +92,6 @@ int run_start(struct run *r)
 
 static int agree_again(struct run *r, struct archive *from)
 {
-    TRY(run_ranks_agree(r));
     TRY(checkpoint_agree(r));
     return checkpoint_load_state(r, from);
 }
@@ -101,7 +99,7 @@ static int agree_again(struct run *r, struct archive *from)
 int run_start_again(struct run *r, struct archive *from)
 {
     TRY(ranks_agree(agree_again(r, from)));
-    TRY(moment_share(r->moment, r->y));
+    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
     TRY(ranks_agree(create_method(r)));
     run_ranks_begin(r);
     TRY(ranks_agree(open_outputs(r, true)));

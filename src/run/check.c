@@ -5,6 +5,9 @@
 #include "implicit/release.h"
 #include "plan/memory.h"
 #include "plan/passes.h"
+#include "ranks/ranks.h"
+#include "run/check-ranks.h"
+#include "run/ranks.h"
 #include "run/tables.h"
 #include "state/memory.h"
 #include "state/part.h"
@@ -153,13 +156,12 @@ static void say_title(const char *title)
  * many particles wait for it, as the cost of a right-hand side does not depend on it. */
 enum { RELEASED = 20000 };
 
-static int measure(struct run *r, double *seconds)
+static int start(struct run *r)
 {
     if (plan_particles(r->plan)->n <= RELEASED)
-        TRY(release_start(r->moment, r->y));
-    else
-        plan_start(r->plan, r->y);
-    return run_time_rhs(r, seconds);
+        return release_start(r->moment, r->y);
+    plan_start(r->plan, r->y);
+    return STATUS_DONE;
 }
 
 /* What can be said of a scene that is too large to be made for a look at it. */
@@ -188,18 +190,23 @@ static int check(struct run *r, const struct run_order *order, double program)
     if (status == STATUS_DONE)
         status = tables_agree(r->plan);
     if (status == STATUS_DONE)
-        status = measure(r, &seconds);
-    if (status != STATUS_DONE)
-        return status;
+        status = start(r);
+    TRY(ranks_agree(status));
+    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
+    TRY(run_time_rhs(r, &seconds));
     say_title(plan_settings(r->plan)->title);
     print_particles(r);
     print_parts(r);
     print_passes(r);
     print_state(r);
     print_cost(r, seconds);
-    print_memory(r, program);
+    if (ranks_count() > 1)
+        TRY(check_ranks_print(r, program, later));
+    else
+        print_memory(r, program);
     run_disk_print(r);
-    run_shares_print(r, order, seconds);
+    if (ranks_count() == 1)
+        run_shares_print(r, order, seconds);
     return status;
 }
 
@@ -208,7 +215,11 @@ int run_check(const struct run_order *order)
     struct run r;
     struct plan_survey survey;
     const double program = memory_peak();
-    int status = run_prepare_small(&r, order, &survey);
+    int status;
+
+    if (!run_ranks_writes() && !freopen("/dev/null", "w", stdout))
+        return status_fail(STATUS_IO, "/dev/null cannot be written");
+    status = run_prepare_small(&r, order, &survey);
 
     if (survey.large)
         print_survey(&survey, program);

@@ -9,36 +9,15 @@
 
 #include <string.h>
 
-/* Methods that sum over all of y for themselves, or by a library that knows no ranks. */
-static const char *const untried[] = { "bdf", "dv", "gsl-msadams", "pcisph" };
+/* Methods that add up over y for themselves, or by a library that knows no ranks. */
+static const char *const adding[] = { "bdf", "dv", "gsl-msadams", "pcisph" };
 
-static const char *method_lacks(const char *method)
+bool run_ranks_full(const struct run *r)
 {
-    for (size_t i = 0; i < sizeof untried / sizeof *untried; i++)
-        if (strcmp(method, untried[i]) == 0)
-            return untried[i];
-    return NULL;
-}
-
-static const char *lacks(const struct run *r, const char **method)
-{
-    const char *of_plan = moment_share_lacks(r->plan);
-
-    *method = of_plan ? NULL : method_lacks(r->method->name);
-    if (of_plan || *method)
-        return of_plan ? of_plan : "the method ";
-    return r->def.norm != VECTOR_NORM_MAX ? "another norm than \"max\"" : NULL;
-}
-
-int run_ranks_agree(const struct run *r)
-{
-    const char *method = NULL, *what = ranks_count() > 1 ? lacks(r, &method) : NULL;
-
-    if (!what)
-        return STATUS_DONE;
-    return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
-        .remedy = "run it on one rank, with as many threads as the machine has" },
-        "%s: %d ranks cannot share %s%s yet", r->path, ranks_count(), what, method ? method : "");
+    for (size_t i = 0; i < sizeof adding / sizeof *adding; i++)
+        if (strcmp(r->method->name, adding[i]) == 0)
+            return true;
+    return r->def.norm != VECTOR_NORM_MAX;
 }
 
 /* A pressure that is solved for is found by each rank for itself, from all of y. */

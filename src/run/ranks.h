@@ -5,8 +5,8 @@
 
 #include "run/inside.h"
 
-/* STATUS_BAD_SCENE where ranks cannot share this run yet; with one rank nothing is asked. */
-int run_ranks_agree(const struct run *r);
+/* Does this run's method, or its norm, want all rows of y on each rank?  Sums in an order do. */
+bool run_ranks_full(const struct run *r);
 
 /* Once the method is there: can what it keeps follow particles that change their rank? */
 void run_ranks_begin(struct run *r);

@@ -76,6 +76,10 @@ struct list {
     const bool *mine;      /* [n] rows of particles that are owners here; others have a
                               place and are neighbours, but have no rows.  The caller's,
                               set after create(); NULL: all are              */
+    void (*complete)(void *others, unsigned kinds, int width, double *to); /* brings sums
+                              [particles][width] by place of owners that are not here, of
+                              kinds (KIND_BITs) that own anything; NULL: they stay 0      */
+    void *others;          /* its own                                        */
     bool stands;           /* there are rows, of the last rebuild            */
     int bad;               /* row of the particle whose position is not finite,
                               of several that with the smallest id, or -1    */
@@ -116,6 +120,14 @@ static inline bool list_inside(const struct list_def *def, const double *x)
     inside &= (x[2] >= low[2]) & (x[2] <= high[2]);
 #endif
     return inside;
+}
+
+/* Sums over pairs of owners of these kinds are there, each in its place: of all ranks, where
+ * those want all (eval/share-full.c). */
+static inline void list_complete(const struct list *list, unsigned kinds, int width, double *to)
+{
+    if (list->complete)
+        list->complete(list->others, kinds, width, to);
 }
 
 /* What positions it was last made at is forgotten: the next update() makes it as the first

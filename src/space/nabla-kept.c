@@ -159,18 +159,21 @@ static void divergence(const struct nabla_kept *kept, unsigned kinds, const doub
 {
     visit_clear(kept->list, kinds, 1, to);
     visit_chunks(kept->list, kinds, diverge_groups, &(struct pass){ kept, a, to });
+    list_complete(kept->list, kinds, 1, to);
 }
 
 static void gradient(const struct nabla_kept *kept, unsigned kinds, const double *p, double *to)
 {
     visit_clear(kept->list, kinds, DIM, to);
     visit_chunks(kept->list, kinds, ascend_groups, &(struct pass){ kept, p, to });
+    list_complete(kept->list, kinds, DIM, to);
 }
 
 static void squares(const struct nabla_kept *kept, unsigned kinds, const double *q, double *to)
 {
     visit_clear(kept->list, kinds, 1, to);
     visit_chunks(kept->list, kinds, square_groups, &(struct pass){ kept, q, to });
+    list_complete(kept->list, kinds, 1, to);
 }
 
 const struct nabla_kept_engine LANE_NAME(nabla_kept_engine) = {

@@ -103,30 +103,35 @@ static void divergence(const struct nabla_job *job, unsigned kinds, const double
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, diverge_groups, &(struct pass){ job, a, to });
+    list_complete(job->list, kinds, 1, to);
 }
 
 static void bend(const struct nabla_job *job, unsigned kinds, const double *v, double *to)
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, curve_groups, &(struct pass){ job, v, to });
+    list_complete(job->list, kinds, 1, to);
 }
 
 static void gradient(const struct nabla_job *job, unsigned kinds, const double *p, double *to)
 {
     visit_clear(job->list, kinds, DIM, to);
     visit_chunks(job->list, kinds, ascend_groups, &(struct pass){ job, p, to });
+    list_complete(job->list, kinds, DIM, to);
 }
 
 static void squares(const struct nabla_job *job, unsigned kinds, const double *q, double *to)
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, square_groups, &(struct pass){ job, q, to });
+    list_complete(job->list, kinds, 1, to);
 }
 
 static void weights(const struct nabla_job *job, unsigned kinds, const double *q, double *to)
 {
     visit_clear(job->list, kinds, 1, to);
     visit_chunks(job->list, kinds, weigh_groups, &(struct pass){ job, q, to });
+    list_complete(job->list, kinds, 1, to);
 }
 
 const struct nabla_engine LANE_NAME(nabla_engine) = {

@@ -1,0 +1,121 @@
+/* check-ranks.c -- memory of each rank, and messages of a right-hand side, counted in one. */
+#include "run/check-ranks.h"
+
+#include "base/status.h"
+#include "plan/memory.h"
+#include "ranks/ranks.h"
+#include "ranks/traffic.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* What messages take in any case: of four scenes on 3 ranks, one in 3D, 3.3 to 4 MB were missing
+ * without it in 2D and 1.3 MB too many there in 3D (Open MPI 4.1 on one machine) [bytes]. */
+static const double messages = 3.5e6;
+
+/* What a rank says of itself. */
+struct rank {
+    double pairs, program, shared; /* entries of its list; bytes */
+    struct ranks_traffic sends;    /* for one right-hand side */
+};
+
+static struct ranks_traffic since(const struct ranks_traffic *was)
+{
+    const struct ranks_traffic now = ranks_traffic();
+
+    return (struct ranks_traffic){
+        .asked = now.asked - was->asked, .asked_bytes = now.asked_bytes - was->asked_bytes,
+        .gathers = now.gathers - was->gathers,
+        .gathered_bytes = now.gathered_bytes - was->gathered_bytes,
+        .exchanges = now.exchanges - was->exchanges, .messages = now.messages - was->messages,
+        .sent_bytes = now.sent_bytes - was->sent_bytes,
+    };
+}
+
+/* The list is as it is; what a new one takes comes on top. */
+static int ask_once(struct run *r, struct rank *me)
+{
+    double *ydot = status_alloc((size_t)plan_size(r->plan) + 1, sizeof *ydot);
+    int status = ranks_agree(ydot ? STATUS_DONE : STATUS_FAILED);
+
+    if (status == STATUS_DONE) {
+        const struct ranks_traffic was = ranks_traffic();
+        status = moment_eval(r->moment, ASK_ALL, 0, r->y, ydot);
+        me->sends = since(&was);
+    }
+    free(ydot);
+    return status;
+}
+
+/* The first rank has the outputs; to look at all particles it has a list of all pairs, and so has
+ * each rank that may look at sums over sums for itself. */
+static double memory_of(const struct run *r, const struct rank *rank, double writing,
+                        double all)
+{
+    const int vectors = r->method->vectors(r->method, r->plan);
+    const bool first = writing > 0;
+    struct plan_memory own, whole;
+
+    plan_memory(r->plan, rank->pairs, vectors, &own);
+    plan_memory(r->plan, all, vectors, &whole);
+    return rank->program + messages + writing + rank->shared + own.state + own.sums + own.particles
+           + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
+           + (first ? own.outputs : 0);
+}
+
+static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)
+{
+    double all = 0, most = 0, others = 0;
+
+    for (int i = 0; i < n; i++) {
+        all += rank[i].pairs;
+        most = fmax(most, rank[i].pairs);
+    }
+    for (int i = 1; i < n; i++)
+        others = fmax(others, memory_of(r, &rank[i], 0, all));
+    printf("memory: about %.3g MB at its peak on the first rank, at most %.3g MB on others; %.3g MB "
+           "of that to share\n", memory_of(r, &rank[0], writing, all) / 1e6, others / 1e6,
+           rank[0].shared / 1e6);
+    if (all > 0)
+        printf("sums over pairs: %.3g entries, the busiest rank has %.2f times the mean\n", all,
+               most * n / all);
+}
+
+static void print_traffic(const struct rank *rank, int n)
+{
+    const struct ranks_traffic *first = &rank[0].sends;
+    double letters = 0, sent = 0, gathered = 0;
+
+    for (int i = 0; i < n; i++) {
+        letters = fmax(letters, rank[i].sends.messages);
+        sent = fmax(sent, rank[i].sends.sent_bytes);
+        gathered = fmax(gathered, rank[i].sends.gathered_bytes);
+    }
+    printf("a right-hand side, while a list stands, sends\n"
+           "  %6.0f questions to all, of %.3g kB together\n"
+           "  %6.0f times own rows to all, of at most %.3g kB a rank together\n"
+           "  %6.0f messages to partners at most, of at most %.3g kB a rank together\n",
+           first->asked, first->asked_bytes / 1e3, first->gathers, gathered / 1e3, letters, sent / 1e3);
+}
+
+int check_ranks_print(struct run *r, double program, double writing)
+{
+    const int n = ranks_count();
+    struct rank me = { .pairs = moment_pairs(r->moment), .program = program,
+                       .shared = moment_share_bytes(r->moment) }, all[n];
+    int count[n];
+
+    TRY(ask_once(r, &me));
+    for (int i = 0; i < n; i++)
+        count[i] = 1;
+    ranks_gather(count, sizeof me, &me, all);
+    printf("shared between %d ranks: %s\n", n,
+           me.shared == 0 ? "nothing, as there is no fluid: each computes all"
+           : moment_is_full(r->moment)
+               ? "sums over pairs; each has all rows, and does the rest for itself"
+               : "sums over pairs and rows; neighbours of others come");
+    print_memory(r, all, n, writing);
+    print_traffic(all, n);
+    return STATUS_DONE;
+}
