@@ -236,11 +236,35 @@ static int finish(int status)
     return status;
 }
 
+enum { STACK = 1 << 19 }; /* bytes: more than a run uses */
+
+__attribute__((noinline)) static void touch_stack(void)
+{
+    volatile char room[STACK];
+
+    for (int i = 0; i < STACK; i += 1024)
+        room[i] = 0;
+    (void)room[0];
+}
+
+/* A stack grows when it is used, and where there is no memory for that a signal ends the program:
+ * so it grows here, before anything else. */
+static int take_stack(void)
+{
+    TRY(status_reserve(STACK + (1 << 16), "the stack"));
+    touch_stack();
+    return STATUS_DONE;
+}
+
 int main(int argc, char **argv)
 {
     struct cli c;
     int status;
 
+    if (take_stack() != STATUS_DONE) {
+        fprintf(stderr, "stiffwater: %s\n", status_message());
+        return STATUS_FAILED;
+    }
     gsl_set_error_handler_off(); /* its default handler aborts the program */
     status = ranks_begin(&argc, &argv);
     cli_parse(argc, argv, &c);

@@ -36,6 +36,25 @@ for spacing in 4e-5 4e-6; do # 1.26e7 and 1.25e9 particles
         "($(count large particles) / (2 * $fluid) - 1.005) ^ 2 < 0.008 ^ 2"
 done
 
+# what a run costs, from fewer particles: right-hand sides as 1/spacing, their time as particles
+# and so as 1/spacing^2; clocks of a busy machine tell a factor of two
+costs() {
+    sed -n 's/.*about \([0-9]*\) right-hand sides of \([0-9.e+]*\) ms.*/\1 \2/p' "$out/$1.said"
+}
+look fine "$scenes/dam-break.scene" spacing=4e-5
+set -- $(costs small) $(costs fine)
+[ $# = 4 ] || wrong "costs of a scene that is too large: $(cat "$out/fine.said")"
+claim 'right-hand sides as 1/spacing' "($3 / $1 / 12.5 - 1) ^ 2 < 0.02 ^ 2"
+claim 'their time as particles' "$4 / $2 / 156.25 > 0.4 && $4 / $2 / 156.25 < 2.5"
+prints fine 'particles at a spacing of'
+
+# a scene that has few particles and takes long to make: 24 CPU s until there was a limit
+code=0
+(ulimit -t 5; OMP_NUM_THREADS=1 "$STIFFWATER" check "$scenes/flood-six-cubes.scene" \
+    spacing=0.0142857142857143) >"$out/slow.said" 2>&1 || code=$?
+claim 'within 5 s: a scene that takes long to make' "$code == 0"
+claim 'with the size that it has' "($(count slow particles) / 590126 - 1) ^ 2 < 0.02 ^ 2"
+
 # what fills an area grows by the square, layers by the length
 cat >"$out/shapes.scene" <<'S'
 dimension = 2; gravity = [0.0, -9.81]; until = 0.01; spacing = 5e-3;

@@ -242,22 +242,25 @@ static void destroy(struct plan **plan)
     *plan = NULL;
 }
 
+/* survey, out: NULL if there is none, or no plan is wanted. */
 static int create(struct scene *scene, struct plan_survey *survey, const struct plan **out)
 {
     struct plan *p = status_alloc(1, sizeof *p);
     int status;
 
-    *out = NULL;
+    if (out)
+        *out = NULL;
     if (!p)
         return STATUS_FAILED;
     p->engine = engine_pick();
     status = read(p, scene, survey);
-    const bool large = survey && survey->large;
-    if (status == STATUS_DONE && !large)
+    const bool whole = status == STATUS_DONE && out && !(survey && survey->large);
+    if (whole)
         status = build(p, scene);
-    if (status != STATUS_DONE || large)
+    if (!whole || status != STATUS_DONE)
         destroy(&p);
-    *out = p;
+    if (out)
+        *out = p;
     return status;
 }
 
@@ -270,6 +273,12 @@ int plan_survey_create(struct scene *scene, struct plan_survey *survey, const st
 {
     *survey = (struct plan_survey){ 0 };
     return create(scene, survey, out);
+}
+
+int plan_survey_count(struct scene *scene, struct plan_survey *survey)
+{
+    *survey = (struct plan_survey){ 0 };
+    return create(scene, survey, NULL);
 }
 
 void plan_free(const struct plan **plan)

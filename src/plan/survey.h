@@ -14,7 +14,7 @@ struct plan_survey_object {
 };
 
 struct plan_survey {
-    bool large;                        /* too large: no plan was made, and all below is told */
+    bool large;                        /* too large: no plan was made                        */
     char title[400];
     struct plan_survey_object *object; /* [objects] */
     int objects;
@@ -28,6 +28,8 @@ struct plan_survey {
  * *out is NULL and survey->large.  What memory has no room for is refused, and counted too.
  * Free the survey, whatever comes back. */
 int plan_survey_create(struct scene *scene, struct plan_survey *survey, const struct plan **out);
+/* Makes none whatever the size. */
+int plan_survey_count(struct scene *scene, struct plan_survey *survey);
 void plan_survey_free(struct plan_survey *survey);
 
 #endif

@@ -51,6 +51,11 @@ int ranks_me(void)
     return me;
 }
 
+bool ranks_may_fork(void)
+{
+    return false;
+}
+
 /* The message of another rank becomes that of this one, whatever it had. */
 static void take_over(int status, const char *message)
 {

@@ -8,11 +8,13 @@
  * stands here does nothing for them (alone.c); those with MPI are linked with mpi*.c instead.
  * No other file includes mpi.h, but for solved/multigrid-hypre.c, whose library does.
  *
- * All but ranks_count(), ranks_me() and what is asked of a cut is collective: all ranks call
- * it, in the same order.  No answer depends on the order in which messages arrive. */
+ * All but ranks_count(), ranks_me(), ranks_may_fork() and what is asked of a cut is collective:
+ * all ranks call it, in the same order.  No answer depends on the order in which messages
+ * arrive. */
 #ifndef RANKS_RANKS_H
 #define RANKS_RANKS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -24,6 +26,9 @@ void ranks_end(void);
 
 int ranks_count(void);
 int ranks_me(void);
+
+/* May this process have children by fork()?  Not when MPI has begun. */
+bool ranks_may_fork(void);
 
 /* --- what all know --------------------------------------------------------------------- */
 

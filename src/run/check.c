@@ -7,6 +7,7 @@
 #include "plan/passes.h"
 #include "ranks/ranks.h"
 #include "run/check-ranks.h"
+#include "run/patience.h"
 #include "run/ranks.h"
 #include "run/tables.h"
 #include "state/memory.h"
@@ -14,6 +15,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static void print_parts(const struct run *r)
 {
@@ -91,14 +93,9 @@ static void print_particles(const struct run *r)
         print_mach(plan_speed_expected(r->plan), s->c0);
 }
 
-/* With the default methods a second takes 1.6 right-hand sides in units of the
- * fastest wave's rate while the flow is smooth and 2.5 when it is violent
- * (measured on dam breaks of 1,800 and 5,000 particles); vector operations and
- * outputs add a third to their time, and lists of 3D as much as they take. */
 static void print_cost(struct run *r, double seconds)
 {
     struct limit limit[2];
-    double rhs;
 
     moment_limit(r->moment, 0, r->y, false, limit);
     for (int i = 0; i < 2; i++)
@@ -106,9 +103,8 @@ static void print_cost(struct run *r, double seconds)
             printf("fastest %s %g 1/s (%s)\n", i ? "decay" : "wave", limit[i].rate, limit[i].part);
     printf("method %s, tolerance %g\n", r->method->name, r->def.tol);
     if (limit[0].rate > 0) {
-        rhs = 2 * r->until * limit[0].rate;
-        printf("expected for %g s: about %.0f right-hand sides of %.3g ms, %.3g CPU s\n", r->until,
-               rhs, 1e3 * seconds, (DIM == 2 ? 1.3 : 2) * rhs * seconds);
+        run_cost_print(r->until, limit[0].rate, seconds);
+        putchar('\n');
     }
 }
 
@@ -164,8 +160,10 @@ static int start(struct run *r)
     return STATUS_DONE;
 }
 
+static const double patience = 3; /* [s] for a look at all particles; see sample.c for the rest of 5 */
+
 /* What can be said of a scene that is too large to be made for a look at it. */
-static void print_survey(const struct plan_survey *s, double program)
+static void print_survey(const struct run_order *order, const struct plan_survey *s, double program)
 {
     say_title(s->title);
     printf("particles: about %.3g, counted by their shapes\n", s->fluid + s->solid);
@@ -174,9 +172,10 @@ static void print_survey(const struct plan_survey *s, double program)
     printf("spacing %g m, support %g m, mass %g kg%s\nsound %g m/s, reference speed %g m/s\n",
            s->dx, s->support, s->mass, DIM == 2 ? " per metre" : "", s->c0, s->speed);
     printf("memory: about %.3g MB at its peak\n", (program + later + s->bytes) / 1e6);
-    puts("This scene is too large for a look at its particles, which a check makes of up to 1.5 "
-         "million:\nwhether they overlap, what a right-hand side takes and what it refuses is not "
-         "known.\nCheck it with a larger spacing, too.");
+    run_sample_print(order, s);
+    puts("This scene is too large for a look at all its particles, which a check makes of up to 1.5 "
+         "million\nand in a few seconds: whether they overlap, and what a right-hand side refuses, is "
+         "not known.\nCheck it with a larger spacing, too.");
 }
 
 /* A scene whose particles can be made. */
@@ -191,9 +190,14 @@ static int check(struct run *r, const struct run_order *order, double program)
         status = tables_agree(r->plan);
     if (status == STATUS_DONE)
         status = start(r);
-    TRY(ranks_agree(status));
-    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
-    TRY(run_time_rhs(r, &seconds));
+    status = ranks_agree(status);
+    if (status == STATUS_DONE)
+        status = moment_share(r->moment, r->y, run_ranks_full(r));
+    if (status == STATUS_DONE)
+        status = run_time_rhs(r, &seconds);
+    patience_done();
+    if (status != STATUS_DONE)
+        return status;
     say_title(plan_settings(r->plan)->title);
     print_particles(r);
     print_parts(r);
@@ -210,19 +214,43 @@ static int check(struct run *r, const struct run_order *order, double program)
     return status;
 }
 
+/* Counts what would take too long to make.  The look has given all warnings there are. */
+static int count(const struct run_order *order, double program)
+{
+    struct run r;
+    struct plan_survey survey;
+    int status;
+
+    status_hush(true);
+    status = run_prepare_count(&r, order, &survey);
+    status_hush(false);
+    if (status == STATUS_DONE)
+        print_survey(order, &survey, program);
+    plan_survey_free(&survey);
+    run_release(&r);
+    return status;
+}
+
 int run_check(const struct run_order *order)
 {
     struct run r;
     struct plan_survey survey;
     const double program = memory_peak();
-    int status;
+    int ended, status;
 
     if (!run_ranks_writes() && !freopen("/dev/null", "w", stdout))
         return status_fail(STATUS_IO, "/dev/null cannot be written");
-    status = run_prepare_small(&r, order, &survey);
+    ended = patience_try(patience);
 
+    if (ended == PATIENCE_OVER)
+        return count(order, program);
+    if (ended != PATIENCE_BEGIN)
+        exit(ended); /* the child has said why */
+    status = run_prepare_small(&r, order, &survey);
+    if (survey.large || status != STATUS_DONE)
+        patience_done();
     if (survey.large)
-        print_survey(&survey, program);
+        print_survey(order, &survey, program);
     else if (status == STATUS_DONE)
         status = check(&r, order, program);
     plan_survey_free(&survey);

@@ -46,6 +46,8 @@ int run_prepare(struct run *r, const struct run_order *order);
 /* The same, but a plan that would take long to make is not made: then survey->large, and r->plan
  * is NULL. */
 int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey);
+/* Makes no plan, counts only. */
+int run_prepare_count(struct run *r, const struct run_order *order, struct plan_survey *survey);
 void run_release(struct run *r);
 
 /* run.json; status as in base/status.h, or RUN_GOES. */
@@ -99,6 +101,14 @@ int run_time_rhs(struct run *r, double *seconds);
 
 /* What each effect takes of it. */
 void run_shares_print(struct run *r, const struct run_order *order, double whole);
+
+/* What a run would cost, from a plan of the same scene with a larger spacing and so fewer
+ * particles; nothing where none can be had. */
+void run_sample_print(const struct run_order *order, const struct plan_survey *s);
+
+/* Right-hand sides of a run to `until` where the fastest wave has this rate [1/s], each of which
+ * takes so many seconds. */
+void run_cost_print(double until, double rate, double seconds);
 
 /* Sites that fluids left to solids; writes a line for each such fluid, NULL: nowhere. */
 int run_carved(const struct run *r, FILE *to);

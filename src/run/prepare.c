@@ -48,7 +48,7 @@ static int choose_directory(struct run *r, const struct run_order *order)
     if (order->directory)
         return STATUS_DONE;
     dot = strrchr(r->directory, '.');
-    if (dot && strcmp(dot, ".scene") == 0)
+    if (dot && dot > r->directory && strcmp(dot, ".scene") == 0)
         *dot = '\0';
     else
         strcat(r->directory, ".run");
@@ -121,8 +121,7 @@ static void compute_defaults(struct run *r)
         scene_computed(r->scene, "output", "profiles", r->until / 50);
 }
 
-/* survey: as run_prepare_small() has it; NULL: whatever the size. */
-static int prepare(struct run *r, const struct run_order *order, struct plan_survey *survey)
+static int read_scene(struct run *r, const struct run_order *order)
 {
     *r = (struct run){ .clock_start = run_clock(), .cpu_start = run_cpu(),
                        .force = order->force };
@@ -135,6 +134,13 @@ static int prepare(struct run *r, const struct run_order *order, struct plan_sur
     snprintf(r->path, sizeof r->path, "%s", scene_path(r->scene));
     for (int i = 0; i < order->overrides; i++)
         TRY(scene_override(r->scene, order->override[i]));
+    return STATUS_DONE;
+}
+
+/* survey: as run_prepare_small() has it; NULL: whatever the size. */
+static int prepare(struct run *r, const struct run_order *order, struct plan_survey *survey)
+{
+    TRY(read_scene(r, order));
     TRY(survey ? plan_survey_create(r->scene, survey, &r->plan)
                : plan_create(r->scene, &r->plan));
     if (survey && survey->large)
@@ -157,6 +163,13 @@ int run_prepare_small(struct run *r, const struct run_order *order, struct plan_
 {
     *survey = (struct plan_survey){ 0 };
     return prepare(r, order, survey);
+}
+
+int run_prepare_count(struct run *r, const struct run_order *order, struct plan_survey *survey)
+{
+    *survey = (struct plan_survey){ 0 };
+    TRY(read_scene(r, order));
+    return plan_survey_count(r->scene, survey);
 }
 
 void run_release(struct run *r)

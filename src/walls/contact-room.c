@@ -5,24 +5,21 @@
 #include "kernels/kernel.h"
 #include "shapes/shape.h"
 #include "state/period.h"
+#include "walls/contact-beside.h"
 #include "walls/contact-look.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { CUTS = DIM == 2 ? 4 : 2, POINTS = 1 << DIM, NEAR = 4096 };
+enum { CUTS = CONTACT_BESIDE_CUTS, POINTS = 1 << DIM };
 
 /* The sum of one particle. */
 struct tally {
     const struct contact_room *room;
     const double *x;    /* the particle                  */
     int first, group;   /* id of the first solid; its own group */
-    int skins;
-    int skin[NEAR];     /* points whose cells may matter */
-    double from[NEAR][DIM]; /* steps to them             */
-    int beside[CUTS + 1], reach[CUTS + 1][NEAR]; /* those of them, by number, that reach the part
-                                                    of a cell at hand, by cuts that are left */
+    struct contact_beside *beside; /* points whose cells may matter */
     const double *across;   /* of a layer that is alone; NULL */
     double side[2];         /* what is open behind and before it */
     struct contact_share sum;
@@ -153,14 +150,7 @@ static bool is_open(const struct tally *it, int cuts, const double *step)
             return false;
         open = true;
     }
-    for (int b = 0; b < it->beside[cuts]; b++) {
-        const int k = it->reach[cuts][b];
-        for (int d = 0; d < DIM; d++)
-            x[d] = step[d] - it->from[k][d];
-        if (contact_skin_fills(&it->room->skin[it->skin[k]], x))
-            return false;
-    }
-    return open;
+    return open && !contact_beside_fills(it->beside, cuts, step);
 }
 
 /* Of a cube around `middle', its sides 2 half. */
@@ -173,8 +163,8 @@ static enum contact_look look_at(const struct tally *it, int cuts, const double 
         low[d] = it->x[d] + middle[d] - half;
         high[d] = it->x[d] + middle[d] + half;
     }
-    return contact_look(it->room->at, it->room->bounds, it->group, it->beside[cuts] > 0, low,
-                        high);
+    return contact_look(it->room->at, it->room->bounds, it->group, it->beside->count[cuts] > 0,
+                        low, high);
 }
 
 /* Steps to the corners of a cube around `middle`, its sides 2 half. */
@@ -204,22 +194,6 @@ static void add_side(struct tally *it, const double *step, double w)
     it->side[part > 0] += w;
 }
 
-/* Which of these points of skins (NULL: all) may fill some of a cube around `middle', its sides
- * 2 half: the others, most of them, need not be asked at each of its corners. */
-static void keep_beside(struct tally *it, int cuts, const int *of, int n, const double *middle,
-                        double half)
-{
-    it->beside[cuts] = 0;
-    for (int b = 0; b < n; b++) {
-        const int k = of ? of[b] : b;
-        double step[DIM];
-        for (int d = 0; d < DIM; d++)
-            step[d] = middle[d] - it->from[k][d];
-        if (contact_skin_reaches(&it->room->skin[it->skin[k]], step, half))
-            it->reach[cuts][it->beside[cuts]++] = k;
-    }
-}
-
 /* A part of a cell around `middle`, its sides 2 half, weight w if it is open.  It is cut in
  * halves where its corners do not agree; the last are measured by Gauss' points. */
 static void add_part(struct tally *it, const double *middle, double half, int cuts, double w)
@@ -236,7 +210,7 @@ static void add_part(struct tally *it, const double *middle, double half, int cu
     if (open != 0 && open != all && cuts > 0) {
         corners(middle, half / 2, step);
         for (int k = 0; k < POINTS; k++) {
-            keep_beside(it, cuts - 1, it->reach[cuts], it->beside[cuts], step[k], half / 2);
+            contact_beside_keep(it->beside, cuts - 1, step[k], half / 2);
             add_part(it, step[k], half / 2, cuts - 1, w / POINTS);
         }
         return;
@@ -261,11 +235,9 @@ static void keep_skin(void *self, int j, double r, const double *step)
 
     const struct part_solid *solid = &at->solid[at->p->object_of[it->first + j]];
 
-    if (solid->shape || solid->group != it->group || it->skins == NEAR
-        || r > at->kernel->support + 2 * at->p->scales->dx)
-        return;
-    it->skin[it->skins] = j;
-    memcpy(it->from[it->skins++], step, sizeof it->from[0]);
+    if (!solid->shape && solid->group == it->group
+        && r <= at->kernel->support + 2 * at->p->scales->dx)
+        contact_beside_add(it->beside, j, step);
 }
 
 /* The direction across a solid that is one layer thick where particle i is; false: it has
@@ -298,14 +270,17 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
 {
     const int first = r->at->p->from[KIND_WALL], cells = cells_of(r);
     const double half = r->at->p->scales->dx / 2;
-    struct tally it; /* large: not all of it is cleared */
+    struct contact_beside beside; /* large: not all of it is cleared */
+    struct tally it;
     double across[DIM], middle[DIM];
 
     it.room = r;
     it.x = r->cells->x[i];
     it.first = first;
     it.group = r->at->solid[r->at->p->object_of[first + i]].group;
-    it.skins = 0;
+    it.beside = &beside;
+    beside.skin = r->skin;
+    beside.n = 0;
     it.sum = (struct contact_share){ 0 };
     it.across = across_of(r, i, across) ? across : NULL;
     it.side[0] = it.side[1] = 0;
@@ -314,7 +289,7 @@ struct contact_share contact_room_share(const struct contact_room *r, int i)
         if (!(r->weight[k] > 0))
             continue;
         middle_of(r, k, middle);
-        keep_beside(&it, CUTS, NULL, it.skins, middle, half);
+        contact_beside_keep(&beside, CUTS, middle, half);
         add_part(&it, middle, half, CUTS, r->weight[k]);
     }
     it.sum.alone = it.across != NULL;
