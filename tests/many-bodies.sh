@@ -124,6 +124,35 @@ well boxes-2 "$out/bin-2-200.scene" --threads 2 output.checkpoint=0.02 until=0.0
 well few "$out/bin-2-50.scene" --threads 1
 claim 'pairs that are looked at grow as bodies do' "$(looks boxes 200) < 1.5 * ($(looks few 50))"
 
+# rafts COLUMNS ROWS: in the way of a dam that breaks, boxes of 3 cm, 2 mm apart; 2D.
+rafts()
+{
+    awk -v columns="$1" -v rows="$2" '
+        BEGIN {
+            print "title = \"Rafts\"; dimension = 2; until = 0.3; spacing = 0.01; gravity = [0.0, -9.81];"
+            print "domain = { from = [0.0, 0.0]; to = [1.6, 0.6]; }; wall = { tank = { type = \"frame\"; }; };"
+            print "effects = { continuity = { }; pressure = { }; artificial-viscosity = { alpha = 0.05; }; };"
+            print "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.2, 0.3]; }; }; body = {"
+            for (i = 0; i < columns * rows; i++)
+                printf "b%d = { at = [%s, %s]; size = [0.03, 0.03]; density = 600.0; };\n", i,
+                    0.25 + 0.032 * (i % columns) + 0.0003 * (i % 5), 0.0155 + 0.032 * int(i / columns)
+            print "}; output = { interval = 0.01; };"
+        }' >"$out/rafts.scene"
+}
+
+# Contacts of many bodies in water: whether seats change is asked between its steps as well.
+rafts 32 5
+well rafts "$out/rafts.scene" --threads 1
+claim 'rafts: seats end a segment at most once in 20 rebuilds' \
+    "$(number rafts contact_segments) >= 1 && 20 * $(number rafts contact_segments) < $(number rafts rebuilds)"
+claim 'rafts: energy closes' "$(number rafts energy_defect_max) < 0.02 * $(number rafts energy_initial)"
+claim 'rafts: momentum closes' "$(number rafts momentum_defect) < 1e-8"
+claim 'rafts: none is deeper in another than a margin' "$(number rafts contact_depth_max) < 5e-3"
+claim 'rafts: the water moves the first' "$(last rafts bodies b0.x) > 0.26"
+well rafts-2 "$out/rafts.scene" --threads 2
+[ "$(hash rafts)" = "$(hash rafts-2)" ] && good 'rafts: one hash of one thread and two' ||
+    wrong 'rafts: two hashes of one thread and two'
+
 # On from a checkpoint between two changes of seats.
 well part "$out/bin-2-200.scene" --threads 1 output.checkpoint=0.02 until=0.02
 "$STIFFWATER" resume "$out/part" until=0.06 -q >"$out/resumed.said" 2>&1 || cat "$out/resumed.said"

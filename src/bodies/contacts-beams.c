@@ -12,22 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double wave = 2.7, most = 0.25; /* (RT5) */
-static const double half = 0.5;              /* of the force, each way */
-
-static double given(double rule, double a, double b)
-{
-    return !isnan(rule) ? rule : sqrt(a * b);
-}
-
-static struct solid ball_of(double radius, double mass)
-{
-    struct solid s = { .core.ball = radius, .mass = mass };
-
-    for (int i = 0; i < TURNING_SPINS; i++)
-        s.inertia[i] = HUGE_VAL;
-    return s;
-}
+static const double half = 0.5; /* of the force, each way */
 
 void contacts_beams_make(struct contacts_beams *p, const struct contacts_body *body,
                          const struct contacts_body *other, const struct contacts_rub *rub,
@@ -37,18 +22,17 @@ void contacts_beams_make(struct contacts_beams *p, const struct contacts_body *b
     const struct body_surface *b = other->kind->watch->surface(other->body);
     const double weight[2] = { body->kind->weight(body->body), other->kind->weight(other->body) };
     const double mass = 1 / (1 / weight[0] + 1 / weight[1]), ball = 0.5 * s->dx;
-    const double soft = fmin(most, wave * s->speed / (s->c0 + s->speed));
 
     p->points = body->points;
     p->across = b->across;
     p->rows = other->points / b->across;
     p->trim = fmin(0.5 * (p->across - 1), 0.5 * (p->rows - 1));
-    p->point = ball_of(ball, weight[0] / body->points);
-    p->line = ball_of(ball * p->across, weight[1] / p->rows);
-    p->depth = soft * 2 * ball;
-    p->law = touch_law(mass, s->speed, p->depth, given(rub->restitution, a->restitution, b->restitution),
-                       given(rub->friction, a->friction, b->friction));
-    p->slow = touch_rate(s->speed, most * 2 * ball);
+    p->point = solid_ball(ball, weight[0] / body->points);
+    p->line = solid_ball(ball * p->across, weight[1] / p->rows);
+    p->depth = touch_softness(s->speed, s->c0) * 2 * ball;
+    p->law = touch_law(mass, s->speed, p->depth, touch_mixed(rub->restitution, a->restitution, b->restitution),
+                       touch_mixed(rub->friction, a->friction, b->friction));
+    p->slow = touch_rate(s->speed, touch_softest * 2 * ball);
     p->rate = touch_rate(s->speed, p->depth) * sqrt(2 * mass / fmin(p->point.mass, p->line.mass));
 }
 
@@ -203,21 +187,12 @@ int contacts_beams_meet(const struct contacts_beams *p, const struct scales *s,
     return STATUS_DONE;
 }
 
-static double speed_of(const double *v)
-{
-    double square = 0;
-
-    for (int d = 0; d < DIM; d++)
-        square += v[d] * v[d];
-    return sqrt(square);
-}
-
 static double fastest(const struct contacts_body *b)
 {
     double speed = 0;
 
     for (int i = 0; i < b->points; i++)
-        speed = fmax(speed, speed_of(b->u[i]));
+        speed = fmax(speed, contacts_place_speed(b->u[i]));
     return speed;
 }
 

@@ -22,12 +22,6 @@ static double hardened(const struct solid *a, const struct solid *b)
     return together > 4 ? pow(together / 4, 0.4) : 1;
 }
 
-/* What a solid has not, as walls have no friction of their own, is the other's. */
-static double given(double rule, double a, double b)
-{
-    return !isnan(rule) ? rule : isnan(a) ? b : isnan(b) ? a : sqrt(a * b);
-}
-
 static int corners_of(const struct solid *guest, const struct solid *partner)
 {
     return core_point(&partner->core) && !core_point(&guest->core)
@@ -58,7 +52,7 @@ static void make_of_materials(struct contacts_pair *p, const struct contacts_rub
                               double speed)
 {
     p->law = touch_materials_law(rub->material, curvature(p->a, p->b), mass, speed,
-                                 given(rub->restitution, p->a->restitution, p->b->restitution), p->law.mu,
+                                 touch_mixed(rub->restitution, p->a->restitution, p->b->restitution), p->law.mu,
                                  &p->depth);
     p->rate = touch_rate(speed, p->depth) * hardened(p->a, p->b)
             * touch_materials_along(rub->material);
@@ -74,8 +68,8 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
     p->a = a;
     p->b = b;
     p->depth = fmin(is_wall(b) ? a->depth : fmin(a->depth, b->depth), 0.25 * balls);
-    p->law = touch_law(mass, speed, p->depth, given(rub->restitution, a->restitution, b->restitution),
-                       given(rub->friction, a->friction, b->friction));
+    p->law = touch_law(mass, speed, p->depth, touch_mixed(rub->restitution, a->restitution, b->restitution),
+                       touch_mixed(rub->friction, a->friction, b->friction));
     p->rate = touch_rate(speed, p->depth) * hardened(a, b);
     if (rub->made)
         make_of_materials(p, rub, mass, speed);

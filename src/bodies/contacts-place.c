@@ -235,3 +235,12 @@ void contacts_spot_push(const struct contacts_guest *g, const struct touch_law *
         press[d] += rub[d];
     add(g, s->point, arm, press, on_guest, on_partner);
 }
+
+double contacts_place_speed(const double *v)
+{
+    double square = 0;
+
+    for (int d = 0; d < DIM; d++)
+        square += v[d] * v[d];
+    return sqrt(square);
+}

@@ -43,6 +43,8 @@ int contacts_corner(const struct contacts_guest *g, int i, struct contacts_spot 
  *   share = sin^2(e, f) S(s) S(t),  S: smoothstep of the way to the nearer end by 2 balls (CT2) */
 void contacts_edges(const struct contacts_guest *g, int i, int k, struct contacts_spot *to);
 
+double contacts_place_speed(const double *v); /* by its components, [DIM] */
+
 /* How fast the overlap grows there [m/s]. */
 double contacts_spot_closing(const struct contacts_guest *g, const struct contacts_spot *s);
 

@@ -10,7 +10,7 @@
 /* Of the reach of the smaller one: nearer, a pair must have a seat; nearer, it gets one when any
  * pair must; farther, it gives its seat back.  What lies between the first two is how far
  * bodies move from one change of seats to the next. */
-static const double must = 0.08, may = 0.25, leave = 0.4;
+static const double must = 0.08, may = 0.4, leave = 0.6;
 
 /* Of the scale of a bend: less is none. */
 static const double unbent = 1e-6;

@@ -8,13 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double wave = 2.7, most = 0.25; /* (RT5) */
-
-static double given(double rule, double a, double b)
-{
-    return !isnan(rule) ? rule : isnan(b) ? a : sqrt(a * b);
-}
-
 /* The law is that of the whole beam; what shakes fastest is one point. */
 void contacts_skin_make(struct contacts_skin *p, const struct contacts_body *body,
                         const struct body_surface *surface, const struct solid *solid,
@@ -22,18 +15,15 @@ void contacts_skin_make(struct contacts_skin *p, const struct contacts_body *bod
 {
     const double weight = body->kind->weight(body->body);
     const double mass = 1 / (1 / weight + 1 / solid->mass), ball = 0.5 * s->dx;
-    const double soft = fmin(most, wave * s->speed / (s->c0 + s->speed));
 
     p->solid = solid;
     p->points = body->points;
-    p->point = (struct solid){ .core.ball = ball, .mass = weight / body->points };
-    for (int i = 0; i < TURNING_SPINS; i++)
-        p->point.inertia[i] = HUGE_VAL;
-    p->depth = soft * 2 * ball;
+    p->point = solid_ball(ball, weight / body->points);
+    p->depth = touch_softness(s->speed, s->c0) * 2 * ball;
     p->law = touch_law(mass, s->speed, p->depth,
-                       given(rub->restitution, surface->restitution, solid->restitution),
-                       given(rub->friction, surface->friction, solid->friction));
-    p->slow = touch_rate(s->speed, most * 2 * ball);
+                       touch_mixed(rub->restitution, surface->restitution, solid->restitution),
+                       touch_mixed(rub->friction, surface->friction, solid->friction));
+    p->slow = touch_rate(s->speed, touch_softest * 2 * ball);
     p->rate = touch_rate(s->speed, p->depth) * sqrt(2 * mass / p->point.mass);
 }
 
@@ -101,15 +91,6 @@ int contacts_skin_meet(const struct contacts_skin *p, const struct scales *s,
     return STATUS_DONE;
 }
 
-static double speed_of(const double *v)
-{
-    double square = 0;
-
-    for (int d = 0; d < DIM; d++)
-        square += v[d] * v[d];
-    return sqrt(square);
-}
-
 double contacts_skin_rate(const struct contacts_skin *p, const struct scales *s,
                           const struct contacts_body *body, const struct solid_place *at)
 {
@@ -119,7 +100,7 @@ double contacts_skin_rate(const struct contacts_skin *p, const struct scales *s,
     for (int d = 0; d < DIM; d++)
         place.R[d][d] = 1;
     for (int j = 0; j < p->points; j++) {
-        const double gap = touch_window(p->slow, speed_of(body->u[j]) + speed_of(at->v));
+        const double gap = touch_window(p->slow, contacts_place_speed(body->u[j]) + contacts_place_speed(at->v));
         struct contacts_guest g;
         struct contacts_spot spot;
         if (is_held(p, body, j) || !near(p, s, body, j, at, gap, &place, &g)

@@ -4,12 +4,11 @@
 #include "base/status.h"
 #include "bodies/rigid-state.h"
 #include "bodies/solid.h"
+#include "bodies/touch.h"
 #include "state/scales.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double wave = 2.7, most = 0.25; /* (RT5) */
 
 static int take_cores(struct body *b)
 {
@@ -29,7 +28,7 @@ int rigid_solid_make(struct body *b, const struct scales *s)
 {
     const struct rigid_def *d = &b->def;
     const double least = b->figure.least, own = s->fluid ? fmin(0.5 * s->dx, 0.5 * least) : least / 20;
-    const double soft = s->fluid ? fmin(most, wave * b->speed / (s->c0 + b->speed)) : most;
+    const double soft = s->fluid ? touch_softness(b->speed, s->c0) : touch_softest;
 
     b->margin = d->margin > 0 ? d->margin : own;
     b->film = s->fluid ? d->film * s->dx : 0;

@@ -58,3 +58,12 @@ void solid_of_side(int axis, bool high_side, const double *low, const double *hi
     out->start.x[axis] = high_side ? high[axis] + margin + out->core.half[axis]
                                    : low[axis] - margin - out->core.half[axis];
 }
+
+struct solid solid_ball(double radius, double mass)
+{
+    struct solid s = { .core.ball = radius, .mass = mass };
+
+    for (int i = 0; i < TURNING_SPINS; i++)
+        s.inertia[i] = HUGE_VAL;
+    return s;
+}

@@ -30,6 +30,9 @@ struct solid {
 /* One that nothing moves, without core and place; path is lent. */
 void solid_unmoved(const char *path, struct solid *out);
 
+/* A ball that does not turn, as points of a skin are. */
+struct solid solid_ball(double radius, double mass);
+
 /* What is beyond a side of the box low..high, for instance the bottom. */
 void solid_of_side(int axis, bool high_side, const double *low, const double *high, double margin,
                    struct solid *out);

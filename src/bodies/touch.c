@@ -20,6 +20,19 @@
 
 static const double elastic = 0.9; /* share of the grip up to which xi is a spring   */
 static const double forget = 200;  /* kappa: of what stands across the surface [1/s] */
+static const double wave = 2.7;    /* (RT5)                                          */
+
+const double touch_softest = 0.25;
+
+double touch_softness(double speed, double c0)
+{
+    return fmin(touch_softest, wave * speed / (c0 + speed));
+}
+
+double touch_mixed(double rule, double a, double b)
+{
+    return !isnan(rule) ? rule : isnan(a) ? b : isnan(b) ? a : sqrt(a * b);
+}
 
 struct touch_law touch_law(double mass, double speed, double depth, double restitution, double mu)
 {

@@ -24,6 +24,15 @@ struct touch_place {
     double mass;            /* that a push along the normal meets there [kg]       */
 };
 
+/* How deep it gets at the speed U, in two margins, where no scene says so: that of a contact as fast as
+ * sound of c0,
+ *   p = min(0.25, 2.7 U/(c0 + U))                                                   (RT5) */
+extern const double touch_softest; /* that 0.25 */
+double touch_softness(double speed, double c0);
+
+/* Of two solids with a and b, NaN: it has none of its own; unless a rule, not NaN, says it. */
+double touch_mixed(double rule, double a, double b);
+
 /* A body of that mass that comes with `speed` is stopped within `depth`. */
 struct touch_law touch_law(double mass, double speed, double depth, double restitution,
                            double mu);
