@@ -224,7 +224,8 @@ else wrong "resume --ranks 2"; cat "$out/said"; fi
 
 # --- what ranks say ------------------------------------------------------------------------------
 # A right-hand side asks all once: who has to make a list or to refuse, and whether they are at one
-# time; once all hear the forces on solids, and with them powers.  A norm asks all once.  Messages go to those alone whose rows are neighbours.
+# time; once all hear the forces on solids, and with them powers.  Norms of a step ask all once.
+# Messages go to those alone whose rows are neighbours.
 if mpicc -O1 -shared -fPIC -o "$out/counters.so" "$top_srcdir/tests/ranks/counters.c" 2>"$out/said"; then
     counted() {
         ranks 3 -x STIFFWATER_BALANCE=never -x LD_PRELOAD="$out/counters.so" "$top_builddir/stiffwater-2d-mpi" run \

@@ -65,6 +65,17 @@ static void sums_have_no_order(void)
     claim(sum_over_ranks(by_size) == whole, "... when one has the small ones, another the large");
 }
 
+static bool two_at_once(void)
+{
+    const int me = ranks_me(), last = ranks_count() - 1;
+    const double key[2] = { me, -me };
+    const long order[2] = { 0, 0 };
+    int said[2] = { 10 + me, 20 + me }, rank[2];
+
+    ranks_firsts(2, key, order, said, sizeof *said, rank);
+    return rank[0] == 0 && said[0] == 10 && rank[1] == last && said[1] == 20 + last;
+}
+
 /* Ranks bring the same key by twos, and the last has a lower order than the others. */
 static void who_is_first_is_heard(void)
 {
@@ -73,6 +84,7 @@ static void who_is_first_is_heard(void)
 
     claim(ranks_first(me / 2, me == last ? -1 : 5, &said, sizeof said) == (last <= 1 ? last : 0)
           && said == 100 + (last <= 1 ? last : 0), "of the least keys the least order is heard");
+    claim(two_at_once(), "... of two things at once, each for itself");
     claim(ranks_first(HUGE_VAL, 0, &none, sizeof none) == -1 && none == 7, "... and nobody, where all are silent");
 }
 

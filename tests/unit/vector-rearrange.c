@@ -166,8 +166,8 @@ static int weigh(N_Vector y, N_Vector weight, void *of)
 
 static void shuffle(struct water *w, N_Vector y)
 {
-    struct vector_rows block[BLOCKS] = { { PLACE, P, 2, w->from }, { SPEED, P, 2, w->from },
-                                         { MORE, P, 1, w->from } };
+    struct vector_rows block[BLOCKS] = { { PLACE, P, 2, w->from, NULL }, { SPEED, P, 2, w->from, NULL },
+                                         { MORE, P, 1, w->from, NULL } };
     int old[P];
 
     memcpy(old, w->row, sizeof old);
@@ -402,7 +402,7 @@ static void what_makes_no_sense_is_refused(void **state)
 {
     static const long stiff[1][2] = { { 2, 5 } };
     static const int twice[3] = { 0, 2, 2 }, beyond[3] = { 0, 1, 3 }, good[3] = { 2, 0, 1 };
-    struct vector_rows block[2] = { { 6, 3, 1, good }, { 2, 3, 1, twice } };
+    struct vector_rows block[2] = { { 6, 3, 1, good, NULL }, { 2, 3, 1, twice, NULL } };
     N_Vector v = vector_create(10, VECTOR_NORM_MAX, context);
 
     (void)state;
@@ -412,7 +412,7 @@ static void what_makes_no_sense_is_refused(void **state)
     assert_int_equal(vector_rearrange(v, 2, block), STATUS_FAILED);
     block[1].from = beyond;
     assert_int_equal(vector_rearrange(v, 2, block), STATUS_FAILED);
-    block[1] = (struct vector_rows){ 3, 3, 1, good };
+    block[1] = (struct vector_rows){ 3, 3, 1, good, NULL };
     assert_int_equal(vector_rearrange(v, 2, block), STATUS_FAILED);
     for (int i = 0; i < 10; i++)
         assert_true(vector_read(v)[i] == i);
