@@ -221,7 +221,7 @@ grep -q 'before the first file' said || complain "SIGTERM before the start: $(ca
 sed 's/^until.*/until = 0.01;\nmethod = "mri";/' "$top_srcdir/data/scenes/dam-break.scene" >alone.scene
 line=$(sed -n '/^method/=' alone.scene)
 expect 2 check alone.scene
-says "alone.scene:$line: method mri cannot serve this scene" 'no beam' 'methods that do: imex2, imex3'
+says "alone.scene:$line: method mri cannot serve this scene" 'no beam' 'methods that do: cks43, imex2'
 expect 2 check "$top_srcdir/data/scenes/dam-break.scene" method=dv effects.particle-shifting.strength=0.5
 says 'command line: method dv' effects.particle-shifting 'methods that do: '
 

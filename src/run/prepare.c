@@ -66,17 +66,20 @@ static int refuse_method(const struct run *r)
     return status_fail(STATUS_BAD_SCENE, "%s: %s", node ? scene_where(node) : "default", why);
 }
 
-/* The first methods of the table that would serve. */
+/* What the scene takes by itself, when that serves, and the first methods of the table that do. */
 static void list_serving(const struct run *r, char *to, size_t room)
 {
+    const char *usual = method_default(r->plan);
     size_t n = 0;
     int found = 0;
 
     *to = '\0';
-    for (int i = 0; method_table[i] && found < SERVING && n < room; i++)
-        if (!method_table[i]->serves || !method_table[i]->serves(r->plan))
-            n += (size_t)snprintf(to + n, room - n, "%s%s", found++ > 0 ? ", " : "",
-                                  method_table[i]->name);
+    for (int others = 0; others < 2; others++)
+        for (int i = 0; method_table[i] && found < SERVING && n < room; i++)
+            if (others == (strcmp(method_table[i]->name, usual) != 0)
+                && (!method_table[i]->serves || !method_table[i]->serves(r->plan)))
+                n += (size_t)snprintf(to + n, room - n, "%s%s", found++ > 0 ? ", " : "",
+                                      method_table[i]->name);
 }
 
 static int refuse_scene(const struct run *r, const char *name, const char *reason)

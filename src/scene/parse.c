@@ -27,7 +27,7 @@ int scene_parse_quotable(const char *s)
 {
     int n = 0;
 
-    while (n < 40 && s[n] && !isspace((unsigned char)s[n]) && !strchr(";,=)]}", s[n]))
+    while (n < 40 && s[n] && !isspace((unsigned char)s[n]) && !strchr(";:,=)]}", s[n]))
         n++;
     return n;
 }

@@ -12,7 +12,7 @@ enum { UP = DIM - 1, MOMENTS = 2000, PHASES = 16 };
 #define AT(member) .offset = offsetof(struct motion, member)
 const struct param motion_params[] = {
     { .key = "velocity", .unit = "m/s", .type = PARAM_VECTOR, AT(velocity), .min = -1e4, .max = 1e4,
-      .about = "constant velocity of the wall" },
+      .about = "constant velocity" },
     { .key = "amplitude", .unit = "m", .type = PARAM_VECTOR, AT(amplitude), .min = -1e3, .max = 1e3,
       .about = "amplitude of a sine motion added to it" },
     { .key = "frequency", .unit = "Hz", AT(frequency), .max = 1e4,

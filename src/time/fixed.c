@@ -35,7 +35,8 @@ const char *fixed_serves(const struct plan *plan)
     if (plan_drifts(plan))
         return plan_drifts(plan);
     return paired(plan_layout(plan)) ? NULL
-                                     : "its positions and velocities do not pair up one by one";
+                                     : "its positions and velocities do not pair up one by one (bodies "
+                                       "that turn in 3D have four and three, for example)";
 }
 
 /* A wave part states SCALES_WAVE (c0 + v)/hs as its fastest rate. */
