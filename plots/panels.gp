@@ -39,7 +39,8 @@ bottom = (up == 2 ? low_y : low_z) - rim
 above = (up == 2 ? high_y : high_z) + rim
 # Where the tank itself moves there is to be room for it: all outermost walls have gone one way then.
 together(least, most) = abs(least - most) < dx ? least : 0
-do for [m = 1:moments] {
+if (!exists('walls_move')) { walls_move = 1 }   # an older version did not say
+do for [m = 1:(walls_move ? moments : 0)] {
     stats '../snapshots.csv' using (shot_file = '../'.strcol(2), 0) skip 2 every ::which(m)::which(m) nooutput
     undefine wall_*
     stats shot_file using (sort(column(kind_column)) == 1 ? $1 : NaN):(column(up)) skip 3 nooutput \

@@ -34,6 +34,7 @@ int figures_constants(const char *run, const struct figures_constants *c)
     constant_points(a.to, "high", c->high, c->dim);
     fprintf(a.to, "falls = %d\n", c->column);
     fprintf(a.to, "rings = %d\n", c->rings);
+    fprintf(a.to, "walls_move = %d\n", c->moves);
     figures_data_number(a.to, "beam_x", c->beam_x);
     figures_data_number(a.to, "dx", c->dx);
     figures_data_number(a.to, "rho0", c->rho0);

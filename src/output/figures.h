@@ -24,6 +24,7 @@ struct figures_constants {
     double until;        /* [s]                                                  */
     double low[3], high[3]; /* domain: low_x, low_y, low_z, high_x, ...  [m]     */
     int rings;           /* 1: water begins under hydrostatic pressure, else 0   */
+    int moves;           /* 1: some wall moves, else 0                           */
     int column;          /* 1: a block in the low corner that falls, else 0      */
     double beam_x;       /* left face of the first beam or wall within the domain at t = 0 [m];
                             NAN: there is none                                   */

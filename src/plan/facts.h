@@ -43,6 +43,8 @@ const double *plan_impulse(const struct plan *plan, const double *y, int object)
  * fall through the domain with what it begins with. */
 double plan_speed_expected(const struct plan *plan);
 
+bool plan_walls_move(const struct plan *plan); /* does any? */
+
 /* Does any fluid begin with the pressure of its depth? */
 bool plan_hydrostatic(const struct plan *plan);
 

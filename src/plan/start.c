@@ -213,6 +213,14 @@ double plan_speed_expected(const struct plan *p)
     return fmax(plan_driven(p), hypot(start_speed(p), sqrt(fall(p))));
 }
 
+bool plan_walls_move(const struct plan *p)
+{
+    for (int i = 0; i < p->walls; i++)
+        if (p->wall[i].moves)
+            return true;
+    return false;
+}
+
 bool plan_hydrostatic(const struct plan *p)
 {
     for (int i = 0; i < p->in.fluids; i++)
