@@ -33,8 +33,10 @@ set multiplot layout 2, 1 title title noenhanced
 set xrange [0:until]
 set lmargin 14
 set rmargin 25
-set key outside right top Left reverse samplen 2
-# What a legend has no room for is told by the colours alone.
+set key outside right top Left reverse samplen 2 maxcols 1
+# A long legend is small; what it has no room for is told by the colours alone.
+lines = words(bodies) * words(axes)
+if (lines > 12) { set key font ',12' spacing 0.8 }
 if (many) { unset key; set rmargin 3 }
 # Less than that is rounding.
 set yrange [*<-1e-6:1e-6<*]

@@ -16,13 +16,18 @@ set tics nomirror out
 set grid lt 1 lw 0.8 lc rgb '#d4d4d4'
 set key noenhanced
 
+# `eval read_line` leaves the first row of `table` in `line`, with `between` behind each column.  A row
+# is put together from columns, as gnuplot cuts long lines without separators.
+read_line = "stats table using 0 every ::0::0 nooutput name 'head'; line = ''; \
+    do for [at = 1:int(head_columns):40] { \
+        joined = ''; \
+        do for [n = at:(at + 39 < head_columns ? at + 39 : int(head_columns))] { \
+            joined = joined.sprintf('.strcol(%d).between', n) }; \
+        eval 'stats table using (line = line'.joined.', 0) every ::0::0 nooutput' }"
+
 # `eval read_names` leaves the names of the columns of `table` in `names`, with blanks between.
 # Above the rows stand two lines: units and names.
-read_names = "set datafile separator '\n'; \
-    stats table using (line = strcol(1), 0) every ::0::0 nooutput; \
-    set datafile separator ','; \
-    names = ''; \
-    do for [i = 1:strlen(line)] { names = names.(line[i:i] eq ',' ? ' ' : line[i:i]) }"
+read_names = "set datafile separator ','; between = ' '; ".read_line."; names = line"
 
 # ends_in('left.fx', '.fx') is 1; stem('left.fx') is 'left'
 ends_in(word, end) = strlen(word) > strlen(end) && word[strlen(word) - strlen(end) + 1:*] eq end

@@ -16,12 +16,11 @@ is_number(w) = strstrt('+-.0123456789', w[1:1]) > 0
 done(i) = strcol(c_status) eq 'done'
 
 # Units stand in the line above the names, with commas between.
-set datafile separator "\n"
 set datafile commentschars ''
-units = ''
-stats table using (units = strcol(1), 0) every ::0::0 nooutput
+between = ','
+eval read_line
+units = line
 set datafile commentschars '#'
-set datafile separator ','
 field(s, n) = n > 1 ? field(s[strstrt(s, ',') + 1:*], n - 1) : \
     strstrt(s, ',') ? s[1:strstrt(s, ',') - 1] : s
 unit(c) = strlen(units) > 9 ? field(units[10:*], c) : ''

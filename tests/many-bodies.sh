@@ -45,6 +45,16 @@ for kind in '2 disc' '3 sphere'; do
         wrong "$shape: two hashes of one thread and two"
 done
 
+# The figures find all columns of a table, however long the line of their names.
+if command -v gnuplot >/dev/null; then
+    cp "$top_srcdir/plots/style.gp" "$out/disc/figures/names.gp"
+    printf "table = '../bodies.csv'\neval read_names\nset print '-'\nprint words(names), word(names, words(names))\n" \
+        >>"$out/disc/figures/names.gp"
+    seen=$(cd "$out/disc/figures" && gnuplot -d names.gp 2>&1)
+    there=$(sed -n 2p "$out/disc/bodies.csv" | awk -F, '{ print NF, $NF }')
+    [ "$seen" = "$there" ] && good "columns of a long line: $there" || wrong "columns: $seen, not $there"
+fi
+
 heap 2 disc 257
 go crowd "$out/disc-257.scene"
 claim 'more bodies than a scene may have are refused' "$code == 2"
