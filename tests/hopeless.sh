@@ -28,6 +28,11 @@ check floor wall.tank=off
 prints floor 'no wall lies below'
 check flying wall.tank=off 'gravity=[0,0]'
 still flying
+check up 'gravity=[0,9.81]'
+prints up 'gravity points up, along y'
+"$STIFFWATER" check "$top_srcdir/data/scenes/dam-break-3d.scene" spacing=0.0555 'gravity=[0,-9.81,0]' \
+    fluid.back.initial=rest fluid.front.initial=rest >side.said 2>&1
+prints side 'gravity is along y, and in 3D z points up'
 check slow eos.c0=4
 prints slow 'Mach 0.5' 'eos.c0 = 20'
 # In a wall; on its face; in a corner of faces; beside the water.

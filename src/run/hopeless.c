@@ -49,6 +49,19 @@ static void doubt_floor(const struct run *r)
                     scene_path(r->scene));
 }
 
+/* The last axis is the one that points up: levels, fronts and pictures go by it. */
+static void doubt_up(const struct run *r)
+{
+    const struct scales *s = plan_scales(r->plan);
+    const char up = "xyz"[DIM - 1];
+
+    if (s->g[DIM - 1] > 0 && s->period[DIM - 1] == 0)
+        status_warn("%s: gravity points up, along %c: is a minus missing?", scene_path(r->scene), up);
+    else if (DIM == 3 && s->g[2] == 0 && s->g[1] != 0 && s->period[1] == 0)
+        status_warn("%s: gravity is along y, and in 3D %c points up: gravity = [0, 0, %g]?",
+                    scene_path(r->scene), up, s->g[1]);
+}
+
 /* Half a spacing is less than a lattice tells. */
 static void doubt_rim(const struct run *r)
 {
@@ -142,6 +155,7 @@ static int doubt_probes(const struct run *r)
 int run_doubt_hopes(const struct run *r)
 {
     doubt_floor(r);
+    doubt_up(r);
     doubt_rim(r);
     doubt_mach(r);
     return doubt_probes(r);
