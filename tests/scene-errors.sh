@@ -78,6 +78,8 @@ bad driven-flap 'a motion of nothing' 's/motion = { direction.*/motion = { }; };
 bad driven-flap 'an unknown key of a motion' 's/phase = -90/phse = -90/' body.flap.motion.phase
 bad driven-flap 'a spring of nothing' 's/stiffness = 100.0/stiffness = 0.0/' body.flap.spring.line \
     'neither stiffness nor damping'
+bad driven-flap 'a rest length without stiffness' 's/stiffness = 100.0/damping = 1.0; rest = 0.1/' \
+    body.flap.spring.line 'a rest length does nothing without stiffness'
 bad driven-flap 'a spring without a direction' 's/to = .0.3, 0.0.;/to = [0.3, 0.2]; rest = 0.1;/' \
     body.flap.spring.line 'one point' 'rest = 0'
 bad driven-flap 'a spring without a name' 's/spring = { line = \(.*\); }; };/spring = \1; };/' \

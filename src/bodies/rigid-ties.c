@@ -95,6 +95,9 @@ static int check_springs(const struct rigid_ties *t, const char *path)
         if (!(s->stiffness > 0) && !(s->damping > 0))
             return status_fail(STATUS_BAD_SCENE, "%s.spring.%s: has neither stiffness nor damping "
                                "and does nothing; give one, or leave it out", path, s->name);
+        if (!(s->stiffness > 0) && s->rest >= 0)
+            return status_fail(STATUS_BAD_SCENE, "%s.spring.%s: a rest length does nothing without "
+                               "stiffness; give that, or leave rest out", path, s->name);
         if (!(length(apart) > 0) && s->rest > 0)
             return status_fail(STATUS_BAD_SCENE, "%s.spring.%s: `on` and `to` are one point, so "
                                "that a rest length of %g m has no direction; move one of them, or "
