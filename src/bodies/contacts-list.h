@@ -23,7 +23,10 @@ struct contacts_seats {
 struct contacts {
     struct scales scales;
     int bodies, walls, solids, movers; /* of solids the first are bodies           */
-    double reach, film, slow;    /* the largest of bodies [m], [m]; the least of pairs [1/s] */
+    struct {
+        double around, film;     /* the largest of bodies [m]                      */
+    } most;
+    double slow;                 /* the least of pairs [1/s]                       */
     struct solid *solid;         /* [solids] rigid bodies, walls, sides of the domain */
     int *part_of;                /* [solids] of which body, or wall from `bodies` on; a side that
                                     is no wall's: bodies + walls                   */

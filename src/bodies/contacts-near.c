@@ -96,7 +96,7 @@ static struct grid make_grid(const struct contacts *c, double gap)
     struct grid g;
 
     for (int d = 0; d < DIM; d++) {
-        const double period = c->scales.period[d], wide = 2 * c->reach + c->film + gap;
+        const double period = c->scales.period[d], wide = 2 * c->most.around + c->most.film + gap;
         g.wide[d] = wide;
         g.round[d] = 0;
         if (!(period > 0))
@@ -132,7 +132,8 @@ static void fill(const struct contacts *c, const struct contacts_moment *m, cons
         w->first[i] = -1;
     for (int i = 0; i < c->movers; i++) {
         double x[DIM];
-        period_home(&c->scales, m->body[c->part_of[i]].at.x, x);
+        contacts_pair_middle(&c->solid[i], &m->body[c->part_of[i]].at, x);
+        period_home(&c->scales, x, x);
         for (int d = 0; d < DIM; d++) {
             const double at = (x[d] - c->scales.low[d]) / g->wide[d];
             w->cell[i][d] = around(g, d, (long)floor(fmax(-farthest, fmin(farthest, at))));

@@ -75,50 +75,48 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
         make_of_materials(p, rub, mass, speed);
     p->slow = touch_rate(speed, 0.25 * balls);
     p->always = alone ? p->rate : 0;
-    p->balls = core_point(&a->core) && core_point(&b->core) && (a->core.hull || b->core.hull);
     p->share = corners && !is_wall(b) ? half : 1;
     p->places = corners_of(a, b) + corners_of_second(p)
               + core_edges(&a->core) * edges_of_second(p);
 }
 
-/* The way from the point that is the core of b to that of a, in space [m]. */
-static void between(const struct contacts_pair *p, const struct contacts_stand *s, double *apart)
+/* Beyond the face of half a space. */
+static bool above(const struct contacts_pair *p, const struct solid_place *b, const double *way,
+                  double reach)
 {
-    double own[DIM], a[DIM], b[DIM];
-
-    core_corner(&p->a->core, 0, own);
-    solid_space(s->a, own, a);
-    core_corner(&p->b->core, 0, own);
-    solid_space(s->b, own, b);
-    for (int d = 0; d < DIM; d++)
-        apart[d] += a[d] - b[d];
+    for (int k = 0; k < DIM; k++) {
+        double height = 0;
+        if (isinf(p->b->core.half[k]))
+            continue;
+        for (int d = 0; d < DIM; d++)
+            height += b->R[d][k] * way[d];
+        return fabs(height) >= p->b->core.half[k] + reach;
+    }
+    return false;
 }
 
-/* Balls of a clump stand beside the centre of their body. */
-static bool balls_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap)
+void contacts_pair_middle(const struct solid *s, const struct solid_place *at, double *to)
 {
-    const double reach = p->a->core.ball + p->b->core.ball + fmax(p->a->film, p->b->film) + gap;
-    double apart[DIM], square = 0;
-
-    memcpy(apart, s->apart, sizeof apart);
-    between(p, s, apart);
+    solid_space(at, s->middle, to);
     for (int d = 0; d < DIM; d++)
-        square += apart[d] * apart[d];
-    return square >= reach * reach;
+        to[d] += at->x[d];
 }
 
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap)
 {
-    const double reach = core_reach(&p->a->core) + core_reach(&p->b->core)
-                       + fmax(p->a->film, p->b->film) + gap;
-    double square = 0;
+    const double film = fmax(p->a->film, p->b->film) + gap;
+    double a[DIM], b[DIM], way[DIM], square = 0;
 
+    solid_space(s->a, p->a->middle, a);
+    solid_space(s->b, p->b->middle, b);
+    for (int d = 0; d < DIM; d++) {
+        way[d] = s->apart[d] + a[d] - b[d];
+        square += way[d] * way[d];
+    }
     if (p->b->flat)
-        return false;
-    for (int d = 0; d < DIM; d++)
-        square += s->apart[d] * s->apart[d];
-    return square >= reach * reach
-           || (p->balls && balls_far(p, s, gap));
+        return above(p, s->b, way, p->a->around + p->b->core.ball + film);
+    const double reach = p->a->around + p->b->around + film;
+    return square >= reach * reach;
 }
 
 /* Both ways: a as the guest of b, b as that of a. */

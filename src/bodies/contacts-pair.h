@@ -15,7 +15,6 @@ struct contacts_pair {
     double depth, rate;        /* d_U [m]; the fastest [1/s]                       */
     double slow, always;       /* of the softest law; without a contact, too [1/s] */
     double share;              /* of a corner, where corners of both meet [1]      */
-    bool balls;                /* both are points, and one is of a clump           */
     long from;                 /* its first place, -1: in a seat                   */
     int places;
 };
@@ -35,6 +34,9 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
 int contacts_pair_check(const struct contacts_pair *p);
 
 /* Are they more than `gap` [m] apart, by the balls around them? */
+/* The middle of the ball around a solid, in space [m]. */
+void contacts_pair_middle(const struct solid *s, const struct solid_place *at, double *to);
+
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap);
 
 /* How far apart they are [m], below 0 where they overlap; HUGE_VAL: more than `most`. */

@@ -17,7 +17,7 @@ static const double unbent = 1e-6;
 
 static double size_of(const struct contacts_pair *p)
 {
-    return fmin(core_reach(&p->a->core), core_reach(&p->b->core));
+    return fmin(p->a->around, p->b->around);
 }
 
 static const double *seats_of(const struct contacts *c, const struct layout *l, const double *y)
@@ -89,7 +89,7 @@ bool contacts_seats_lack(const struct contacts *c, const struct contacts_moment 
     if (c->seats.n == 0)
         return false;
     contacts_near_place(c, m);
-    contacts_near_find(c, m, must * c->reach);
+    contacts_near_find(c, m, must * c->most.around);
     contacts_seats_open(c, m);
     for (int k = 0; k < m->work->near && !lacks; k++)
         lacks = wants(c, m, m->work->pair[k], must);
@@ -159,7 +159,7 @@ int contacts_seats_settle(const struct contacts *c, const struct contacts_moment
     int without;
 
     contacts_near_place(c, m);
-    contacts_near_find(c, m, may * c->reach);
+    contacts_near_find(c, m, may * c->most.around);
     contacts_seats_open(c, m);
     take_back(c, m, leave, seat, xi);
     without = give(c, m, must, seat);

@@ -38,6 +38,9 @@ static double least_margin(const struct contacts *c, int bodies)
 
 static void know(struct contacts *c, int part)
 {
+    struct solid *s = &c->solid[c->solids];
+
+    s->around = core_around(&s->core, s->middle);
     c->part_of[c->solids++] = part;
     if (part < c->bodies + c->walls)
         c->known[part] = true;

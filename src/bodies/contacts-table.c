@@ -70,8 +70,8 @@ static int list_pairs(struct contacts *c, const struct contacts_scene *s)
     c->always = -1;
     c->slow = HUGE_VAL;
     for (int i = 0; i < c->movers; i++) {
-        c->reach = fmax(c->reach, core_reach(&c->solid[i].core));
-        c->film = fmax(c->film, c->solid[i].film);
+        c->most.around = fmax(c->most.around, c->solid[i].around);
+        c->most.film = fmax(c->most.film, c->solid[i].film);
         for (int j = 0; j < c->solids; j++) {
             c->pair_of[(long)i * c->solids + j] = -1;
             if (j > i && meets(c, i, j))

@@ -31,6 +31,27 @@ double core_reach(const struct core *c)
     return (c->hull ? polytope_reach(c->hull) : sqrt(square)) + c->ball;
 }
 
+/* About the middle of the corners; a box has it at its centre. */
+double core_around(const struct core *c, double *middle)
+{
+    const struct polytope *p = c->hull;
+    double most = 0;
+
+    memset(middle, 0, DIM * sizeof *middle);
+    if (!p)
+        return core_reach(c);
+    for (int i = 0; i < p->corners; i++)
+        for (int d = 0; d < DIM; d++)
+            middle[d] += p->x[i][d] / p->corners;
+    for (int i = 0; i < p->corners; i++) {
+        double square = 0;
+        for (int d = 0; d < DIM; d++)
+            square += (p->x[i][d] - middle[d]) * (p->x[i][d] - middle[d]);
+        most = fmax(most, square);
+    }
+    return sqrt(most) + c->ball;
+}
+
 int core_corners(const struct core *c)
 {
     int axis[DIM];

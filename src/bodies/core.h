@@ -18,6 +18,9 @@ struct core {
 bool core_point(const struct core *c);
 double core_reach(const struct core *c); /* from the centre to the farthest of the solid [m] */
 
+/* The ball around the solid: its middle [DIM], in the frame of the core, and radius [m]. */
+double core_around(const struct core *c, double *middle);
+
 /* Corners and, in space, edges; both without the ball, in the frame of the core [m]. */
 int core_corners(const struct core *c);
 int core_edges(const struct core *c);

@@ -14,6 +14,7 @@ struct solid_place {   /* where it is, and how it moves                         
 struct solid {
     const char *path;    /* "body.NAME", "wall.NAME"; lent                       */
     struct core core;
+    double middle[DIM], around; /* of the ball around the core, core_around() [m] */
     bool flat;           /* half a space, whose face only corners meet           */
     unsigned stops;      /* of a body: sides of the domain that stop it, shape_side() */
     struct solid_place start;      /* at t = 0                                   */
