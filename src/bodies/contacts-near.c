@@ -12,6 +12,19 @@
 
 static const double farthest = 1e9; /* cells: beyond it all is one; keeps to whole numbers */
 
+/* For the pair with the most places. */
+static int take_spots(const struct contacts *c, struct contacts_spots *to)
+{
+    int most = 1;
+
+    for (int i = 0; i < c->pairs; i++)
+        most = c->pair[i].places > most ? c->pair[i].places : most;
+    to->spot = status_alloc((size_t)most, sizeof *to->spot);
+    to->which = status_alloc((size_t)most, sizeof *to->which);
+    to->place = status_alloc((size_t)most, sizeof *to->place);
+    return to->spot && to->which && to->place ? STATUS_DONE : STATUS_FAILED;
+}
+
 static int take_memory(const struct contacts *c, struct contacts_work *w)
 {
     const size_t movers = (size_t)c->movers + 1, pairs = (size_t)c->pairs + 1;
@@ -30,7 +43,7 @@ static int take_memory(const struct contacts *c, struct contacts_work *w)
         return STATUS_FAILED;
     for (int i = 0; i < c->pairs; i++)
         w->seat_of[i] = -1;
-    return STATUS_DONE;
+    return take_spots(c, &w->spots);
 }
 
 int contacts_near_create(const struct contacts *c, struct contacts_work **out)
@@ -55,6 +68,9 @@ void contacts_near_free(struct contacts_work **work)
     free(w->pair);
     free(w->seat_of);
     free(w->bent);
+    free(w->spots.spot);
+    free(w->spots.which);
+    free(w->spots.place);
     free(w);
     *work = NULL;
 }

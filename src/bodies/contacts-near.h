@@ -16,6 +16,7 @@ struct contacts_work {
     int *found;         /* [solids] partners of one body                         */
     int near, *pair;    /* [pairs] of them those found last, ascending           */
     int *seat_of;       /* [pairs] -1: none                                      */
+    struct contacts_spots spots; /* of one pair: room for the places of any       */
     double *bent;       /* [2][block][DIM] of a pair without a seat              */
 };
 

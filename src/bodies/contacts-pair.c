@@ -2,7 +2,7 @@
 #include "bodies/contacts-pair.h"
 
 #include "base/status.h"
-#include "bodies/contacts-place.h"
+#include "bodies/contacts-together.h"
 
 #include <math.h>
 #include <string.h>
@@ -175,9 +175,24 @@ static int find_spot(const struct contacts_pair *p, const struct contacts_guest 
     return status;
 }
 
+/* Those of all places at which they touch; their bends forget elsewhere. */
+static int find_spots(const struct contacts_pair *p, const struct contacts_guest guest[2],
+                      struct contacts_spots *to)
+{
+    to->n = 0;
+    for (int i = 0; i < p->places; i++) {
+        struct contacts_spot *s = &to->spot[to->n];
+        TRY(find_spot(p, guest, i, &to->which[to->n], s));
+        to->place[to->n] = i;
+        to->n += s->depth > 0 && s->share > 0;
+    }
+    return STATUS_DONE;
+}
+
 int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,
-                       const double *xi, double *xi_rate, struct body_push *on_a,
-                       struct body_push *on_b, double power[2], double *deepest)
+                       const double *xi, double *xi_rate, struct contacts_spots *room,
+                       struct body_push *on_a, struct body_push *on_b, double power[2],
+                       double *deepest)
 {
     struct contacts_guest guest[2];
 
@@ -186,13 +201,14 @@ int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stan
     make_guests(p, s, guest);
     if (parted(p, guest, 0))
         return STATUS_DONE;
-    for (int i = 0; i < p->places; i++) {
-        struct contacts_spot spot;
-        int which;
-        TRY(find_spot(p, guest, i, &which, &spot));
-        contacts_spot_push(&guest[which], &p->law, &spot, xi + i * DIM, xi_rate + i * DIM,
+    TRY(find_spots(p, guest, room));
+    contacts_together(guest, room);
+    for (int i = 0; i < room->n; i++) {
+        const int which = room->which[i];
+        const long at = (long)room->place[i] * DIM;
+        contacts_spot_push(&guest[which], &p->law, &room->spot[i], xi + at, xi_rate + at,
                            which ? on_b : on_a, which ? on_a : on_b, power);
-        *deepest = spot.share > 0 ? fmax(*deepest, spot.depth) : *deepest;
+        *deepest = fmax(*deepest, room->spot[i].depth);
     }
     return STATUS_DONE;
 }

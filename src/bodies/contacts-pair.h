@@ -5,6 +5,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/contacts-rules.h"
+#include "bodies/contacts-together.h"
 #include "bodies/solid.h"
 #include "bodies/touch.h"
 
@@ -33,10 +34,10 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
 /* BAD_SCENE: by the law of materials they get deeper into each other than contacts can bear. */
 int contacts_pair_check(const struct contacts_pair *p);
 
-/* Are they more than `gap` [m] apart, by the balls around them? */
 /* The middle of the ball around a solid, in space [m]. */
 void contacts_pair_middle(const struct solid *s, const struct solid_place *at, double *to);
 
+/* Are they more than `gap` [m] apart, by the balls around them? */
 bool contacts_pair_far(const struct contacts_pair *p, const struct contacts_stand *s, double gap);
 
 /* How far apart they are [m], below 0 where they overlap; HUGE_VAL: more than `most`. */
@@ -44,10 +45,11 @@ double contacts_pair_gap(const struct contacts_pair *p, const struct contacts_st
 
 /* Sets rates of xi [places][DIM], which were those of touch_forget() before, and adds to what pushes both, b's with the same force and
  * the other sign, and to what pressing and rubbing give to bodies, power [2] [W]; *deepest [m] grows
- * to the deepest overlap.  STATUS_FAILED: a corner is inside the other's core. */
+ * to the deepest overlap; room: as many spots as it has places.  STATUS_FAILED: a corner is inside the other's core. */
 int contacts_pair_meet(const struct contacts_pair *p, const struct contacts_stand *s,
-                       const double *xi, double *xi_rate, struct body_push *on_a,
-                       struct body_push *on_b, double power[2], double *deepest);
+                       const double *xi, double *xi_rate, struct contacts_spots *room,
+                       struct body_push *on_a, struct body_push *on_b, double power[2],
+                       double *deepest);
 
 /* The fastest rate that a step from here meets: that of the law, or that of coming close. */
 double contacts_pair_rate(const struct contacts_pair *p, const struct contacts_stand *s);

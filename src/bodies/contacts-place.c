@@ -51,6 +51,7 @@ static void set_spot(const struct contacts_guest *g, const double *from, const d
         step[d] = to[d] - from[d];
     length = sqrt(dot(step, step));
     s->share = share;
+    s->carried = 1;
     s->depth = g->touching - length;
     for (int d = 0; d < DIM && length > 0; d++) {
         s->normal[d] = step[d] / length;
@@ -117,12 +118,26 @@ void contacts_edges(const struct contacts_guest *g, int i, int k, struct contact
                                 * smooth(from_end(g, t, sqrt(ff))), to);
 }
 
-/* What of 1/m_c is a solid's, with arm and normal in its frame. */
-static double yields(const struct solid *s, const double *arm, const double *normal)
+void contacts_spot_levers(const struct contacts_guest *g, const struct contacts_spot *s,
+                          double *guest, double *partner)
 {
-    double lever[TURNING_SPINS] = { 0 }, sum = 1 / s->mass;
+    double step[DIM], arm[DIM], normal[DIM];
 
-    turning_moment(arm, normal, lever);
+    for (int d = 0; d < DIM; d++)
+        step[d] = s->point[d] - g->in.x[d];
+    solid_own(&g->in, step, arm);
+    solid_own(&g->in, s->normal, normal);
+    memset(guest, 0, TURNING_SPINS * sizeof *guest);
+    memset(partner, 0, TURNING_SPINS * sizeof *partner);
+    turning_moment(arm, normal, guest);
+    turning_moment(s->point, s->normal, partner);
+}
+
+/* What of 1/m_c is a solid's. */
+static double yields(const struct solid *s, const double *lever)
+{
+    double sum = 1 / s->mass;
+
     for (int k = 0; k < TURNING_SPINS; k++)
         sum += lever[k] * lever[k] / s->inertia[k];
     return sum;
@@ -132,12 +147,12 @@ static double yields(const struct solid *s, const double *arm, const double *nor
 static void fill_place(const struct contacts_guest *g, const struct contacts_spot *s,
                        struct touch_place *at, double *arm, double *surface)
 {
-    double step[DIM], normal[DIM], own[DIM], turned[DIM];
+    double step[DIM], own[DIM], turned[DIM], of_guest[TURNING_SPINS], of_partner[TURNING_SPINS];
 
     for (int d = 0; d < DIM; d++)
         step[d] = s->point[d] - g->in.x[d];
     solid_own(&g->in, step, arm);
-    solid_own(&g->in, s->normal, normal);
+    contacts_spot_levers(g, s, of_guest, of_partner);
     turning_velocity(g->in.spin, arm, own);
     solid_space(&g->in, own, turned);
     turning_velocity(g->partner_at->spin, s->point, surface);
@@ -148,7 +163,8 @@ static void fill_place(const struct contacts_guest *g, const struct contacts_spo
     }
     at->depth = s->depth;
     at->rate = -dot(at->velocity, at->normal);
-    at->mass = 1 / (yields(g->guest, arm, normal) + yields(g->partner, s->point, s->normal));
+    at->mass = 1 / (yields(g->guest, of_guest) + yields(g->partner, of_partner));
+    at->carried = s->carried * at->mass;
 }
 
 double contacts_spot_closing(const struct contacts_guest *g, const struct contacts_spot *s)

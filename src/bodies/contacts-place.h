@@ -20,6 +20,7 @@ struct contacts_spot {
     double point[DIM];          /* where they touch [m]                            */
     double normal[DIM];         /* out of the partner                              */
     double share;               /* of the law's force [1]                          */
+    double carried;             /* of the mass that a push meets here alone: what damping goes by [1] */
 };
 
 /* apart [DIM]: from the partner's centre to the guest's, in space [m]. */
@@ -44,6 +45,11 @@ int contacts_corner(const struct contacts_guest *g, int i, struct contacts_spot 
 void contacts_edges(const struct contacts_guest *g, int i, int k, struct contacts_spot *to);
 
 double contacts_place_speed(const double *v); /* by its components, [DIM] */
+
+/* Moments of a push of 1 N along the normal on the guest, and on the partner as if it were that, each in its own
+ * frame [TURNING_SPINS] [m]. */
+void contacts_spot_levers(const struct contacts_guest *g, const struct contacts_spot *s,
+                          double *guest, double *partner);
 
 /* How fast the overlap grows there [m/s]. */
 double contacts_spot_closing(const struct contacts_guest *g, const struct contacts_spot *s);

@@ -74,7 +74,7 @@ static int meet_pair(const struct contacts *c, const struct contacts_moment *m, 
 
     if (from < 0) /* a shorter step ends before they touch, where they get a seat */
         return contacts_pair_gap(p, &s, 0) < 0 ? STATUS_FAILED : STATUS_DONE;
-    return contacts_pair_meet(p, &s, xi + from * DIM, xi_rate + from * DIM,
+    return contacts_pair_meet(p, &s, xi + from * DIM, xi_rate + from * DIM, &m->work->spots,
                               push_of(c, m, p->first, &aside), push_of(c, m, p->second, &aside),
                               m->power, m->deepest);
 }

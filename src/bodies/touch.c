@@ -176,7 +176,7 @@ void touch_forget(const double *xi, double *xi_rate)
 void touch(const struct touch_law *law, const struct touch_place *at, const double *xi,
            double *press, double *rub, double *xi_rate)
 {
-    const double d = fmax(0, at->depth), c = law->eta * sqrt(law->k * at->mass);
+    const double d = fmax(0, at->depth), c = law->eta * sqrt(law->k * at->carried);
     const double N = d > 0 ? fmax(0, law->k * d * sqrt(d) + c * sqrt(sqrt(d)) * at->rate) : 0;
     const double grip = law->mu * N, along = secant(law, d);
     const double damp = 0.4 * sqrt(along * at->mass);

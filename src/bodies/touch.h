@@ -22,6 +22,7 @@ struct touch_place {
     double normal[DIM];     /* out of the partner, into the body                   */
     double velocity[DIM];   /* of the body's surface beside the partner [m/s]      */
     double mass;            /* that a push along the normal meets there [kg]       */
+    double carried;         /* that all pushes of the two together meet there [kg] */
 };
 
 /* How deep it gets at the speed U, in two margins, where no scene says so: that of a contact as fast as
