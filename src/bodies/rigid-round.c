@@ -21,13 +21,16 @@ static int measure(const struct rigid_def *d, const char *path, struct rigid_fig
     return STATUS_DONE;
 }
 
-/* Point i of n on a circle; on a sphere along a spiral of equal areas (Swinbank, Purser,
+/* Point i of n on a circle, from its lowest on and back by the mirror image, to the last bit: a disc
+ * that floats has no side that it would rather drift to.  On a sphere along a spiral of equal areas (Swinbank, Purser,
  * Q. J. Roy. Meteorol. Soc. 132 (2006) 1769-1793). */
 static void around(int i, int n, double radius, double *to)
 {
 #if DIM == 2
-    to[0] = radius * cos(2 * pi * i / n);
-    to[1] = radius * sin(2 * pi * i / n);
+    const bool left = 2 * i > n;
+    const double turn = 2 * pi * (left ? n - i : i) / n;
+    to[0] = (left ? -radius : radius) * (2 * i == n ? 0 : sin(turn));
+    to[1] = -radius * cos(turn);
 #else
     const double up = 1 - (2 * i + 1.0) / n, across = sqrt(1 - up * up);
     const double turn = pi * (3 - sqrt(5)) * i;

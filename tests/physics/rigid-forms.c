@@ -4,6 +4,7 @@
 #include "tank.h"
 
 #include "base/status.h"
+#include "bodies/rigid-figure.h"
 #include "bodies/solid.h"
 #include "bodies/turning.h"
 #include "eval/observe.h"
@@ -203,6 +204,30 @@ static void a_table_stands_over_a_bump(void **state)
     tank_free(&t);
 }
 
+/* To the last bit, or a disc would drift to one side. */
+static void skins_of_discs_are_their_mirror_images(void **state)
+{
+    static const double radius[] = { 0.08, 0.083, 0.1, 0.047 };
+
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        struct rigid_def d = { .shape = "disc", .radius = radius[k], .density = 700 };
+        struct rigid_figure f;
+        struct points p = { 0 };
+        assert_int_equal(rigid_figure_make(&d, "body.it", &f), STATUS_DONE);
+        assert_int_equal(f.form->skin(&f, 0.01, 3, &p), STATUS_DONE);
+        check(p.n > 50, "%ld points", p.n);
+        for (long i = 0; i < p.n; i++) {
+            bool found = false;
+            for (long j = 0; j < p.n; j++)
+                found |= p.x[j][0] == -p.x[i][0] && p.x[j][1] == p.x[i][1];
+            check(found, "radius %g: point %ld has no image", radius[k], i);
+        }
+        points_free(&p);
+        rigid_figure_free(&f);
+    }
+}
+
 static void refusals_teach(void **state)
 {
     (void)state;
@@ -354,6 +379,7 @@ int main(void)
 #if DIM == 2
         cmocka_unit_test(a_polygon_with_four_corners_is_a_box),
         cmocka_unit_test(a_table_stands_over_a_bump),
+        cmocka_unit_test(skins_of_discs_are_their_mirror_images),
 #else
         cmocka_unit_test(a_hull_with_eight_corners_is_a_box),
         cmocka_unit_test(a_hull_is_told_by_the_axes_of_its_points),
