@@ -18,7 +18,7 @@ static const char *const directions[] = { "x", "y", "turn", NULL };
 #define MASS "kg/m"
 #define TURN_TYPE PARAM_NUMBER
 #else
-static const char *const shapes[] = { "box", "sphere", "cylinder", "hull", "clump", NULL };
+static const char *const shapes[] = { "box", "sphere", "cylinder", "hull", "compound", "clump", NULL };
 static const char *const solids[] = { "box", "sphere", "cylinder", "hull", NULL };
 static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 #define MASS "kg"
@@ -28,7 +28,7 @@ static const char *const directions[] = { "x", "y", "z", "turn", NULL };
 const struct param rigid_def_params[] = {
     { .key = "shape", .unit = "", AT(shape), .type = PARAM_WORD, .words = shapes,
       .about = "a box has a size, a disc (2D) or sphere (3D) a radius, a cylinder (3D) that and a height, "
-               "a polygon (2D) or convex hull (3D) points, a clump of discs (2D) or balls (3D) the radius of these, and points, "
+               "a polygon (2D) or convex hull (3D) points, a compound of convex parts (3D) points and corners, a clump of discs (2D) or balls (3D) the radius of these, and points, "
                "or pitch and the keys of the shape `of`" },
     { .key = "at", .unit = "m", AT(at), .min = -1e6, .max = 1e6, .type = PARAM_VECTOR,
       .required = 1, .about = "its centre at t = 0; of a body with points where the origin of these is" },
@@ -41,6 +41,9 @@ const struct param rigid_def_params[] = {
       .fallback = NAN,
       .about = "2D: corners of a polygon in turn, either way round; 3D: points whose convex hull it is; "
                "from `at`, before it is turned; of a clump the centres of its balls" },
+    { .key = "corners", .unit = "", AT(corners), .type = PARAM_INTEGER, .fallback = RIGID_DEF_CORNERS, .min = 2, .max = 1000,
+      .about = "3D: of a compound, how many of its points in turn make each of its parts: their convex hull, or with 2 a box "
+               "between them as opposite corners; parts touch with their faces" },
     { .key = "of", .unit = "", AT(of), .type = PARAM_WORD, .words = solids,
       .about = "of a clump without a list of balls: the shape that these lie below the surface of; its size, height "
                "or points are those of that, and so are mass and inertia" },

@@ -8,13 +8,16 @@
 
 #include <stdbool.h>
 
+enum { RIGID_DEF_CORNERS = 2 }; /* of a part of a compound, unless told: opposite ones of a box */
+
 struct rigid_def {
-    const char *shape;    /* "box", "clump"; 2D "disc", "polygon"; 3D "sphere", "cylinder", "hull" */
+    const char *shape;    /* "box", "clump"; 2D "disc", "polygon"; 3D "sphere", "cylinder", "hull", "compound" */
     double at[3];         /* centre, or where the origin of points is [m]     */
     double size[3];       /* sides of a box                         [m]       */
     double radius;        /* disc, sphere, cylinder, balls of a clump [m]     */
     double height;        /* cylinder, along its third axis         [m]       */
     struct param_points points; /* polygon: corners in turn; hull; clump: centres [m] */
+    int corners;          /* compound: points that each of its parts has      */
     const char *of;       /* clump: the shape that it is made from            */
     double body_radius;   /* clump of a disc, sphere, cylinder: of that [m]   */
     double pitch;         /* clump made from a shape: how far apart centres are [m] */

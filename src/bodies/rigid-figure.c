@@ -13,7 +13,7 @@ static const struct rigid_form *const forms[] = {
 #if DIM == 2
     &rigid_form_polygon,
 #else
-    &rigid_form_cylinder, &rigid_form_hull,
+    &rigid_form_cylinder, &rigid_form_hull, &rigid_form_compound,
 #endif
 };
 
@@ -42,6 +42,7 @@ int rigid_figure_keys(const struct rigid_form *form, const struct rigid_def *d, 
         { " radius ", "radius", "a number above 0 (m)", d->radius > 0 },
         { " height ", "height", "a length along its axis (m)", d->height > 0 },
         { " points ", "points", "its corners (m)", d->points.n > 0 },
+        { " corners ", "corners", "how many points make a part", d->corners > RIGID_DEF_CORNERS },
         { " pitch ", "pitch", "a distance of balls (m)", d->pitch > 0 },
         { " of ", "of", "a shape", d->of && strcmp(d->of, "box") != 0 },
         { " body_radius ", "body_radius", "that of what it is made from (m)", d->body_radius > 0 },
@@ -235,7 +236,7 @@ int rigid_figure_surface(const struct rigid_figure *f, struct surface *to)
 }
 
 /* Its ball reaches from the face of the kernel to that of the part. */
-struct core rigid_figure_core(const struct rigid_figure *f, int i, double margin)
+static struct core core_of(const struct rigid_figure *f, int i, double margin)
 {
     const struct polytope *k = &f->kernel[i];
     double ball = k->faces > 0 ? HUGE_VAL : margin;
@@ -243,4 +244,11 @@ struct core rigid_figure_core(const struct rigid_figure *f, int i, double margin
     for (int c = 0; c < k->corners && k->faces > 0; c++)
         ball = fmin(ball, polytope_depth(&f->part[i], k->x[c]));
     return (struct core){ .ball = ball, .hull = k };
+}
+
+int rigid_figure_cores(const struct rigid_figure *f, double margin, struct core *core)
+{
+    for (int i = 0; core && i < f->parts; i++)
+        core[i] = core_of(f, i, margin);
+    return f->parts;
 }

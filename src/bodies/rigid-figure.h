@@ -32,7 +32,7 @@ int rigid_figure_kernels(struct rigid_figure *f, double margin);
 /* What pictures show of it, in its own frame. */
 int rigid_figure_surface(const struct rigid_figure *f, struct surface *to);
 
-/* The core of part i. */
-struct core rigid_figure_core(const struct rigid_figure *f, int i, double margin);
+/* The cores of what is made of convex parts, one each; as cores() of struct rigid_form. */
+int rigid_figure_cores(const struct rigid_figure *f, double margin, struct core *core);
 
 #endif

@@ -57,6 +57,6 @@ struct rigid_form {
 
 extern const struct rigid_form rigid_form_box, rigid_form_round, rigid_form_clump;
 extern const struct rigid_form rigid_form_polygon;                   /* in the plane */
-extern const struct rigid_form rigid_form_cylinder, rigid_form_hull; /* in space     */
+extern const struct rigid_form rigid_form_cylinder, rigid_form_hull, rigid_form_compound; /* in space */
 
 #endif

@@ -28,15 +28,8 @@ static double depth(const struct rigid_figure *f, const double *own)
     return polytope_depth(f->part, own);
 }
 
-static int cores(const struct rigid_figure *f, double margin, struct core *core)
-{
-    if (core)
-        *core = rigid_figure_core(f, 0, margin);
-    return 1;
-}
-
 const struct rigid_form rigid_form_hull = { .name = "hull", .keys = " points ", .measure = measure,
                                             .skin = skin, .depth = depth,
-                                            .kernels = rigid_figure_kernels, .cores = cores };
+                                            .kernels = rigid_figure_kernels, .cores = rigid_figure_cores };
 
 #endif

@@ -56,13 +56,6 @@ static double depth(const struct rigid_figure *f, const double *own)
     return shape_polygon_contains(&f->outline, own) ? away : -away;
 }
 
-static int cores(const struct rigid_figure *f, double margin, struct core *core)
-{
-    for (int i = 0; core && i < f->parts; i++)
-        core[i] = rigid_figure_core(f, i, margin);
-    return f->parts;
-}
-
 /* With its dents, which no convex part knows. */
 static int surface(const struct rigid_figure *f, struct surface *to)
 {
@@ -82,6 +75,6 @@ static int surface(const struct rigid_figure *f, struct surface *to)
 const struct rigid_form rigid_form_polygon = { .name = "polygon", .keys = " points ",
                                                .measure = measure, .skin = skin, .depth = depth,
                                                .kernels = rigid_figure_kernels,
-                                               .cores = cores, .surface = surface };
+                                               .cores = rigid_figure_cores, .surface = surface };
 
 #endif

@@ -102,6 +102,8 @@ static void surfaces_enclose_volumes(void **state)
     encloses("shape = \"cylinder\"; radius = 0.1; height = 0.3;", 24 * sin(2 * M_PI / 48) * 0.003);
     encloses("shape = \"hull\"; points = ([0.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.3, 0.0], "
              "[0.0, 0.0, 0.3]);", 0.0045);
+    encloses("shape = \"compound\"; points = ([0.0, 0.0, 0.0], [0.3, 0.1, 0.1], [0.0, 0.0, 0.1], [0.1, 0.1, 0.3]);",
+             0.005);
 #endif
 }
 
@@ -360,6 +362,98 @@ static void cylinders_stand(void **state)
     a_cylinder_stands(0.06, "a flat one is upright");
 }
 
+/* --- several convex parts ------------------------------------------------------------- */
+
+/* Two halves, one of them a hull of its own that is turned inside out, are the box of both. */
+static void halves_weigh_what_the_box_does(void **state)
+{
+    double x[][3] = { { 0.3, 0.2, 0 }, { 0.1, 0, 0.1 }, { 0, 0, 0 }, { 0.1, 0.2, 0.1 } };
+    struct rigid_def box = { .shape = "box", .size = { 0.3, 0.2, 0.1 }, .density = 700 };
+    struct rigid_def def = { .shape = "compound", .points = { 4, x }, .corners = 2, .density = 700 };
+    struct rigid_figure a, b;
+
+    (void)state;
+    assert_int_equal(rigid_figure_make(&box, "body.it", &a), STATUS_DONE);
+    assert_int_equal(rigid_figure_make(&def, "body.it", &b), STATUS_DONE);
+    near(b.volume, a.volume, 1e-15, "volume");
+    near(b.reach, a.reach, 1e-15, "reach");
+    for (int k = 0; k < DIM; k++) {
+        near(b.gyration[k], a.gyration[k], 1e-15, "gyration");
+        near(b.centre[k], 0.5 * box.size[k], 1e-15, "centre");
+        near(b.span[k], box.size[k], 1e-15, "span");
+    }
+    rigid_figure_free(&a);
+    rigid_figure_free(&b);
+}
+
+/* A T of two bars: centre and moments by the theorem of Steiner. */
+static void a_tee_weighs_what_its_bars_do(void **state)
+{
+    double x[][3] = { { -0.3, -0.05, 0.4 }, { 0.3, 0.05, 0.5 }, { -0.05, -0.05, 0 }, { 0.05, 0.05, 0.4 } };
+    struct rigid_def def = { .shape = "compound", .points = { 4, x }, .corners = 2, .density = 1000 };
+    const double m[2] = { 0.006, 0.004 }, up[2] = { 0.45, 0.2 }, all = m[0] + m[1];
+    const double centre = (m[0] * up[0] + m[1] * up[1]) / all;
+    double about[3] = { m[0] * (0.1 * 0.1 + 0.1 * 0.1) / 12 + m[1] * (0.1 * 0.1 + 0.4 * 0.4) / 12,
+                        m[0] * (0.6 * 0.6 + 0.1 * 0.1) / 12 + m[1] * (0.1 * 0.1 + 0.4 * 0.4) / 12,
+                        m[0] * (0.6 * 0.6 + 0.1 * 0.1) / 12 + m[1] * (0.1 * 0.1 + 0.1 * 0.1) / 12 };
+    struct rigid_figure f;
+    double sum = 0, found = 0;
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        about[0] += m[i] * (up[i] - centre) * (up[i] - centre);
+        about[1] += m[i] * (up[i] - centre) * (up[i] - centre);
+    }
+    assert_int_equal(rigid_figure_make(&def, "body.it", &f), STATUS_DONE);
+    near(f.volume, all, 1e-15, "volume");
+    near(f.centre[2], centre, 1e-15, "centre");
+    for (int k = 0; k < 3; k++) { /* in whatever order its axes come */
+        double least = 1;
+        for (int i = 0; i < 3; i++)
+            least = fmin(least, fabs(f.gyration[i] - about[k] / all));
+        near(least, 0, 1e-15, "a principal moment");
+        sum += about[k] / all;
+        found += f.gyration[k];
+    }
+    near(found, sum, 1e-15, "all of them");
+    rigid_figure_free(&f);
+}
+
+/* Two feet below a plate stand on the ground on both sides of a bump, which the hull of all would lie on. */
+static void a_table_of_boxes_stands_over_a_bump(void **state)
+{
+    struct tank t;
+
+    (void)state;
+    tank_make(&t, PLACE HEAVY "spacing = 0.05; wall = { bump = { type = \"box\"; from = [-0.1, -0.3, 0.0]; "
+              "to = [0.1, 0.3, 0.15]; }; }; body = { it = { shape = \"compound\"; at = [0.0, 0.0, 0.002]; "
+              "density = 500.0; points = ([-0.3, -0.2, 0.0], [-0.2, 0.2, 0.2], [0.2, -0.2, 0.0], [0.3, 0.2, 0.2], "
+              "[-0.3, -0.2, 0.2], [0.3, 0.2, 0.3]);" FLOOR "}; };", NULL);
+    const double area = 0.6 * 0.3 - 0.4 * 0.2, centre = (0.18 * 0.15 - 0.08 * 0.1) / area;
+    near(row(&t, "x")[UP], 0.002 + centre, 1e-12, "its centre at the start");
+    tank_run(&t, "cks43", 1e-3, 2);
+    near(row(&t, "x")[UP], centre, 1e-4, "its centre");
+    for (int d = 0; d < 3; d++) {
+        near(row(&t, "spin")[d], 0, 1e-6, "its spin");
+        near(row(&t, "v")[d], 0, 1e-6, "its speed");
+    }
+    tank_free(&t);
+}
+
+static void compounds_teach(void **state)
+{
+    (void)state;
+    refused("shape = \"compound\";", "without points it is no compound");
+    refused("shape = \"compound\"; points = ([0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.0, 0.0]);",
+            "no whole number of parts");
+    refused("shape = \"compound\"; points = ([0.0, 0.0, 0.0], [1.0, 1.0, 0.0]);", "part 1: its two points");
+    refused("shape = \"compound\"; points = ([0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.5, 0.5, 0.5], [2.0, 2.0, 2.0]);",
+            "parts 2 and 1 overlap");
+    refused("shape = \"compound\"; corners = 4; points = ([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], "
+            "[1.0, 1.0, 0.0]);", "lie in one plane");
+    refused("size = [1.0, 1.0, 1.0]; corners = 4;", "a box has no corners");
+}
+
 static void refusals_teach(void **state)
 {
     (void)state;
@@ -385,6 +479,10 @@ int main(void)
         cmocka_unit_test(a_hull_is_told_by_the_axes_of_its_points),
         cmocka_unit_test(a_log_rolls),
         cmocka_unit_test(cylinders_stand),
+        cmocka_unit_test(halves_weigh_what_the_box_does),
+        cmocka_unit_test(a_tee_weighs_what_its_bars_do),
+        cmocka_unit_test(a_table_of_boxes_stands_over_a_bump),
+        cmocka_unit_test(compounds_teach),
 #endif
         cmocka_unit_test(bars_that_cross_are_refused),
         cmocka_unit_test(surfaces_enclose_volumes),
