@@ -75,6 +75,8 @@ shipped_rows() {
     ship few box-in-waves spacing=0.025 until=0.1
     ship few pendulum-gate until=0.1
     ship all sinking-block until=0.02
+    ship all rising-block spacing=0.004 until=0.005 \
+        'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
     ship all seed-003-blocks until=0.02
     ship all flood-one-cube spacing=0.05 until=0.01
     ship all flood-three-cubes spacing=0.05 until=0.01

@@ -74,6 +74,7 @@ ship moored-box 0.05
 ship box-in-waves 0.05 spacing=0.025
 ship pendulum-gate 0.05
 ship sinking-block 0.01
+ship rising-block 0.004 spacing=0.004 'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
 ship seed-003-blocks 0.02
 ship flood-one-cube 0.01 spacing=0.05
 ship flood-three-cubes 0.01 spacing=0.05
