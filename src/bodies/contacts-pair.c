@@ -24,8 +24,7 @@ static double hardened(const struct solid *a, const struct solid *b)
 
 static int corners_of(const struct solid *guest, const struct solid *partner)
 {
-    return core_point(&partner->core) && !core_point(&guest->core)
-         ? 0 : core_corners(&guest->core);
+    return core_point(&partner->core) && !core_point(&guest->core) ? 0 : core_corners(&guest->core);
 }
 
 /* Two points meet once. */
@@ -54,8 +53,7 @@ static void make_of_materials(struct contacts_pair *p, const struct contacts_rub
     p->law = touch_materials_law(rub->material, curvature(p->a, p->b), mass, speed,
                                  touch_mixed(rub->restitution, p->a->restitution, p->b->restitution), p->law.mu,
                                  &p->depth);
-    p->rate = touch_rate(speed, p->depth) * hardened(p->a, p->b)
-            * touch_materials_along(rub->material);
+    p->rate = touch_rate(speed, p->depth) * hardened(p->a, p->b) * touch_materials_along(rub->material);
 }
 
 void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const struct solid *b,
@@ -76,13 +74,11 @@ void contacts_pair_make(struct contacts_pair *p, const struct solid *a, const st
     p->slow = touch_rate(speed, 0.25 * balls);
     p->always = alone ? p->rate : 0;
     p->share = corners && !is_wall(b) ? half : 1;
-    p->places = corners_of(a, b) + corners_of_second(p)
-              + core_edges(&a->core) * edges_of_second(p);
+    p->places = corners_of(a, b) + corners_of_second(p) + core_edges(&a->core) * edges_of_second(p);
 }
 
 /* Beyond the face of half a space. */
-static bool above(const struct contacts_pair *p, const struct solid_place *b, const double *way,
-                  double reach)
+static bool above(const struct contacts_pair *p, const struct solid_place *b, const double *way, double reach)
 {
     for (int k = 0; k < DIM; k++) {
         double height = 0;
@@ -242,11 +238,9 @@ double contacts_pair_rate(const struct contacts_pair *p, const struct contacts_s
     for (int i = 0; i < p->places; i++) {
         struct contacts_spot spot;
         int which;
-        if (find_spot(p, guest, i, &which, &spot) != STATUS_DONE || !(spot.depth > -gap)
-            || !(spot.share > 0))
+        if (find_spot(p, guest, i, &which, &spot) != STATUS_DONE || !(spot.depth > -gap) || !(spot.share > 0))
             continue;
-        rate = fmax(rate, fmax(p->rate, touch_coming(spot.depth,
-                                                     contacts_spot_closing(&guest[which], &spot),
+        rate = fmax(rate, fmax(p->rate, touch_coming(spot.depth, contacts_spot_closing(&guest[which], &spot),
                                                      p->depth)));
     }
     return rate;
