@@ -138,7 +138,7 @@ lost=1e-6 # momentum follows from an angle, so that it closes as steps do, not t
 scene pendulum-gate 0.05 1.1e-3
 lost=1e-9
 scene sinking-block 0.02 1.1e-3
-scene rising-block 0.004 1.1e-3 spacing=0.004 'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
+scene rising-block 0.01 1.1e-3 spacing=0.004 'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
 scene seed-003-blocks 0.03 1.1e-3
 scene flood-one-cube 0.01 1.1e-3 spacing=0.05
 scene flood-three-cubes 0.01 1.1e-3 spacing=0.05
