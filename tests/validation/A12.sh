@@ -18,7 +18,7 @@ exact=$(awk -F, '$1 == 0.7 { print $2 }' "$reference/A12_floating_drafts.csv")
 draft=$(column disc/bodies log.y | mean 5 10 | awk '{ printf "%.5g", (0.3046 - $1 + 0.08) / 0.08 }')
 row 'disc, 0.7: draft over R' "$exact" "$draft" '1 spacing, 0.125' "sqrt(($draft - $exact) ^ 2) < 0.125" "$(cost disc)"
 got=$(drift disc log.x 0.16 0.4)
-row 'disc: drift by its diameter' 0 "$got %" '1 % in 10 s' "$got < 1" 
+row 'disc: drift by its diameter' 0 "$got %" '1 % in 10 s' "$got < 1" ''
 got=$(column disc/bodies log.spin | mean 5 10)
 row 'disc: spin' 0 "$got rad/s" '0.01 rad/s' "sqrt(($got) ^ 2) < 0.01" ''
 

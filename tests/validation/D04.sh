@@ -39,7 +39,7 @@ set xlabel 't [s]'
 set ylabel 'height of the centre [mm]'
 set xrange [0:0.6]
 set key center right
-plot 'a' using 1:($2 * 1000 - 4) with points pt 6 lc rgb grey title 'sinks, measured', \
+plot 'a' using 1:($2 * 1000 - 4) with points pt 6 lc rgb grey title 'sinks, measured, less 4 mm', \
     'c' using 1:($2 * 1000) with lines lw 2 lc rgb pick(1) title 'sinks, 2D', \
     'b' using 1:($2 * 1000) with points pt 4 lc rgb grey title 'rises, measured', \
     'd' using 1:($2 * 1000) with lines lw 2 lc rgb pick(2) title 'rises, 3D'
