@@ -93,6 +93,43 @@ static int fill_part(const struct rigid_def *d, const char *path, const struct p
     return code;
 }
 
+/* Does a ball of that radius touch the side from corner a to corner b? */
+static bool touched(const double *a, const double *b, double radius, const struct points *p)
+{
+    const double way[2] = { b[0] - a[0], b[1] - a[1] }, length = hypot(way[0], way[1]);
+    bool found = false;
+
+    for (int i = 0; !found && i < (int)p->n; i++) {
+        const double off[2] = { p->x[i][0] - a[0], p->x[i][1] - a[1] };
+        const double along = (off[0] * way[0] + off[1] * way[1]) / length;
+        const double away = fabs(off[0] * way[1] - off[1] * way[0]) / length;
+        found = along >= 0 && along <= length && away < 1.05 * radius;
+    }
+    return found;
+}
+
+static int side_bare(const struct rigid_def *d, const char *path, const double *a, const double *b)
+{
+    return status_fail(STATUS_BAD_SCENE, "%s: no ball of radius %g m touches the side of %g m between its corners "
+                       "[%g, %g] and [%g, %g] (from the centre of mass), as the polygon is thinner there; set a smaller "
+                       "radius", path, d->radius, hypot(b[0] - a[0], b[1] - a[1]), a[0], a[1], b[0], b[1]);
+}
+
+/* A row below the outline, dents included.  Other bodies would not feel a side without balls. */
+static int fill_dented(const struct rigid_def *d, const char *path, const struct rigid_figure *outer,
+                       struct points *to)
+{
+    const struct param_points *o = &outer->outline;
+
+    TRY(layers_row(o, d->radius, d->pitch, to));
+    for (int i = 0; i < o->n; i++) {
+        const double *a = o->x[i], *b = o->x[(i + 1) % o->n];
+        if (hypot(b[0] - a[0], b[1] - a[1]) > d->pitch && !touched(a, b, d->radius, to))
+            return side_bare(d, path, a, b);
+    }
+    return STATUS_DONE;
+}
+
 int rigid_clump_fill(const struct rigid_def *d, const char *path, const struct rigid_figure *outer,
                      struct points *to)
 {
@@ -105,8 +142,7 @@ int rigid_clump_fill(const struct rigid_def *d, const char *path, const struct r
     if (about > 4 * RIGID_CLUMP_FILL_MOST)
         return rigid_clump_fill_refuse(path, about);
     if (outer->parts > 1)
-        return status_fail(STATUS_BAD_SCENE, "%s: this polygon has dents, and a clump is made from one without; "
-                           "give the centres of its balls as points, without of", path);
+        return fill_dented(d, path, outer, to);
     if (outer->parts == 1)
         return fill_part(d, path, outer->part, to);
     if (!(2 * d->radius < outer->least))

@@ -5,7 +5,8 @@
  * its edges.  Where the solid goes round a sharp notch (more than `mitred`) the mitre is
  * far away and an arc of radius d about the corner takes its place.  The chain is cut at
  * angular corners, which get a point each, and the runs between them are divided
- * evenly.  Towards a tip more points stand on its bisector, where no row can follow.
+ * evenly.  Towards a tip more points stand on its bisector, where no row can follow.  A row that
+ * is strict has arcs at all notches, and no more than itself.
  *
  * Chains of deep rows cross themselves and each other where the shape is thin: points
  * that are nearer to the outline than their depth says are left out, and layers-merge.c
@@ -24,6 +25,7 @@ static const double degree = M_PI / 180;
 static const double angular = 40;   /* a corner that turns more gets a point [deg]     */
 static const double mitred = 100;   /* a notch that turns more gets an arc [deg]       */
 static const double short_of = 0.45; /* a point may miss its depth by so much [dx]     */
+static const double chord = 0.02;    /* ... [its depth], where a chord stands for an arc */
 
 struct vertex {
     double x[2]; /* [m] */
@@ -35,6 +37,7 @@ struct rows {
     double sign;          /* 1: corners go round anticlockwise                   */
     double dx, depth;     /* spacing, depth of the row in work             [m]   */
     double length;        /* of the outline                                [m]   */
+    bool strict;          /* no point nearer to the outline than its depth       */
     int vertices;
     struct vertex *chain; /* [vertices] of that row, anticlockwise               */
     int row, runs;        /* how many, or the number of the last                 */
@@ -56,6 +59,8 @@ static int add_point(struct rows *r, const double *x, int run, double miss)
 {
     double at[3] = { x[0], x[1] };
 
+    if (r->strict)
+        miss = chord * r->depth;
     if (!shape_polygon_contains(r->outline, x)
         || shape_polygon_distance(r->outline, x) < r->depth - miss)
         return STATUS_DONE;
@@ -117,7 +122,7 @@ static int turn_corner(struct rows *r, int i)
     const double cosine = n[0] * m[0] + n[1] * m[1];
     const double turn = atan2(n[0] * m[1] - n[1] * m[0], cosine);
 
-    if (turn < -mitred * degree) {
+    if (turn < -(r->strict ? 0 : mitred) * degree) {
         for (int k = 0; k < ARC; k++) {
             const double a = turn * k / (ARC - 1), u = cos(a), v = sin(a);
             add_vertex(r, c[0] + d * (u * n[0] - v * n[1]), c[1] + d * (v * n[0] + u * n[1]),
@@ -129,7 +134,9 @@ static int turn_corner(struct rows *r, int i)
     const double f = d / fmax(1 + cosine, 2 * d * d / (r->length * r->length));
     add_vertex(r, c[0] + f * (n[0] + m[0]), c[1] + f * (n[1] + m[1]),
                fabs(turn) > angular * degree);
-    return turn > angular * degree ? add_tip(r, c, r->chain[r->vertices - 1].x) : STATUS_DONE;
+    if (r->strict || !(turn > angular * degree))
+        return STATUS_DONE;
+    return add_tip(r, c, r->chain[r->vertices - 1].x);
 }
 
 static const double *vertex(const struct rows *r, int i)
@@ -192,37 +199,60 @@ static int divide_chain(struct rows *r)
     return STATUS_DONE;
 }
 
+static int add_row(struct rows *r, double depth)
+{
+    r->row++;
+    r->depth = depth;
+    r->vertices = 0;
+    for (int i = 0; i < r->outline->n; i++)
+        TRY(turn_corner(r, i));
+    return divide_chain(r);
+}
+
 static int add_rows(struct rows *r, long layers)
 {
     for (long k = 0; k < layers; k++) {
         const long before = r->at.n;
 
-        r->row++;
-        r->depth = (k + 0.5) * r->dx;
-        r->vertices = 0;
-        for (int i = 0; i < r->outline->n; i++)
-            TRY(turn_corner(r, i));
-        TRY(divide_chain(r));
+        TRY(add_row(r, (k + 0.5) * r->dx));
         if (r->at.n == before)
             break; /* deeper than the shape */
     }
     return STATUS_DONE;
 }
 
+static int start(struct rows *r, const struct param_points *outline, double dx)
+{
+    *r = (struct rows){ .outline = outline, .dx = dx, .sign = shape_polygon_turning(outline),
+                        .length = shape_polygon_length(outline) };
+    r->chain = status_alloc((unsigned long)outline->n * ARC, sizeof *r->chain);
+    return r->chain ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Gives its points, made one where rows meet, unless `code` says that they are not all there. */
+static int finish(struct rows *r, int code, struct points *to)
+{
+    if (code == STATUS_DONE)
+        code = layers_merge(&r->at, r->tag, r->dx, to);
+    free(r->chain);
+    free(r->tag);
+    points_free(&r->at);
+    return code;
+}
+
 int layers_polygon(const struct shape *s, double dx, long layers, struct points *to)
 {
-    struct rows r = { .outline = &s->points, .dx = dx,
-                      .sign = shape_polygon_turning(&s->points),
-                      .length = shape_polygon_length(&s->points) };
-    int code = STATUS_FAILED;
+    struct rows r;
 
-    r.chain = status_alloc((unsigned long)s->points.n * ARC, sizeof *r.chain);
-    if (r.chain)
-        code = add_rows(&r, layers);
-    if (code == STATUS_DONE)
-        code = layers_merge(&r.at, r.tag, dx, to);
-    free(r.chain);
-    free(r.tag);
-    points_free(&r.at);
-    return code;
+    TRY(start(&r, &s->points, dx));
+    return finish(&r, add_rows(&r, layers), to);
+}
+
+int layers_row(const struct param_points *outline, double depth, double dx, struct points *to)
+{
+    struct rows r;
+
+    TRY(start(&r, outline, dx));
+    r.strict = true;
+    return finish(&r, add_row(&r, depth), to);
 }

@@ -14,6 +14,10 @@ bool layers_wanted(const struct shape *s);
  * about dx [m]: as many layers as s->thickness has room for, or up to the middle. */
 int layers_fill(const struct shape *s, double dx, struct points *to);
 
+/* Adds points about dx [m] apart at one depth [m] inside of the outline of a polygon that
+ * shape_polygon_check() has seen, with dents or without; none is nearer to it than 0.98 depths.  2D. */
+int layers_row(const struct param_points *outline, double depth, double dx, struct points *to);
+
 /* About how many points, in no time. */
 double layers_estimate(const struct shape *s, double dx);
 

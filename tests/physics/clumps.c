@@ -117,9 +117,11 @@ static void what_overlaps_counts_once(void **state)
 
 #if DIM == 2
 static double house[][3] = { { 0, 0 }, { 0.3, 0 }, { 0.3, 0.2 }, { 0.1, 0.3 } };
+static double boot[][3] = { { 0, 0 }, { 0, 0.3 }, { 0.1, 0.3 }, { 0.1, 0.1 }, { 0.3, 0.15 }, { 0.25, 0 } };
 static const struct rigid_def outer[] = {
     { .shape = "disc", .radius = 0.1 },
     { .shape = "polygon", .points = { 4, house } },
+    { .shape = "polygon", .points = { 6, boot } },
 };
 #else
 static double house[][3] = { { 0, 0, 0 }, { 0.3, 0, 0 }, { 0, 0.2, 0 }, { 0, 0, 0.2 }, { 0.3, 0.2, 0 } };
@@ -167,7 +169,7 @@ static void balls_line(const struct rigid_def *shape)
     }
     check(b.kernels > (DIM == 2 ? 30 : 150), "%d balls only", b.kernels);
     for (int i = 0; i < b.kernels; i++) {
-        near(a.form->depth(&a, b.kernel[i].x[0]), 0.02, 1e-9, "depth of a ball");
+        near(a.form->depth(&a, b.kernel[i].x[0]), 0.02, a.parts > 1 ? 4e-4 : 1e-9, "depth of a ball");
         const double gap = neighbour(&b, i);
         check(gap > 0.004 && gap < 0.0201 + 1e-9, "the nearest ball is %g m away, and a pitch is 0.015 m", gap);
     }
@@ -323,8 +325,8 @@ static void refusals_teach(void **state)
 #if DIM == 2
 #define ROUND "of = \"disc\";"
 #define EDGED "of = \"polygon\";"
-    refused("body = { it = {" AT EDGED "radius = 0.01; pitch = 0.02; points = ([0.0, 0.0], [1.0, 0.0], [0.5, 0.2], "
-            "[0.5, 1.0]); }; };", "has dents");
+    refused("body = { it = {" AT EDGED "radius = 0.06; pitch = 0.02; points = ([0.0, 0.0], [1.0, 0.0], [1.0, 0.1], "
+            "[0.4, 0.1], [0.5, 1.0], [0.0, 1.0]); }; };", "no ball of radius 0.06 m touches the side of 0.1 m");
 #else
 #define ROUND "of = \"cylinder\";"
 #define EDGED "of = \"hull\";"
