@@ -184,16 +184,25 @@ static void pile(struct cube *c, double gap, double up, double angle)
                                   .angle = n % 2 ? angle : 0 };
 }
 
-/* From `from` s on, for a second: range of height of all, and their largest speed. */
+/* How far the one that began at c->up is from its level: none has gone through another. */
+static double sunk(const struct tank *t, int i, const struct cube *c)
+{
+    return fabs(row(t, i, "x")[UP] - (round(c->up / side - 0.5) + 0.5) * side);
+}
+
+/* From `from` s on, for a second: range of height of all, and their largest speed.  Each is at its
+ * level then. */
 static void rest(const struct cube *c, int n, double from, double range, const char *what)
 {
-    double least[MOST], most[MOST], widest = 0, fastest = 0;
+    double least[MOST], most[MOST], widest = 0, fastest = 0, deepest = 0;
     struct tank t;
 
     make(&t, c, n, 0, 0, 50);
     tank_run(&t, "cks43", 1e-2, from);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         least[i] = most[i] = row(&t, i, "x")[UP];
+        deepest = fmax(deepest, sunk(&t, i, &c[i]));
+    }
     for (int look = 0; look < 4; look++) {
         tank_run(&t, "cks43", 1e-2, 0.25);
         for (int i = 0; i < n; i++) {
@@ -205,6 +214,7 @@ static void rest(const struct cube *c, int n, double from, double range, const c
     }
     near(widest, 0, range, what);
     near(fastest, 0, 1e-6, "their speed [m/s]");
+    near(deepest, 0, 1e-3, "how far one is from its level [m]");
     tank_free(&t);
 }
 
