@@ -56,6 +56,8 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
 
     if (list_grow((void **)&drift->block, &drift->block_room, all, sizeof *drift->block)
         && list_grow((void **)&drift->member, &drift->member_room, all, sizeof *drift->member)
+        && list_grow((void **)&drift->row, &drift->row_room, all, sizeof *drift->row)
+        && list_grow((void **)&drift->was, &drift->was_room, all, sizeof *drift->was)
         && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
         && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
         && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
@@ -116,8 +118,13 @@ static void gather_members(const struct list *list, struct drift *drift)
         drift->end[b] = next;
         next += drift->count[b];
     }
-    for (int s = 0; s < list->listed; s++)
-        drift->member[drift->end[drift->block[s]]++] = s;
+    for (int s = 0; s < list->listed; s++) {
+        const int m = drift->end[drift->block[s]]++;
+
+        drift->member[m] = s;
+        drift->row[m] = list->order[s];
+        memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
+    }
 }
 
 int drift_note(struct list *list, const struct cloud *cloud)
@@ -125,6 +132,7 @@ int drift_note(struct list *list, const struct cloud *cloud)
     struct drift *drift = &list->own->drift;
 
     drift->useds = 0;
+    drift->far = false;
     if (list->listed == 0)
         return STATUS_DONE;
     const size_t blocks = make_grid(list, drift);
@@ -139,6 +147,8 @@ void drift_free(struct drift *drift)
 {
     free(drift->block);
     free(drift->member);
+    free(drift->row);
+    free(drift->was);
     free(drift->end);
     free(drift->count);
     free(drift->used);
