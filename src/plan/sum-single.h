@@ -10,7 +10,7 @@ struct sum_single {
 
     /* What laws add up for groups g and, with both, g + 1: for column s of the book
      * sum[s][0..DIM-1] force [N] and sum[s][DIM] mass times rate of density, each
-     * [2 lanes of the list].  record: space/single.h. */
+     * [2 lanes of the list], 64-byte aligned.  record: space/single.h. */
     void (*groups)(const struct sum_job *job, const float *record, int g, bool both,
                    float *sum);
 };
