@@ -12,13 +12,6 @@
 
 _Static_assert((int)VISIT_GROUPS <= (int)EXACT_ROWS, "rows of a chunk");
 
-/* Columns of the book that the laws of a pass add to, ascending: nothing is added up of what
- * is 0 in all of them. */
-struct sum_columns {
-    int n;
-    struct { int slot; bool force, rate; } of[SUM_SLOTS];
-};
-
 /* What threads need. */
 struct sum_pass {
     const struct sum_job *job;
@@ -32,6 +25,13 @@ struct sum_pass {
 struct chunk_power {
     struct exact_rows rows[SUM_SLOTS];  /* [columns] [W]                       */
 };
+
+/* Sums of the columns before there are any. */
+LANES_INLINE void clear_sums(const struct sum_columns *columns, struct sum *part)
+{
+    for (int k = 0; k < columns->n; k++)
+        part[columns->of[k].slot] = (struct sum){ 0 };
+}
 
 /* rho dp/drho [Pa] of owners. */
 static inline lanes moduli(const struct sum_job *job, lanes rho, lanes p)

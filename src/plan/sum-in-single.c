@@ -82,7 +82,7 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
 
         for (int h = 0; h < 1 + both; h++)
             expect(job, g + h);
-        single->groups(job, pass->record, g, both, sum);
+        single->groups(job, &pass->columns, pass->record, g, both, sum);
         for (int h = 0; h < 1 + both; h++)
             end_group(pass, g + h, sum + h * LANES, book);
     }

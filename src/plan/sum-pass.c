@@ -90,6 +90,8 @@ static struct sum_columns find_columns(const struct sum_job *job)
     for (int t = 0; t < KINDS * KINDS; t++)
         for (int i = 0; i < job->table[t].n; i++)
             added[job->table[t].work[i].slot] |= job->table[t].work[i].columns;
+    if (job->apart)
+        added[job->apart_slot] |= COLUMN_FORCE;
     for (int s = 0; s < job->slots; s++)
         if (added[s]) {
             all.of[all.n].slot = s;

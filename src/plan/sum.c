@@ -46,7 +46,7 @@ static void sum_group(const struct sum_pass *pass, int g, struct block *b,
     }
     expect_rates(job, v.kind, v.first, owners);
     gather_side(job->record, v.first, v.end, job->list->listed, &a);
-    memset(part, 0, (size_t)job->slots * sizeof *part);
+    clear_sums(&pass->columns, part);
     while (visit_segment(&v, VISIT_ALL)) {
         const struct pairs_table *table = &tables[v.segment->partner];
 

@@ -60,6 +60,7 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
         && list_grow((void **)&drift->was, &drift->was_room, all, sizeof *drift->was)
         && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
         && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
+        && list_grow((void **)&drift->first, &drift->first_room, blocks, sizeof *drift->first)
         && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
         && list_grow((void **)&drift->range, &drift->range_room, blocks,
                      2 * DIM * sizeof *drift->range))
@@ -116,11 +117,13 @@ static void gather_members(const struct list *list, struct drift *drift)
     for (int k = 0; k < drift->useds; k++) {
         const int b = drift->used[k];
         drift->end[b] = next;
+        drift->first[b] = 0;
         next += drift->count[b];
     }
     for (int s = 0; s < list->listed; s++) {
-        const int m = drift->end[drift->block[s]]++;
+        const int b = drift->block[s], m = drift->end[b]++;
 
+        drift->first[b] += s < list->start[1];
         drift->member[m] = s;
         drift->row[m] = list->order[s];
         memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
@@ -151,6 +154,7 @@ void drift_free(struct drift *drift)
     free(drift->was);
     free(drift->end);
     free(drift->count);
+    free(drift->first);
     free(drift->used);
     free(drift->range);
     *drift = (struct drift){ 0 };

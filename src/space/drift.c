@@ -39,39 +39,52 @@ static inline const double *position(struct positions *of, int row)
     return of->cloud->x[of->kind] + (size_t)(row - from[of->kind]) * DIM;
 }
 
+/* Of some particles: least and largest displacement [m]. */
+struct reach {
+    double least[DIM], most[DIM];
+    bool good; /* none is nowhere, nor too far */
+};
+
+static inline void take_one(struct reach *r, const double *x, const double *was, double most2)
+{
+    double far = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        const double moved = x[d] - was[d];
+        r->least[d] = moved < r->least[d] ? moved : r->least[d];
+        r->most[d] = moved > r->most[d] ? moved : r->most[d];
+        far += moved * moved;
+    }
+    r->good &= far <= most2;
+}
+
 /* The range of displacements in a block; false when a particle went too far, or nowhere.
  * Images go where their originals do. */
 static bool find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
     const double limit = DRIFT_FARTHEST * list->def.skin, most2 = limit * limit;
-    const int end = drift->end[block];
+    const int end = drift->end[block], from = end - drift->count[block];
+    const int *row = drift->row;
+    const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
-    struct positions all = { list, cloud, 0 };
-    double least[DIM], most[DIM];
-    bool good = true;
+    struct positions others = { list, cloud, 0 };
+    struct reach r = { .good = true };
+    int m = from;
 
     for (int d = 0; d < DIM; d++) {
-        least[d] = INFINITY;
-        most[d] = -INFINITY;
+        r.least[d] = INFINITY;
+        r.most[d] = -INFINITY;
     }
-    for (int m = end - drift->count[block]; m < end; m++) {
-        const double *x = position(&all, drift->row[m]), *was = drift->was[m];
-        double far = 0;
-
-        for (int d = 0; d < DIM; d++) {
-            const double moved = x[d] - was[d];
-            least[d] = moved < least[d] ? moved : least[d];
-            most[d] = moved > most[d] ? moved : most[d];
-            far += moved * moved;
-        }
-        good &= far <= most2;
-    }
+    for (; m < from + drift->first[block]; m++)
+        take_one(&r, x + (size_t)row[m] * DIM, was[m], most2);
+    for (; m < end; m++)
+        take_one(&r, position(&others, row[m]), was[m], most2);
     for (int d = 0; d < DIM; d++) {
-        range[2 * d] = least[d];
-        range[2 * d + 1] = most[d];
+        range[2 * d] = r.least[d];
+        range[2 * d + 1] = r.most[d];
     }
-    return good;
+    return r.good;
 }
 
 /* The largest displacement of a particle of one block against one of the other,
