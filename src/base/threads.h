@@ -35,4 +35,13 @@ static inline int threads_all(void)
 #endif
 }
 
+/* The threads of a region wait for each other; one that is alone need not: a barrier of the
+ * library's would be a call of the system even then. */
+static inline void threads_meet(void)
+{
+    if (threads_all() > 1) {
+#pragma omp barrier
+    }
+}
+
 #endif

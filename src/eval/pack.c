@@ -57,16 +57,17 @@ static bool take_densities(const struct moment *m, const struct record_source *o
 {
     const double low = m->density[0], high = m->density[1], rho0 = m->plan->scales.rho0;
     const double *x = of->x, *u = of->u;
-    const int *order = of->order, first = of->first;
-    bool good = true;
+    const int *order = of->order + from, first = of->first, n = to - from;
+    int good = 1;
 
-    for (int s = from; s < to; s++) {
-        const int i = order[s] - first;
+    for (int k = 0; k < n; k++) {
+        const int i = order[k] - first;
         __builtin_prefetch(x + (size_t)i * DIM);
         __builtin_prefetch(u + (size_t)i * DIM);
-        rho[s - from] = given ? given[i] : rho0;
-        good &= (rho[s - from] >= low) & (rho[s - from] <= high);
+        rho[k] = given ? given[i] : rho0;
     }
+    for (int k = 0; k < n; k++)
+        good &= (rho[k] >= low) & (rho[k] <= high);
     return good;
 }
 
@@ -159,25 +160,51 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     return STATUS_FAILED;
 }
 
+/* The chunks of all kinds, one after the other: in one region, as each costs its start. */
+struct chunks {
+    int n, of[KINDS + 1]; /* kind k: chunks of[k] .. of[k+1]-1 */
+};
+
+static struct chunks cut(const struct list *l, unsigned kinds)
+{
+    struct chunks c = { 0 };
+
+    for (int k = 0; k < KINDS; k++) {
+        const int n = kinds & KIND_BIT(k) ? l->start[k + 1] - l->start[k] : 0;
+
+        c.of[k] = c.n;
+        c.n += (n + CHUNK - 1) / CHUNK;
+    }
+    c.of[KINDS] = c.n;
+    return c;
+}
+
+static int pack_one(const struct moment *m, const struct view *v, const struct chunks *c, int chunk)
+{
+    int k = 0;
+
+    while (chunk >= c->of[k + 1])
+        k++;
+    const int from = m->list->start[k] + (chunk - c->of[k]) * CHUNK, end = m->list->start[k + 1];
+    return pack_chunk(m, v, k, from, from + CHUNK < end ? from + CHUNK : end);
+}
+
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 {
     const struct list *l = m->list;
+    const struct chunks chunks = cut(l, kinds);
     atomic_int bad = l->listed;
 
-    for (int k = 0; k < KINDS; k++) {
-        const int from = l->start[k], to = l->start[k + 1];
-        if (!(kinds & KIND_BIT(k)))
-            continue;
-#pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
-        for (int s = from; s < to; s += CHUNK) {
-            const int at = pack_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
-            for (int old = bad; at >= 0 && at < old;) /* keep the smallest place */
-                if (atomic_compare_exchange_weak(&bad, &old, at))
-                    break;
-        }
-        if (l->offset)
-            copy_images(m, v, k);
+#pragma omp parallel for schedule(static) if (chunks.n > 4)
+    for (int c = 0; c < chunks.n; c++) {
+        const int at = pack_one(m, v, &chunks, c);
+        for (int old = bad; at >= 0 && at < old;) /* keep the smallest place */
+            if (atomic_compare_exchange_weak(&bad, &old, at))
+                break;
     }
+    for (int k = 0; k < KINDS && l->offset; k++)
+        if (kinds & KIND_BIT(k))
+            copy_images(m, v, k);
     pack_far(m->plan, 0, m->work->record + (size_t)l->listed * RECORD);
     return bad < l->listed ? refuse_density(m, v, bad) : STATUS_DONE;
 }

@@ -5,8 +5,6 @@
 #include "space/gather.h"
 #include "space/single-rows.h"
 
-#include <string.h>
-
 /* The groups at hand. */
 struct walk {
     const struct list *list;
@@ -112,26 +110,22 @@ static void fill(const struct walk *w, const struct single_records *all,
     }
 }
 
-static void hand_over(int slots, const struct sum *part, float *sum)
-{
-    for (int s = 0; s < slots; s++, sum += (DIM + 1) * LANES) {
-        memcpy(sum, part[s].f, sizeof part[s].f);
-        memcpy(sum + DIM * LANES, &part[s].drho, sizeof part[s].drho);
-    }
-}
+_Static_assert(sizeof(struct sum) == (DIM + 1) * sizeof(lanes), "what ends of groups read");
 
-static void groups(const struct sum_job *job, const float *record, int g, bool both, float *sum)
+static void groups(const struct sum_job *job, const struct sum_columns *columns,
+                   const float *record, int g, bool both, float *sum)
 {
     const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
     const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
     const struct single_owners at = owners(job->list, g, both);
     struct walk w = start(job->list, g, both);
-    struct sum part[SUM_SLOTS];
+    struct sum *part = (struct sum *)sum;
     struct single_side own;
     struct block b;
 
     single_rows_side(&all, &at, &own);
-    memset(part, 0, (size_t)job->slots * sizeof *part);
+    for (int k = 0; k < columns->n; k++)
+        part[columns->of[k].slot] = (struct sum){ 0 };
     for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
         const struct pairs_table *table = &tables[partner];
         struct single_places from = take(&w, partner, rows);
@@ -143,7 +137,6 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
             table->laws(table, &own.a, &b, part);
         }
     }
-    hand_over(job->slots, part, sum);
 }
 
 const struct sum_single LANE_NAME(sum_single) = { .arrange = arrange, .groups = groups };

@@ -56,8 +56,11 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
 
     if (list_grow((void **)&drift->block, &drift->block_room, all, sizeof *drift->block)
         && list_grow((void **)&drift->member, &drift->member_room, all, sizeof *drift->member)
+        && list_grow((void **)&drift->row, &drift->row_room, all, sizeof *drift->row)
+        && list_grow((void **)&drift->was, &drift->was_room, all, sizeof *drift->was)
         && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
         && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
+        && list_grow((void **)&drift->first, &drift->first_room, blocks, sizeof *drift->first)
         && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
         && list_grow((void **)&drift->range, &drift->range_room, blocks,
                      2 * DIM * sizeof *drift->range))
@@ -114,10 +117,17 @@ static void gather_members(const struct list *list, struct drift *drift)
     for (int k = 0; k < drift->useds; k++) {
         const int b = drift->used[k];
         drift->end[b] = next;
+        drift->first[b] = 0;
         next += drift->count[b];
     }
-    for (int s = 0; s < list->listed; s++)
-        drift->member[drift->end[drift->block[s]]++] = s;
+    for (int s = 0; s < list->listed; s++) {
+        const int b = drift->block[s], m = drift->end[b]++;
+
+        drift->first[b] += s < list->start[1];
+        drift->member[m] = s;
+        drift->row[m] = list->order[s];
+        memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
+    }
 }
 
 int drift_note(struct list *list, const struct cloud *cloud)
@@ -125,6 +135,7 @@ int drift_note(struct list *list, const struct cloud *cloud)
     struct drift *drift = &list->own->drift;
 
     drift->useds = 0;
+    drift->far = false;
     if (list->listed == 0)
         return STATUS_DONE;
     const size_t blocks = make_grid(list, drift);
@@ -139,8 +150,11 @@ void drift_free(struct drift *drift)
 {
     free(drift->block);
     free(drift->member);
+    free(drift->row);
+    free(drift->was);
     free(drift->end);
     free(drift->count);
+    free(drift->first);
     free(drift->used);
     free(drift->range);
     *drift = (struct drift){ 0 };

@@ -1,6 +1,7 @@
 /* drift.c -- displacements compared block by block, and one by one. */
 #include "space/drift.h"
 
+#include "base/threads.h"
 #include "base/waiting.h"
 #include "space/list-private.h"
 
@@ -13,56 +14,77 @@ enum {
     SHARE = 16   /* blocks that a thread takes at a time                     */
 };
 
-/* What stands in a block. */
+/* Of a block, those that may have come near to one of another. */
 struct crowd {
     int n;
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
 };
 
-/* The position of the particle in this row. */
-static inline const double *position(const struct list *list, const struct cloud *cloud, int row)
-{
-    const int *from = list->def.from;
-    int kind = 0;
+/* Positions of the particles in rows one after the other: rows of a kind mostly follow rows
+ * of the same. */
+struct positions {
+    const struct list *list;
+    const struct cloud *cloud;
+    int kind;
+};
 
-    while (row >= from[kind + 1])
-        kind++;
-    return cloud->x[kind] + (size_t)(row - from[kind]) * DIM;
+static inline const double *position(struct positions *of, int row)
+{
+    const int *from = of->list->def.from;
+
+    while (row >= from[of->kind + 1])
+        of->kind++;
+    while (row < from[of->kind])
+        of->kind--;
+    return of->cloud->x[of->kind] + (size_t)(row - from[of->kind]) * DIM;
 }
 
-/* The range of displacements in a block; false when a particle went too far.  Images go
- * where their originals do. */
+/* Of some particles: least and largest displacement [m]. */
+struct reach {
+    double least[DIM], most[DIM];
+    bool good; /* none is nowhere, nor too far */
+};
+
+static inline void take_one(struct reach *r, const double *x, const double *was, double most2)
+{
+    double far = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        const double moved = x[d] - was[d];
+        r->least[d] = moved < r->least[d] ? moved : r->least[d];
+        r->most[d] = moved > r->most[d] ? moved : r->most[d];
+        far += moved * moved;
+    }
+    r->good &= far <= most2;
+}
+
+/* The range of displacements in a block; false when a particle went too far, or nowhere.
+ * Images go where their originals do. */
 static bool find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
-    const double limit = DRIFT_FARTHEST * list->def.skin;
-    const int *member = drift->member + drift->end[block];
+    const double limit = DRIFT_FARTHEST * list->def.skin, most2 = limit * limit;
+    const int end = drift->end[block], from = end - drift->count[block];
+    const int *row = drift->row;
+    const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
-    double least[DIM], most[DIM], farthest = 0;
+    struct positions others = { list, cloud, 0 };
+    struct reach r = { .good = true };
+    int m = from;
 
     for (int d = 0; d < DIM; d++) {
-        least[d] = INFINITY;
-        most[d] = -INFINITY;
+        r.least[d] = INFINITY;
+        r.most[d] = -INFINITY;
     }
-    for (int m = -drift->count[block]; m < 0; m++) {
-        const int row = list->order[member[m]];
-        const double *x = position(list, cloud, row);
-        const double *built = list->own->built + (size_t)row * DIM;
-        double far = 0;
-
-        for (int d = 0; d < DIM; d++) {
-            const double moved = x[d] - built[d];
-            least[d] = moved < least[d] ? moved : least[d];
-            most[d] = moved > most[d] ? moved : most[d];
-            far += moved * moved;
-        }
-        farthest = far > farthest ? far : farthest;
-    }
+    for (; m < from + drift->first[block]; m++)
+        take_one(&r, x + (size_t)row[m] * DIM, was[m], most2);
+    for (; m < end; m++)
+        take_one(&r, position(&others, row[m]), was[m], most2);
     for (int d = 0; d < DIM; d++) {
-        range[2 * d] = least[d];
-        range[2 * d + 1] = most[d];
+        range[2 * d] = r.least[d];
+        range[2 * d + 1] = r.most[d];
     }
-    return farthest <= limit * limit;
+    return r.good;
 }
 
 /* The largest displacement of a particle of one block against one of the other,
@@ -94,21 +116,42 @@ static int touching(const struct drift *drift, int *offset)
     return n;
 }
 
-/* False when they are too many. */
+/* The largest displacement against one of a block with this range, squared [m^2]. */
+static inline double apart_of(const double *moved, const double *range)
+{
+    double far = 0;
+
+    for (int d = 0; d < DIM; d++) {
+        const double one = moved[d] - range[2 * d], other = range[2 * d + 1] - moved[d];
+        const double most = one > other ? one : other;
+        far += most * most;
+    }
+    return far;
+}
+
+/* Those of a block that moved against one of a block with this range by the margin, but for
+ * roundings: no pair of others can be missing.  False when the block has too many. */
 static bool meet(const struct list *list, const struct cloud *cloud, int block,
-                 struct crowd *crowd)
+                 const double *range, struct crowd *crowd)
 {
     const struct drift *drift = &list->own->drift;
-    const int *member = drift->member + drift->end[block] - drift->count[block];
+    const double limit = list->def.skin * list->def.skin * (1 - 1e-6);
+    const int end = drift->end[block];
+    struct positions all = { list, cloud, 0 };
 
-    crowd->n = drift->count[block];
-    if (crowd->n > CROWD)
+    crowd->n = 0;
+    if (drift->count[block] > CROWD)
         return false;
-    for (int m = 0; m < crowd->n; m++) {
-        const int row = list->order[member[m]];
+    for (int m = end - drift->count[block]; m < end; m++) {
+        const double *x = position(&all, drift->row[m]);
+        double moved[DIM];
 
-        drift_place(list, member[m], position(list, cloud, row), crowd->now[m]);
-        drift_place(list, member[m], list->own->built + (size_t)row * DIM, crowd->was[m]);
+        for (int d = 0; d < DIM; d++)
+            moved[d] = x[d] - drift->was[m][d];
+        if (apart_of(moved, range) < limit)
+            continue;
+        drift_place(list, drift->member[m], x, crowd->now[crowd->n]);
+        drift_place(list, drift->member[m], drift->was[m], crowd->was[crowd->n++]);
     }
     return true;
 }
@@ -144,19 +187,16 @@ static bool complete(const struct list *list, const struct cloud *cloud, int blo
     const double limit = list->def.skin * list->def.skin;
     const double *range = drift->range + (size_t)block * 2 * DIM;
     struct crowd here, there;
-    bool met = false;
 
     for (int o = 0; o < offsets; o++) {
         const int other = block + offset[o];
+        const double *others = drift->range + (size_t)other * 2 * DIM;
 
-        if (drift->count[other] == 0 || apart(range, drift->range + (size_t)other * 2 * DIM) <= limit)
+        if (drift->count[other] == 0 || apart(range, others) <= limit)
             continue;
-        if (!met && !meet(list, cloud, block, &here))
+        if (!meet(list, cloud, block, others, &here) || !meet(list, cloud, other, range, &there))
             return false;
-        met = true;
-        if (!meet(list, cloud, other, &there))
-            return false;
-        const long pairs = (long)here.n * there.n;
+        const long pairs = (long)drift->count[block] * drift->count[other];
         if (atomic_fetch_sub(patience, pairs) < pairs || pair_missing(list, &here, &there))
             return false;
     }
@@ -174,11 +214,12 @@ bool drift_harmless(const struct list *list, const struct cloud *cloud)
 
 #pragma omp parallel if (waiting_repays(list->listed))
     {
-#pragma omp for schedule(static, SHARE)
+#pragma omp for schedule(static, SHARE) nowait
         for (int k = 0; k < drift->useds; k++)
             if (!find_range(list, cloud, drift->used[k]))
                 harmless = false;
-#pragma omp for schedule(static, SHARE)
+        threads_meet();
+#pragma omp for schedule(static, SHARE) nowait
         for (int k = 0; k < drift->useds; k++)
             if (harmless && !complete(list, cloud, drift->used[k], offsets, offset, &patience))
                 harmless = false;

@@ -24,12 +24,18 @@ struct drift {
     int n[DIM];            /* blocks; the outermost are empty                */
     int *block;            /* [places] where each stood                      */
     int *member;           /* [places] places, block by block                */
+    int *row;              /* [places] rows of the members                   */
+    double (*was)[DIM];    /* [places] where the particles of members were   [m] */
     int *end;              /* [blocks] the first member of the next block    */
     int *count;            /* [blocks] members                               */
+    int *first;            /* [blocks] of them, those of the first kind: they come first,
+                              unless they are images                         */
     int *used;             /* [useds] blocks that are not empty              */
     int useds;
     double *range;         /* [blocks][DIM][2] least and largest displacement [m] */
-    size_t block_room, member_room, end_room, count_room, used_room, range_room;
+    bool far;              /* since then one was seen beyond half the margin */
+    size_t block_room, member_room, row_room, was_room, end_room, count_room, first_room,
+        used_room, range_room;
 };
 
 /* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no

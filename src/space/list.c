@@ -82,6 +82,14 @@ static bool outdated(const struct list *list, const struct cloud *cloud, const s
     return !list->stands || c->back || (c->moved && !drift_harmless(list, cloud));
 }
 
+/* As long as blocks answer, no particle need be asked: they cannot where one is nowhere, and
+ * do not know of those left out. */
+static bool fresh_by_blocks(const struct list *list, const struct cloud *cloud)
+{
+    return list->stands && list->own->drift.far && list->start[KINDS] == list->n
+           && drift_harmless(list, cloud);
+}
+
 bool list_stale(const struct list *list, const struct cloud *cloud)
 {
     if (!list->stands)
@@ -220,8 +228,9 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
     {
         const int t = threads_me(), of = threads_all();
 
-#pragma omp single
+#pragma omp single nowait
         share_groups(list, before, of);
+        threads_meet();
         rows(list, &own->store[t], own->store[t].from,
              t + 1 < of ? own->store[t + 1].from : list->groups);
     }
@@ -257,11 +266,14 @@ static int note_bad(struct list *list, const struct cloud *cloud, int bad)
 
 int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
+    list->bad = -1;
     if (!list->stands)
         leave_out(list);
+    if (fresh_by_blocks(list, cloud))
+        return STATUS_DONE;
     const struct check c = check(list, cloud);
 
-    list->bad = -1;
+    list->own->drift.far = c.moved;
     if (c.bad < list->n)
         return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
                            "was too large, or a force is not finite",

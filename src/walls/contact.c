@@ -18,6 +18,7 @@
 #include "walls/contact-press.h"
 
 #include "base/lanes.h"
+#include "base/threads.h"
 #include "base/waiting.h"
 #include "walls/contact-side.h"
 #include "walls/solid-rows.h"
@@ -115,21 +116,24 @@ static void press(const void *self, struct part_press_work *w, const struct part
 
 #pragma omp parallel if (waiting_repays((long)n[CONTACT_R] * WORTH))
     {
-#pragma omp for schedule(static)
+#pragma omp for schedule(static) nowait
         for (int k = 0; k < n[CONTACT_R]; k++)
             read_slice(&of, slice[CONTACT_R][k]);
-#pragma omp for schedule(static)
+        threads_meet();
+#pragma omp for schedule(static) nowait
         for (int i = 0; i < solids; i++) { /* where no water is */
             io->shown[i] = c->eos.rho0;
             io->p2[i] = 0;
             if (io->mean)
                 io->mean[i] = c->eos.rho0;
         }
-#pragma omp for schedule(static)
+        threads_meet();
+#pragma omp for schedule(static) nowait
         for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
             press_chunk(&of, slice[CONTACT_PI] + k,
                         n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
-#pragma omp for schedule(static)
+        threads_meet();
+#pragma omp for schedule(static) nowait
         for (int k = 0; k < n[CONTACT_Q]; k++)
             push_slice(&of, slice[CONTACT_Q][k]);
     }
