@@ -101,6 +101,7 @@ int run_start_again(struct run *r, struct archive *from)
     TRY(ranks_agree(agree_again(r, from)));
     TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
     TRY(ranks_agree(create_method(r)));
+    TRY(r->method->restart(r->self, r->past.tally.t, r->y, &r->pace));
     run_ranks_begin(r);
     TRY(ranks_agree(open_outputs(r, true)));
     return ranks_agree(checkpoint_load_past(r, from));

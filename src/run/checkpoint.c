@@ -85,6 +85,8 @@ static int keep_state(struct run *r, struct archive *a)
 {
     TRY(archive_numbers(a, "y", r->y, moment_size(r->moment)));
     TRY(archive_numbers(a, "t", &r->past.tally.t, 1));
+    TRY(archive_numbers(a, "pace", &r->pace.h, 1));
+    TRY(archive_numbers(a, "pace.error", r->pace.error, 2));
     return moment_keep(r->moment, a);
 }
 
@@ -171,7 +173,7 @@ int checkpoint_write(struct run *r)
     r->clock_kept = run_clock();
     r->event = plan_event(r->plan, t);
     moment_restart(r->moment);
-    return r->method->restart(r->self, t, r->method->state(r->self));
+    return r->method->restart(r->self, t, r->method->state(r->self), &r->pace);
 }
 
 /* --- loading ------------------------------------------------------------------------ */

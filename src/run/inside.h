@@ -24,6 +24,7 @@ struct run {
     double *y;               /* [size] interpolated state                     */
     struct outputs *outputs;
     struct run_past past;
+    struct method_pace pace; /* after the last step                           */
     double until, event;     /* end of the run, of the segment [s]            */
     double clock_start;      /* [s]                                           */
     double cpu_start;        /* [s], spent by then: libraries take some       */

@@ -1,9 +1,10 @@
 /* past.h -- what a run knows of its past that no y says.
  *
  * A checkpoint is the end of a segment: the method's restart() and moment_restart(), in the
- * run that writes it and in the one that resumes.  Nothing of method or moment has to be kept
+ * run that writes it and in the one that resumes.  Nothing else of method or moment has to be kept
  * then (tests/physics/restart.c).  It carries (run/checkpoint.c)
  *
+ *   - the method's pace, which restart() takes;
  *   - t and y, quadratures of the book among them: works, impulses of forces.csv and
  *     panels.csv, energies;
  *   - the hash of the scene as it was used, the method by name, what the layout says of y;

@@ -97,6 +97,7 @@ static int one_step(struct run *r, struct progress *progress)
     TRY(step_on(r, &step));
     y = run_state(r);
     step.rejected += r->rejected;
+    r->pace = step.pace;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;

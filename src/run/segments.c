@@ -16,7 +16,7 @@ static int jump(struct run *r)
     r->event = plan_event(r->plan, t);
     memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
     TRY(moment_event(r->moment, t, r->y));
-    return r->method->restart(r->self, t, r->y);
+    return r->method->restart(r->self, t, r->y, NULL);
 }
 
 /* Bodies come near that have no place for what a contact remembers. */
@@ -28,7 +28,7 @@ static int settle(struct run *r)
         return STATUS_DONE;
     memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
     TRY(moment_settle(r->moment, t, r->y));
-    return r->method->restart(r->self, t, r->y);
+    return r->method->restart(r->self, t, r->y, NULL);
 }
 
 int run_next_segment(struct run *r)

@@ -129,11 +129,11 @@ static int build(struct arkode *a, double t, const double *y)
 {
     TRY(sundials_open(&a->context));
     TRY(take_memory(a));
-    TRY(arkode_restart(a, t, y));
+    TRY(arkode_restart(a, t, y, NULL));
     TRY(set_up(a));
     if (tableau_first_same_as_last(&a->table))
         TRY(arkode_take_last(a));
-    return arkode_restart(a, t, y); /* again: now its orders are known */
+    return arkode_restart(a, t, y, NULL); /* again: now its orders are known */
 }
 
 int arkode_create(const struct method *m, const struct method_def *def, struct moment *moment,

@@ -134,8 +134,8 @@ int arkode_constant_failed(struct arkode *a)
                          &a->stable.limit);
 }
 
-/* The first step, 0.3 of the bound: a controller of low gain comes from there to
- * the error it aims at within a few steps. */
+/* The first step: that of a segment before, else 0.3 of the bound, from where a controller of
+ * low gain comes to the error it aims at within a few steps. */
 int arkode_first(struct arkode *a, double t_stop, double *h)
 {
     const struct arkode_node *now = &a->node[0];
@@ -148,8 +148,10 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
     }
     a->choice[0] = (struct choice){ .limiter = METHOD_ERROR, .entry = -1,
                                            .limit = a->stable.limit };
-    if (a->def.h_first > 0)
-        *h = a->def.h_first;
+    const double given = a->natural > 0 ? a->natural : a->def.h_first;
+
+    if (given > 0)
+        *h = given;
     else if (bound < HUGE_VAL)
         *h = 0.3 * bound;
     else
@@ -157,7 +159,7 @@ int arkode_first(struct arkode *a, double t_stop, double *h)
     if (a->imex)
         follow(a);
     *h = fmin(*h, a->stable.h);
-    if (bound < HUGE_VAL && (a->def.h_first == 0 || *h == bound))
+    if (bound < HUGE_VAL && (given == 0 || *h == bound))
         a->choice[0].limiter = METHOD_STABILITY;
     a->choice[0].h = *h;
     return STATUS_DONE;

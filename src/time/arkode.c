@@ -23,7 +23,7 @@ static int launch(struct arkode *a, double t_stop)
     double h = a->natural, h_min;
     int bad;
 
-    if (h == 0)
+    if (a->known == 1)
         TRY(arkode_first(a, t_stop, &h));
     h_min = a->def.h_min > 0 ? a->def.h_min : 1e-6 * h;
     sundials_forget();
@@ -83,7 +83,9 @@ static void rotate(struct arkode *a, double t)
     arkode_remember(a);
 }
 
-static void report(struct arkode *a, bool stopped, struct method_step *out)
+/* past: the controller before the step, whose error says little when it was cut short. */
+static void report(struct arkode *a, bool stopped, const struct control *past,
+                   struct method_step *out)
 {
     struct choice made = a->choice[1];
     const double h = a->node[0].t - a->node[1].t;
@@ -95,6 +97,7 @@ static void report(struct arkode *a, bool stopped, struct method_step *out)
     choice_where(&made, a->moment, out->where);
     if (made.limiter != METHOD_OUTPUT || a->choice[0].h > a->natural)
         a->natural = a->choice[0].h;
+    out->pace = control_pace(made.limiter == METHOD_OUTPUT ? past : &a->control, a->natural);
 }
 
 /* SUNDIALS 7 does not ask for the first stage where the table says that it is the
@@ -110,6 +113,7 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
 {
     struct arkode *a = self;
     const struct arkode_node *slot = &a->node[a->nodes - 1];
+    const struct control past = a->control;
     sunrealtype t;
     int flag;
     long bad;
@@ -132,12 +136,12 @@ int arkode_step(void *self, double t_stop, struct method_step *out)
     if (bad >= 0)
         return failure_not_finite(a->row->method.name, t, moment_entry(a->moment, bad));
     rotate(a, t);
-    report(a, flag == ARK_TSTOP_RETURN, out);
+    report(a, flag == ARK_TSTOP_RETURN, &past, out);
     a->launched = flag != ARK_TSTOP_RETURN;
     return STATUS_DONE;
 }
 
-int arkode_restart(void *self, double t, const double *y)
+int arkode_restart(void *self, double t, const double *y, const struct method_pace *pace)
 {
     struct arkode *a = self;
 
@@ -147,11 +151,11 @@ int arkode_restart(void *self, double t, const double *y)
     a->stiff.has_start = false;
     a->known = 1;
     a->stiff.pasts = 0;
-    a->natural = 0;
+    a->natural = pace ? pace->h : 0;
     a->launched = false;
     a->last.known = false;
     a->refusal[0] = '\0';
-    control_start(&a->control, a->row->control, a->table.order, a->table.embedded);
+    control_start(&a->control, a->row->control, a->table.order, a->table.embedded, pace);
     arkode_remember(a);
     return STATUS_DONE;
 }

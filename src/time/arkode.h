@@ -69,7 +69,8 @@ struct arkode {
     } error;                     /* tests                                      */
     struct control control;
     struct choice choice[2]; /* for the step to come, for the last one  */
-    double natural;              /* last step that no t_stop cut short [s]     */
+    double natural;              /* last step that no t_stop cut short, or the pace of a
+                                    segment before; 0: neither [s]             */
     long rejected;
     char refusal[320];            /* of f since the last error test             */
 
@@ -146,6 +147,6 @@ int arkode_at(void *self, double t, double *y);
 
 /* arkode.c */
 int arkode_step(void *self, double t_stop, struct method_step *out);
-int arkode_restart(void *self, double t, const double *y);
+int arkode_restart(void *self, double t, const double *y, const struct method_pace *pace);
 
 #endif

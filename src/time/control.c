@@ -1,14 +1,24 @@
 /* control.c -- step-size control. */
 #include "time/control.h"
 
+#include "time/method.h"
 #include <math.h>
+#include <string.h>
 
 static const double least_error = 1e-8; /* no error counts as smaller: 0 has no logarithm */
 
-void control_start(struct control *c, const struct control_row *row, int order, int embedded)
+void control_start(struct control *c, const struct control_row *row, int order, int embedded,
+                   const struct method_pace *pace)
 {
     *c = (struct control){ .row = row, .k = (order < embedded ? order : embedded) + 1,
                            .before = { 1, 1 } };
+    if (pace && pace->h > 0)
+        memcpy(c->before, pace->error, sizeof c->before);
+}
+
+struct method_pace control_pace(const struct control *c, double h)
+{
+    return (struct method_pace){ .h = h, .error = { c->before[0], c->before[1] } };
 }
 
 /* A rejected step is repeated with the length that its own error asks for: the

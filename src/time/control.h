@@ -16,14 +16,20 @@ struct control_row {
     double growth; /* largest h_new/h                                          */
 };
 
+struct method_pace;
+
 struct control {
     const struct control_row *row;
     int k;
     double before[2]; /* errors of the last accepted steps, in units of aim    */
 };
 
-/* Forgets the errors of the past. */
-void control_start(struct control *c, const struct control_row *row, int order, int embedded);
+/* Forgets the errors of the past, but for those of a pace; NULL: there is none. */
+void control_start(struct control *c, const struct control_row *row, int order, int embedded,
+                   const struct method_pace *pace);
+
+/* Of steps that go on with h. */
+struct method_pace control_pace(const struct control *c, double h);
 
 /* Next step after one of length h whose error was e (in units of tol). */
 double control_next(struct control *c, double h, double e);

@@ -136,7 +136,7 @@ static int build(struct cvode *c, double t, const double *y)
 {
     TRY(sundials_open(&c->context));
     TRY(take_memory(c));
-    TRY(cvode_restart(c, t, y));
+    TRY(cvode_restart(c, t, y, NULL));
     return set_up(c);
 }
 

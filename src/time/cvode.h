@@ -52,7 +52,7 @@ int cvode_vectors(const struct method *m, const struct plan *plan);
 int cvode_refuse(const struct cvode *c, const char *what); /* what SUNDIALS does not like */
 int cvode_step(void *self, double t_stop, struct method_step *out);
 int cvode_at(void *self, double t, double *y);
-int cvode_restart(void *self, double t, const double *y);
+int cvode_restart(void *self, double t, const double *y, const struct method_pace *pace);
 int cvode_rearrange(void *self, int blocks, const struct vector_rows *block);
 
 #endif

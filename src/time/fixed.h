@@ -63,7 +63,7 @@ extern const struct fixed_kind fixed_leapfrog, fixed_euler, fixed_staggered, fix
 int fixed_step(void *self, double t_stop, struct method_step *out);
 int fixed_at(void *self, double t, double *y);
 const double *fixed_state(const void *self);
-int fixed_restart(void *self, double t, const double *y);
+int fixed_restart(void *self, double t, const double *y, const struct method_pace *pace);
 int fixed_rearrange(void *self, int blocks, const struct vector_rows *block);
 const char *fixed_table(const void *self);
 

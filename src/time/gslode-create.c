@@ -68,7 +68,7 @@ static int build(struct gslode *x, double t, const double *y)
 {
     TRY(take_vectors(x));
     TRY(take_stepper(x));
-    return gslode_restart(x, t, y);
+    return gslode_restart(x, t, y, NULL);
 }
 
 int gslode_create(const struct method *m, const struct method_def *def, struct moment *moment,

@@ -72,6 +72,8 @@ static double first_step(const struct gslode *x, double left)
 
     if (x->def.seconds > 0)
         return x->def.seconds;
+    if (x->carried > 0)
+        return x->carried;
     if (x->def.h_first > 0)
         return x->def.h_first;
     rate = fastest(x).rate;
@@ -179,6 +181,7 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
 {
     struct gslode *x = self;
     const double t = x->node[0].t, left = t_stop - t;
+    const struct control past = x->control;
     struct limit touch;
     double h, next;
     bool shortened;
@@ -202,6 +205,8 @@ int gslode_step(void *self, double t_stop, struct method_step *out)
                                           : x->def.seconds > 0 || h * touch.rate > 1 - 1e-9
                                                 ? METHOD_STABILITY : METHOD_ERROR,
                                  .rejected = x->rejected };
+    if (x->row->order > 0) /* else it begins at order 1, where steps are short */
+        out->pace = control_pace(cut ? &past : &x->control, x->h);
     snprintf(out->where, sizeof out->where, "%.95s", limiter_name(x, cut, &touch, h));
     return STATUS_DONE;
 }
@@ -236,7 +241,7 @@ int gslode_at(void *self, double t, double *y)
     return STATUS_DONE;
 }
 
-int gslode_restart(void *self, double t, const double *y)
+int gslode_restart(void *self, double t, const double *y, const struct method_pace *pace)
 {
     struct gslode *x = self;
 
@@ -244,7 +249,8 @@ int gslode_restart(void *self, double t, const double *y)
     x->node[0].t = t;
     x->known = 1;
     x->h = 0;
+    x->carried = pace ? pace->h : 0;
     x->rates.refusal[0] = '\0';
-    control_start(&x->control, x->row->control, x->row->order, x->row->embedded);
+    control_start(&x->control, x->row->control, x->row->order, x->row->embedded, pace);
     return STATUS_DONE;
 }

@@ -44,6 +44,7 @@ struct gslode {
     N_Vector weight, error;
     struct control control;
     double h, h_min;         /* next step, shortest [s]; h 0: not begun        */
+    double carried;          /* first step by the pace of a segment before; 0: none [s] */
     long rejected, entry;    /* entry of the largest error                     */
 
     struct gslode_node {
@@ -60,6 +61,6 @@ void gslode_free(void **self);
 /* gslode.c */
 int gslode_step(void *self, double t_stop, struct method_step *out);
 int gslode_at(void *self, double t, double *y);
-int gslode_restart(void *self, double t, const double *y);
+int gslode_restart(void *self, double t, const double *y, const struct method_pace *pace);
 
 #endif

@@ -28,6 +28,13 @@ struct method_def method_def_default(void);
 /* METHOD_STABILITY: also a rule, a constant step, and the first mode of a beam. */
 enum method_limiter { METHOD_ERROR, METHOD_STABILITY, METHOD_OUTPUT };
 
+/* How a method goes where a step has ended, for a segment that begins there to go on so. */
+struct method_pace {
+    double h;                     /* the next step, had no t_stop cut the last short [s]; of bodies
+                                     that are stepped apart, theirs; 0: none is known */
+    double error[2];              /* of the last two steps, as its controller keeps them */
+};
+
 /* What one accepted step was. */
 struct method_step {
     double t, h;                  /* time reached [s], length [s]             */
@@ -35,6 +42,7 @@ struct method_step {
     char where[96];               /* "velocity of ... particle 17" (error) or
                                      "pressure, particle 17" (stability)      */
     long rejected;                /* since the start                          */
+    struct method_pace pace;      /* h = 0 of methods whose steps follow a rule, or begin at order 1 */
 };
 
 struct method {
@@ -69,8 +77,10 @@ struct method {
 
     /* From (t, y) on all is as after create() there: steps begin with h_first or the
      * method's own first one, errors, stages and states before are forgotten.  Only
-     * `rejected` counts on.  At a checkpoint moment_restart() goes with it. */
-    int (*restart)(void *self, double t, const double *y);
+     * `rejected` counts on.  With a pace whose h is not 0, steps begin with that h, where it is
+     * stable; a right-hand side that has no past must not have jumped there.  NULL: none.
+     * At a checkpoint moment_restart() goes with it. */
+    int (*restart)(void *self, double t, const double *y, const struct method_pace *pace);
 
     /* Between two steps: rows of y, and of all that it keeps beside, change places
      * (eval/rearrange.h).  STATUS_FAILED, and nothing has changed: no memory, or it keeps

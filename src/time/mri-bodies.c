@@ -228,10 +228,13 @@ int mri_bodies_create(struct mri *m, const struct method_def *def)
     return take_weights(m, def->tol);
 }
 
-void mri_bodies_restart(struct mri *m)
+void mri_bodies_restart(struct mri *m, const struct method_pace *pace)
 {
-    m->bodies.longest = m->frame->substep; /* or as long as a stage of the water */
-    control_start(&m->bodies.control, m->side->control, m->bodies.table.order, m->bodies.table.embedded);
+    struct mri_bodies *b = &m->bodies;
+
+    b->longest = pace && pace->h > 0 ? pace->h
+               : m->frame->substep; /* or as long as a stage of the water */
+    control_start(&b->control, m->side->control, b->table.order, b->table.embedded, pace);
 }
 
 void mri_bodies_free(struct mri *m)

@@ -162,7 +162,7 @@ static int set_up(struct mri *m, const struct method_def *def)
         || MRIStepInnerStepper_SetFullRhsFn(m->inner, no_rates) != 0)
         return refuse("the bodies' own steps");
     TRY(mri_bodies_create(m, def));
-    mri_bodies_restart(m);
+    mri_bodies_restart(m, NULL);
     return set_up_steps(m);
 }
 
@@ -213,7 +213,11 @@ static int create(const struct method *method, const struct method_def *def, str
 
 static int step(void *self, double t_stop, struct method_step *out)
 {
-    return fixed_step(((struct mri *)self)->frame, t_stop, out);
+    struct mri *m = self;
+
+    TRY(fixed_step(m->frame, t_stop, out));
+    out->pace = control_pace(&m->bodies.control, m->bodies.longest);
+    return STATUS_DONE;
 }
 
 static int at(void *self, double t, double *y)
@@ -232,12 +236,12 @@ static const double *state(const void *self)
     return fixed_state(((const struct mri *)self)->frame);
 }
 
-static int restart(void *self, double t, const double *y)
+static int restart(void *self, double t, const double *y, const struct method_pace *pace)
 {
     struct mri *m = self;
 
-    mri_bodies_restart(m);
-    return fixed_restart(m->frame, t, y);
+    mri_bodies_restart(m, pace);
+    return fixed_restart(m->frame, t, y, NULL);
 }
 
 /* Nothing is kept by MRIStep, which is started anew for each step. */

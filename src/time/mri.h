@@ -80,7 +80,7 @@ extern const struct mri_side mri_rigid_side;  /* mri-rigid.c: explicit          
 
 /* mri-bodies.c */
 int mri_bodies_create(struct mri *m, const struct method_def *def);
-void mri_bodies_restart(struct mri *m);
+void mri_bodies_restart(struct mri *m, const struct method_pace *pace);
 void mri_bodies_free(struct mri *m);
 void mri_bodies_pick(const struct fixed *x, const double *y, double *to);
 void mri_bodies_put(const struct fixed *x, const double *from, double *y);

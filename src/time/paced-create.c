@@ -46,17 +46,19 @@ int paced_create(const struct method *m, const struct method_def *def, struct mo
         paced_free(out);
         return STATUS_FAILED;
     }
-    return paced_restart(x, t, y);
+    return paced_restart(x, t, y, NULL);
 }
 
-int paced_restart(void *self, double t, const double *y)
+int paced_restart(void *self, double t, const double *y, const struct method_pace *pace)
 {
     struct paced *x = self;
 
     vector_copy(x->n, y, x->y);
     x->t = x->t_old = t;
     x->ready = x->stepped = false;
-    control_start(&x->control, &x->kind->control, x->kind->method.order, x->kind->method.order);
+    x->carried = pace ? pace->h : 0;
+    control_start(&x->control, &x->kind->control, x->kind->method.order, x->kind->method.order,
+                  pace);
     return STATUS_DONE;
 }
 

@@ -45,11 +45,13 @@ static double cautious(struct paced *x, double t_stop)
     return haste > 0 ? fmin(1 / haste, left) : left / 100;
 }
 
-/* The first step, 0.3 of the bound, as a controller of low gain wants it. */
+/* The first step: that of a segment before, or 0.3 of the bound, as a controller of low gain
+ * wants it. */
 void paced_first(struct paced *x, double t_stop)
 {
     struct limit limit;
-    double most, h = x->def.h_first;
+    const double given = x->carried > 0 ? x->carried : x->def.h_first;
+    double most, h = given;
 
     if (x->def.seconds > 0) {
         choose_constant(x);
@@ -60,7 +62,7 @@ void paced_first(struct paced *x, double t_stop)
         h = most < HUGE_VAL ? 0.3 * most : cautious(x, t_stop);
     h = fmin(h, most);
     x->choice = (struct choice){ .h = h, .limiter = METHOD_ERROR, .entry = -1, .limit = limit };
-    if (most < HUGE_VAL && (x->def.h_first == 0 || h == most))
+    if (most < HUGE_VAL && (given == 0 || h == most))
         x->choice.limiter = METHOD_STABILITY;
     x->h_min = x->def.h_min > 0 ? x->def.h_min : 1e-6 * h;
 }

@@ -132,6 +132,7 @@ static int take(struct paced *x, double t_stop, struct method_step *out)
     if (cut)
         x->control = before;
     paced_choose(x, cut ? asked : next);
+    out->pace = control_pace(&x->control, x->choice.h);
     return STATUS_DONE;
 }
 

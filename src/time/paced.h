@@ -32,6 +32,7 @@ struct paced {
     N_Vector error, weight;     /* of the step tried; 1/what an error may be   */
     struct control control;
     struct choice choice;       /* for the step to come                        */
+    double carried;             /* first step by the pace of a segment before; 0: none [s] */
     double h_min;               /* [s]                                         */
     long rejected;
 };
@@ -84,7 +85,7 @@ const double *paced_state(const void *self);
 /* paced-create.c */
 int paced_create(const struct method *m, const struct method_def *def, struct moment *moment,
                  double t, const double *y, void **out);
-int paced_restart(void *self, double t, const double *y);
+int paced_restart(void *self, double t, const double *y, const struct method_pace *pace);
 void paced_free(void **self);
 int paced_rearrange(void *self, int blocks, const struct vector_rows *block);
 int paced_numbers(struct paced *x, double **to); /* [n] of them, all 0 */

@@ -3,7 +3,8 @@
  *
  * The first run stops after some steps, is restarted where it stands (moment_restart() and
  * the method's restart()) and goes on.  The second gets a new moment and a new method at that
- * t and y.  Both are watched: steps, states, dense output, what looks and counters say. */
+ * t and y.  Both are watched: steps, states, dense output, what looks and counters say.  Then
+ * the same again, with both going on at the pace of the steps before. */
 #include "tank.h"
 
 #include "base/status.h"
@@ -101,7 +102,9 @@ struct runner {
     struct moment *moment;
     void *self;
     struct moment_counts counted; /* when the watch began                     */
-    long rejected;                /* likewise                                   */
+    long rejected, all_rejected;  /* likewise; after the last step              */
+    struct method_pace pace;      /* after the last step                        */
+    double t;                     /* likewise                                   */
     bool looks;
     double *y;
 };
@@ -167,7 +170,10 @@ static void step(struct runner *r, double t_stop, struct mark *m)
     memset(m, 0, sizeof *m);
     if (r->method->step(r->self, t_stop, &m->step) != STATUS_DONE)
         fail_msg("%s: %s", r->method->name, status_message());
+    r->all_rejected = m->step.rejected;
     m->step.rejected -= r->rejected;
+    r->pace = m->step.pace;
+    r->t = m->step.t;
     m->state = hash_of(r, r->method->state(r->self));
     if (r->looks)
         look(r, m);
@@ -184,14 +190,15 @@ static void go(struct runner *r, int steps, struct mark *mark)
     }
 }
 
-static void restart(struct runner *r, double t)
+static void restart(struct runner *r, const struct method_pace *pace)
 {
-    struct mark last = { .step = { .t = t } };
+    struct mark last = { .step = { .t = r->t } };
 
     if (r->looks)
         look(r, &last);
     moment_restart(r->moment);
-    assert_int_equal(r->method->restart(r->self, t, r->method->state(r->self)), STATUS_DONE);
+    assert_int_equal(r->method->restart(r->self, r->t, r->method->state(r->self), pace),
+                     STATUS_DONE);
 }
 
 /* --- what is to be the same --------------------------------------------------------- */
@@ -243,15 +250,20 @@ static void same_counts(const char *where, const struct moment_counts *a,
 /* --- the test ------------------------------------------------------------------------- */
 
 /* A new moment and a new method, from the y of a run that is then restarted. */
-static void anew(const struct scene_of *of, struct runner *a, double t, long rejected)
+static void anew(const struct scene_of *of, struct runner *a, bool carry)
 {
+    const struct method_pace pace = a->pace;
+    const double t = a->t;
     struct runner b = { .method = a->method, .def = a->def, .plan = a->plan, .looks = true };
     struct mark one[AFTER], other[AFTER];
     char where[PLACES + 160];
 
     start(&b, t, a->method->state(a->self));
-    restart(a, t);
-    a->rejected = rejected;
+    if (carry)
+        assert_int_equal(b.method->restart(b.self, t, a->method->state(a->self), &pace),
+                         STATUS_DONE);
+    restart(a, carry ? &pace : NULL);
+    a->rejected = a->all_rejected;
     go(a, AFTER, one);
     go(&b, AFTER, other);
     for (int i = 0; i < AFTER; i++) {
@@ -268,7 +280,7 @@ static void unseen(const struct scene_of *of, const struct tank *t, const struct
                    const struct mark *before)
 {
     struct runner c = { .method = seen->method, .def = seen->def, .plan = t->plan };
-    struct mark mark[BEFORE], after;
+    struct mark mark[BEFORE], after[AFTER];
     char where[PLACES + 160];
 
     start(&c, 0, t->y);
@@ -277,10 +289,11 @@ static void unseen(const struct scene_of *of, const struct tank *t, const struct
         place_of(where, of, seen, i - BEFORE);
         same_steps(where, &mark[i], &before[i]);
     }
-    restart(&c, mark[BEFORE - 1].step.t);
-    for (int i = 0; i < AFTER; i++)
-        step(&c, i == CUT ? after.step.t + 0.4 * after.step.h : 1, &after);
-    check(after.state == hash_of(seen, seen->method->state(seen->self)),
+    restart(&c, NULL);
+    go(&c, AFTER, after);
+    restart(&c, &after[AFTER - 1].step.pace);
+    go(&c, AFTER, after);
+    check(after[AFTER - 1].state == hash_of(seen, seen->method->state(seen->self)),
           "%s, %s: another state after looks", of->name, seen->method->name);
     stop(&c);
 }
@@ -298,7 +311,8 @@ static void one_method(const struct scene_of *of, const struct tank *t, const ch
         return;
     start(&a, 0, t->y);
     go(&a, BEFORE, before);
-    anew(of, &a, before[BEFORE - 1].step.t, before[BEFORE - 1].step.rejected);
+    anew(of, &a, false);
+    anew(of, &a, true);
     unseen(of, t, &a, before);
     stop(&a);
 }

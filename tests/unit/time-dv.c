@@ -143,7 +143,7 @@ void dv_estimates_the_error_of_bodies(void **state)
     struct dv *x = toy_dv(&p, 1e6, h);
     toy_exact(&p, 0, y);
     y[layout_at(&p.layout, p.row_q)] += 0.5;
-    assert_int_equal(toy_found()->restart(x, 0, y), STATUS_DONE);
+    assert_int_equal(toy_found()->restart(x, 0, y, NULL), STATUS_DONE);
     for (int k = 0; k < 12; k++)
         assert_int_equal(toy_found()->step(x, 1, &step), STATUS_DONE);
     assert_true(fabs(step.h - h) < 1e-9);
@@ -194,7 +194,7 @@ static double plucked(const char *name, double tol, int *steps)
     void *self = toy_method(&p, name, tol, 0);
     toy_exact(&p, 0, y);
     y[layout_at(&p.layout, p.row_q)] += 0.5;
-    assert_int_equal(toy_found()->restart(self, 0, y), STATUS_DONE);
+    assert_int_equal(toy_found()->restart(self, 0, y, NULL), STATUS_DONE);
     assert_int_equal(toy_run(self, 1, steps), STATUS_DONE);
     const double q = toy_found()->state(self)[layout_at(&p.layout, p.row_q)];
     toy_method_free(&self);

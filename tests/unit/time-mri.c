@@ -78,7 +78,7 @@ void mri_resolves_vibrations_of_bodies(void **state)
         const long q = layout_at(&p.layout, p.row_q);
         toy_exact(&p, 1, exact);
         y[q] += 0.01; /* swings with omega = 100, damped by exp(-t/4) */
-        assert_int_equal(toy_found()->restart(m, 0, y), STATUS_DONE);
+        assert_int_equal(toy_found()->restart(m, 0, y, NULL), STATUS_DONE);
         assert_int_equal(toy_run(m, 1, &steps), STATUS_DONE);
         near(steps, 20, 1);
         solves[k] = p.counts.solves;

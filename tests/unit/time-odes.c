@@ -323,7 +323,7 @@ static void a_restart_forgets_the_past(void **state)
         memcpy(first, methods[i]->state(self), sizeof *y * (size_t)moment_size(&p));
         assert_int_equal(methods[i]->step(self, 2, &step), STATUS_DONE);
         toy_exact(&p, 0, y);
-        assert_int_equal(methods[i]->restart(self, 0, y), STATUS_DONE);
+        assert_int_equal(methods[i]->restart(self, 0, y, NULL), STATUS_DONE);
         assert_memory_equal(methods[i]->state(self), y, sizeof *y * (size_t)moment_size(&p));
         assert_int_equal(methods[i]->at(self, 0.5, y), STATUS_FAILED);
         p.listed = 0;
@@ -386,7 +386,7 @@ static void nothing_starts_where_there_is_no_answer(void **state)
         void *self = begin(methods[i], &p, 1e-4, 0);
         toy_exact(&p, 0, y);
         y[layout_at(&p.layout, p.row_rho)] = 2;
-        assert_int_equal(methods[i]->restart(self, 0, y), STATUS_DONE);
+        assert_int_equal(methods[i]->restart(self, 0, y, NULL), STATUS_DONE);
         assert_int_equal(run(methods[i], self, 0, 2, &steps), STATUS_FAILED);
         if (!has_a_word("cannot start") || !has_a_word("overlap"))
             fail_msg("%s", status_message());

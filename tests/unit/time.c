@@ -527,7 +527,7 @@ static void a_restart_forgets_the_past(void **state)
         assert_int_equal(toy_run(self, 1, &steps), STATUS_DONE);
         memcpy(first, found->state(self), sizeof *y * (size_t)moment_size(&p));
         toy_exact(&p, 0, y);
-        assert_int_equal(found->restart(self, 0, y), STATUS_DONE);
+        assert_int_equal(found->restart(self, 0, y, NULL), STATUS_DONE);
         assert_memory_equal(found->state(self), y, sizeof *y * (size_t)moment_size(&p));
         p.listed = 0;
         struct method_step step;
@@ -594,7 +594,7 @@ static void the_controller_settles_at_its_aim(void **state)
     double h = 1e-3;
 
     (void)state;
-    control_start(&c, &row, 3, 2);
+    control_start(&c, &row, 3, 2, NULL);
     for (int i = 0; i < 500; i++)
         h = control_next(&c, h, pow(h / 0.05, 3)); /* its error is 1 at 0.05 */
     near(h, 0.05, 1e-4);

@@ -1,0 +1,7 @@
+/* replay-checkpoint.c -- the kept inputs of checkpoint.c. */
+#include "replay.h"
+
+int main(void)
+{
+    return replay("checkpoint");
+}
