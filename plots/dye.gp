@@ -6,13 +6,8 @@ load 'panels.gp'
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'
 set output 'dye.png'
-set yrange [*:*]
-stats first_file using (sort(column(kind_column)) == 0 ? column(dye_column) : NaN) skip 3 \
-    nooutput name 'dyed'
-set yrange [bottom:above]
-dyed_max = exists('dyed_max') ? dyed_max : -1   # no water at all
-entries = (dyed_max < 0 ? '' : dyed_max > 0 ? "'#1f6fb4:water' '#f2c418:water with dye 1'" : "'#1f6fb4:water'") \
-    .(dyed_max > 1 ? " '#009e73:dye 2 and more'" : '').solids
+entries = (dyes < 0 ? '' : dyes > 0 ? "'#1f6fb4:water' '#f2c418:water with dye 1'" : "'#1f6fb4:water'") \
+    .(dyes > 1 ? " '#009e73:dye 2 and more'" : '').solids
 eval put_scale
 eval put_words
 set multiplot title heading noenhanced

@@ -3,17 +3,12 @@
 # needs: snapshots.csv figures/constants.gp
 load 'style.gp'
 if (dim == 2) { exit }
-from_above = 1
+picture = 'floor'
 legend = 165
 load 'panels.gp'
 speed(a, b, c) = sqrt(a ** 2 + b ** 2 + c ** 2)
 
 # One scale for all moments: the front of a shallow dam break, or what runs fastest in the end.
-eval 'm = moments; '.next_panel
-set yrange [*:*]
-stats file using (sort(column(kind_column)) == 0 ? speed($4, $5, $6) : NaN) skip 3 \
-    nooutput name 'end'
-set yrange [bottom:above]
 fastest = a > 0 && g > 0 ? 2 * sqrt(g * n2 * a) : end_max > 0 ? end_max : 1
 
 set terminal pngcairo size canvas_x, canvas_y font 'Sans,18'

@@ -1,11 +1,17 @@
 # panels.gp -- for figures of particles at several moments: which moments, and where each stands.
 # Loaded after style.gp; the loop over panels then does `eval next_panel`.  A 3D tank is shown cut
-# in the middle, or, with from_above = 1 set before, what runs along its floor.
+# in the middle, or, with picture = 'floor' set before, what runs along its floor.
+#
+# What is seen of the particles, moments and corners of the pictures are prepared by `stiffwater plot`:
+# shots.gp, shots.csv, cut-1.csv and so on, beside this file.
+load 'shots.gp'
+picture = exists('picture') ? picture : 'cut'
 wall = '#a6a6a6'
 skin = '#101010'
-r = 0.65 * dx   # particles touch
+covers = 0.75 * value(picture.'_pixel')
+r = 0.65 * dx > covers ? 0.65 * dx : covers   # particles touch
 dye(c) = c == 0 ? 0x1f6fb4 : c == 1 ? 0xf2c418 : 0x009e73
-from_above = exists('from_above') ? from_above : 0
+from_above = picture eq 'floor'
 up = from_above ? 2 : dim   # the column that goes up in the picture; first is x
 p_column = 2 * dim + 2
 dye_column = 2 * dim + 3
@@ -19,69 +25,17 @@ body_edge = '#5a3210'
 beams = exists('beams') ? beams : ''
 r_skin = words(bodies) == 0 ? r : 0.5 * dx
 looks = words(bodies) == 0 || from_above ? '' : dim == 2 ? '-bodies' : '-cut'
-bodies_too = looks eq '' ? '' : ", file[1:strlen(file) - 4].looks.'.csv' using 1:".(up == 2 ? 2 : 3)." skip 3 \
+bodies_too = looks eq '' ? '' : ", shot.looks.'.csv' using 1:".(up == 2 ? 2 : 3)." skip 3 \
     with filledcurves closed fs solid 1 border lc rgb body_edge lw 2 fc rgb body_face notitle"
-is(what) = sort(column(kind_column)) == what && in_plane($2, $3) ? $1 : NaN
-in_plane(y, z) = dim == 2 || (from_above ? z > low_z && z < low_z + 3 * dx : \
-    abs(y - (low_y + high_y) / 2) < 1.01 * dx)
+is(what) = sort(column(kind_column)) == what ? $1 : NaN
 heading = title.(dim == 2 ? '' : from_above ? ', the floor from above' : ', cut in the middle')
 
-stats '../snapshots.csv' using 1 skip 2 nooutput name 'shot'
-moments = shot_records < 6 ? int(shot_records) : 6
-which(m) = moments > 1 ? int((m - 1) * (shot_records - 1) / (moments - 1) + 0.5) : 0
-
-# Panels of equal scale in two rows of three, those of long tanks in three of two; the canvas
-# takes the shape of the tank.
-rim = 3.5 * dx
-left = low_x - rim
-right = high_x + rim
-bottom = (up == 2 ? low_y : low_z) - rim
-above = (up == 2 ? high_y : high_z) + rim
-# Where the tank itself moves there is to be room for it: all outermost walls have gone one way then.
-together(least, most) = abs(least - most) < dx ? least : 0
-if (!exists('walls_move')) { walls_move = 1 }   # an older version did not say
-do for [m = 1:(walls_move ? moments : 0)] {
-    stats '../snapshots.csv' using (shot_file = '../'.strcol(2), 0) skip 2 every ::which(m)::which(m) nooutput
-    undefine wall_*
-    stats shot_file using (sort(column(kind_column)) == 1 ? $1 : NaN):(column(up)) skip 3 nooutput \
-        name 'wall'
-    if (exists('wall_max_x')) {
-        if (m == 1) { x1 = wall_min_x; x2 = wall_max_x; y1 = wall_min_y; y2 = wall_max_y }
-        along = together(wall_min_x - x1, wall_max_x - x2)
-        upward = together(wall_min_y - y1, wall_max_y - y2)
-        left = along < 0 && low_x - rim + along < left ? low_x - rim + along : left
-        right = along > 0 && high_x + rim + along > right ? high_x + rim + along : right
-        low_up = up == 2 ? low_y : low_z
-        high_up = up == 2 ? high_y : high_z
-        bottom = upward < 0 && low_up - rim + upward < bottom ? low_up - rim + upward : bottom
-        above = upward > 0 && high_up + rim + upward > above ? high_up + rim + upward : above
-    }
-}
-
-# Panels of equal scale in two rows of three, those of long tanks in three of two; the canvas
-# takes the shape of the tank.
-rim = 3.5 * dx
-left = low_x - rim
-right = high_x + rim
-bottom = (up == 2 ? low_y : low_z) - rim
-above = (up == 2 ? high_y : high_z) + rim
-# Where a tank itself moves there is to be room for it: by as much as its outermost walls do.
-file_at(m) = sprintf('%s', at_file)
-do for [m = 1:moments] {
-    stats '../snapshots.csv' using (at_file = '../'.strcol(2), 0) skip 2 every ::which(m)::which(m) nooutput
-    undefine wall_x* wall_up*
-    stats at_file using (sort(column(kind_column)) == 1 ? $1 : NaN) skip 3 nooutput name 'wall_x'
-    stats at_file using (sort(column(kind_column)) == 1 ? column(up) : NaN) skip 3 nooutput name 'wall_up'
-    if (exists('wall_x_min') && exists('wall_up_min')) {
-        if (m == 1) { first_left = wall_x_min; first_right = wall_x_max; \
-            first_bottom = wall_up_min; first_above = wall_up_max }
-        left = left < low_x - rim + wall_x_min - first_left ? left : low_x - rim + wall_x_min - first_left
-        right = right > high_x + rim + wall_x_max - first_right ? right \
-            : high_x + rim + wall_x_max - first_right
-    }
-}
-is_long = above - bottom < 0.45 * (right - left)
-across = moments < 3 ? moments : moments == 4 || (is_long && moments > 4) ? 2 : 3
+# Panels of equal scale; the canvas takes the shape of the tank.
+left = value(picture.'_left')
+right = value(picture.'_right')
+bottom = value(picture.'_bottom')
+above = value(picture.'_above')
+across = int(value(picture.'_across'))
 down = (moments + across - 1) / across
 panel_x = 1560 / across
 drawn_x = panel_x - 24
@@ -120,24 +74,25 @@ put_words = "next_x = 140 + bar_x; do for [i = 1:words(entries)] { \
     next_x = next_x + 60 + 12.0 * strlen(says) }"
 take_away = "unset arrow 90; unset label 90; do for [i = 1:words(entries)] { \
     unset label 90 + i; unset object 90 + i }"
-# Are there particles of this sort in the first picture?
-first_file = ''
-stats '../snapshots.csv' using (first_file = '../'.strcol(2), 0) skip 2 every ::0::0 nooutput
-set xrange [*:*]
-set yrange [*:*]
-stats first_file using (sort(column(kind_column)) == 1 ? 1 : NaN) skip 3 nooutput name 'has_wall'
-stats first_file using (sort(column(kind_column)) == 3 ? 1 : NaN) skip 3 nooutput name 'has_skin'
-set xrange [left:right]
-set yrange [bottom:above]
-has_wall_records = exists('has_wall_records') ? has_wall_records : 0
-has_skin_records = exists('has_skin_records') ? has_skin_records : 0
-solids = (has_wall_records > 0 ? " '".wall.":walls'" : '') \
+# Of all moments: pressures that 1 of 40 particles of the fluid is below and above
+# [Pa], as means; the largest speed of the last [m/s]; the highest dye, -1 without water; in the first
+# the number of particles of walls and of skins.
+dyes = -1
+has_walls = 0
+has_skins = 0
+p_low = 0
+p_high = 0
+stats 'shots.csv' using (p_low = p_low + $3 / moments, p_high = p_high + $4 / moments, end_max = $5, \
+    dyes = $6 > dyes ? $6 : dyes, has_walls = $0 == 0 ? $7 : has_walls, \
+    has_skins = $0 == 0 ? $8 : has_skins, 0) skip 2 nooutput
+solids = (has_walls > 0 ? " '".wall.":walls'" : '') \
     .(words(bodies) > 0 ? " '".body_face.":rigid bodies'" : '') \
-    .(words(beams) > 0 && has_skin_records > 0 ? " '".skin.":beams'" : '')
+    .(words(beams) > 0 && has_skins > 0 ? " '".skin.":beams'" : '')
 
-# The file of moment m is left in `file`, its panel is set.
-next_panel = "stats '../snapshots.csv' using (t = $1, file = '../'.strcol(2), 0) \
-    skip 2 every ::which(m)::which(m) nooutput; \
+# The particles of moment m are left in `file`, shapes of bodies stand in files that begin as `shot`
+# says; its panel is set.
+next_panel = "stats 'shots.csv' using (t = $1, shot = strcol(2), 0) skip 2 every ::m - 1::m - 1 nooutput; \
+    file = sprintf('%s-%d.csv', picture, m); \
     set lmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0) / canvas_x; \
     set rmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0 + drawn_x) / canvas_x; \
     set tmargin at screen 1 - (48 + panel_y * ((m - 1) / across)) / canvas_y; \

@@ -7,26 +7,8 @@ load 'panels.gp'
 # One scale for all moments, that no single particle and no single impact sets: the mean over the
 # moments of the pressures below and above which 1 of 40 particles of the fluid is.  Above, no less
 # than the weight of the column.
-highest = 0
-lowest = 0
-set xrange [*:*]
-set yrange [*:*]
-do for [m = 1:moments] {
-    eval next_panel
-    set yrange [*:*]
-    set table $sorted
-    plot file using (sort(column(kind_column)) == 0 ? column(p_column) / 1e3 : NaN):(1) skip 3 \
-        smooth cnormal
-    unset table
-    set datafile separator whitespace
-    stats $sorted using ($2 <= 0.975 || $0 == 0 ? $1 : NaN) nooutput name 'most'
-    stats $sorted using ($2 >= 0.025 ? $1 : NaN) nooutput name 'least'
-    set datafile separator ','
-    highest = highest + most_max / moments
-    lowest = lowest + least_min / moments
-}
-set xrange [left:right]
-set yrange [bottom:above]
+highest = p_high / 1e3
+lowest = p_low / 1e3
 heavy = a > 0 && g > 0 ? rho0 * g * n2 * a / 1e3 : 0
 highest = highest > heavy ? highest : heavy > 0 ? heavy : 1
 lowest = lowest < -highest / 50 ? lowest : 0

@@ -120,3 +120,18 @@ int figures_data_copy(const char *from, const char *to)
     fclose(in);
     return status;
 }
+
+double figures_data_constant(const char *path, const char *name)
+{
+    char line[1000];
+    const size_t n = strlen(name);
+    double value = NAN;
+    FILE *in = fopen(path, "r");
+
+    while (in && fgets(line, sizeof line, in))
+        if (strncmp(line, name, n) == 0 && strncmp(line + n, " = ", 3) == 0)
+            value = strtod(line + n + 3, NULL);
+    if (in)
+        fclose(in);
+    return value;
+}

@@ -15,4 +15,7 @@ void figures_data_text(FILE *to, const char *name, const char *text);
  * holds a line that neither of the two above writes. */
 int figures_data_copy(const char *from, const char *to);
 
+/* A line NAME = NUMBER of such a file; NAN: there is none. */
+double figures_data_constant(const char *path, const char *name);
+
 #endif

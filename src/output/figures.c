@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "output/figures-room.h"
 #include "output/gnuplot.h"
+#include "output/shots.h"
 #include <dirent.h>
 #include <errno.h>
 #include <stdbool.h>
@@ -121,11 +122,21 @@ static int is_script(const struct dirent *entry)
     return end && end != entry->d_name && !strcmp(end, ".gp");
 }
 
+/* Pictures of particles are of what is seen of them. */
+static int prepare_shots(const struct places *at)
+{
+    if (!has_data(at->run, "snapshots.csv") || !has_data(at->run, "figures/constants.gp"))
+        return STATUS_DONE;
+    TRY(figures_room_bring_data(&at->room, "constants.gp"));
+    return shots_prepare(at->run, at->room.at);
+}
+
 /* What others load is brought first. */
 static int serve_all(const struct places *at, struct dirent **entry, int n)
 {
     int code = STATUS_DONE;
 
+    TRY(prepare_shots(at));
     for (int i = 0; i < n; i++)
         TRY(serve(at, entry[i]->d_name, true));
     for (int i = 0; i < n; i++)

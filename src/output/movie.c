@@ -2,6 +2,7 @@
 #include "output/movie.h"
 
 #include "base/status.h"
+#include "output/figures-data.h"
 #include "output/figures-room.h"
 #include "output/gnuplot.h"
 #include "output/movie-frames.h"
@@ -39,25 +40,6 @@ static int join(const struct figures_room *room)
     return STATUS_DONE;
 }
 
-/* A line NAME = NUMBER of the constants; 0: there is none. */
-static double constant(const struct figures_room *room, const char *name)
-{
-    char path[ASIDE_PATH], line[1000];
-    const size_t n = strlen(name);
-    double value = 0;
-    FILE *in;
-
-    if (aside_join(path, room->at, "constants.gp") != STATUS_DONE)
-        return 0;
-    in = fopen(path, "r");
-    while (in && fgets(line, sizeof line, in))
-        if (strncmp(line, name, n) == 0 && strncmp(line + n, " = ", 3) == 0)
-            value = strtod(line + n + 3, NULL);
-    if (in)
-        fclose(in);
-    return value;
-}
-
 /* Bodies are in the index of the files if they are anywhere. */
 static bool has_bodies(const char *run)
 {
@@ -69,11 +51,14 @@ static bool has_bodies(const char *run)
 
 static int frames(const struct figures_room *room, const char *run, int *n)
 {
-    const struct movie_shot shot = {
-        .bodies = has_bodies(run), .dim = (int)constant(room, "dim"),
-        .middle = 0.5 * (constant(room, "low_y") + constant(room, "high_y")),
-    };
+    struct movie_shot shot = { .bodies = has_bodies(run) };
+    char path[ASIDE_PATH];
 
+    TRY(aside_join(path, room->at, "constants.gp"));
+    shot.dim = (int)figures_data_constant(path, "dim");
+    if (shot.dim == 3)
+        shot.middle = 0.5 * (figures_data_constant(path, "low_y")
+                             + figures_data_constant(path, "high_y"));
     return movie_frames(&shot, run, room->at, n);
 }
 
