@@ -55,6 +55,50 @@ code=0
 claim 'within 5 s: a scene that takes long to make' "$code == 0"
 claim 'with the size that it has' "($(count slow particles) / 590126 - 1) ^ 2 < 0.02 ^ 2"
 
+# a list of 270,000 points, whose inside takes more than 100 CPU s to find, is refused
+awk -v n=270000 'BEGIN { print "dimension = 2; gravity = [0.0, -9.81]; until = 0.01; spacing = 5e-3;"
+    print "domain = { from = [0.0, 0.0]; to = [0.4, 0.4]; };"
+    print "fluid = { water = { type = \"box\"; from = [0.0, 0.0]; to = [0.4, 0.1]; }; };"
+    print "effects = { continuity = { }; pressure = { }; artificial-viscosity = { }; };"
+    printf "wall = { tank = { type = \"frame\"; }; roof = { type = \"polygon\"; fill = \"lattice\"; points = ["
+    for (i = 0; i < n; i++)
+        printf "%s[%.9f, %.9f]", i ? "," : "", 0.2 + 0.05 * cos(6.2831853 * i / n),
+            0.3 + 0.05 * sin(6.2831853 * i / n)
+    print "]; }; };" }' >"$out/points.scene"
+code=0
+(ulimit -t 5; OMP_NUM_THREADS=1 "$STIFFWATER" check "$out/points.scene") >"$out/points.said" 2>&1 || code=$?
+claim 'within 5 s: a scene that takes long to count' "$code == 2"
+prints points 'cannot even be counted within 1 s and 1 GB'
+
+# all that a look holds, where it has most to do
+if [ $limit != unlimited ] && command -v python3 >/dev/null; then
+    peak=$(OMP_NUM_THREADS=1 python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$STIFFWATER" check \
+        "$scenes/dam-break.scene" spacing=2e-4 walls=adami kernel.support=8)
+    claim 'within 1 GB [kB]' "$peak < 1e6"
+fi
+
+# programs for many ranks have the same limits
+if [ -x "$top_builddir/stiffwater-3d-mpi" ] && { mpirun=$(command -v mpirun.openmpi) || mpirun=$(command -v mpirun); }; then
+    OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
+    export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_mpi_yield_when_idle
+    for ranks in 1 2; do
+        code=0
+        (ulimit -t 5; OMP_NUM_THREADS=1 "$mpirun" -q --oversubscribe --bind-to none -n $ranks \
+            "$top_builddir/stiffwater-3d-mpi" check "$scenes/flood-six-cubes.scene" \
+            spacing=0.0142857142857143) >"$out/ranks.said" 2>&1 || code=$?
+        claim "within 5 s on $ranks ranks" "$code == 0"
+        claim 'with the size that it has' "($(count ranks particles) / 590126 - 1) ^ 2 < 0.02 ^ 2"
+        claim 'said once' "$(grep -c '^particles:' "$out/ranks.said") == 1"
+    done
+    code=0
+    (ulimit -t 5; OMP_NUM_THREADS=1 "$mpirun" -q --oversubscribe --bind-to none -n 2 \
+        "$top_builddir/stiffwater-2d-mpi" check "$out/points.scene") >"$out/points.said" 2>&1 || code=$?
+    claim 'on 2 ranks: a scene that takes long to count' "$code == 2"
+    prints points 'cannot even be counted within 1 s and 1 GB'
+fi
+
 # what fills an area grows by the square, layers by the length
 cat >"$out/shapes.scene" <<'S'
 dimension = 2; gravity = [0.0, -9.81]; until = 0.01; spacing = 5e-3;

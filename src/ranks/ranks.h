@@ -8,7 +8,7 @@
  * stands here does nothing for them (alone.c); those with MPI are linked with mpi*.c instead.
  * No other file includes mpi.h, but for solved/multigrid-hypre.c, whose library does.
  *
- * All but ranks_count(), ranks_me(), ranks_may_fork() and what is asked of a cut is collective:
+ * All but ranks_count(), ranks_me(), ranks_by_mpi(), ranks_leave() and what is asked of a cut is collective:
  * all ranks call it, in the same order.  No answer depends on the order in which messages
  * arrive. */
 #ifndef RANKS_RANKS_H
@@ -27,8 +27,11 @@ void ranks_end(void);
 int ranks_count(void);
 int ranks_me(void);
 
-/* May this process have children by fork()?  Not when MPI has begun. */
-bool ranks_may_fork(void);
+/* Does this program have MPI, on one rank or more?  What it starts by fork() then ends by _exit(). */
+bool ranks_by_mpi(void);
+
+/* In a child of fork(): from here on it is the only rank of one, and knows nothing of MPI. */
+void ranks_leave(void);
 
 /* --- what all know --------------------------------------------------------------------- */
 

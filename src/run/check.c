@@ -6,6 +6,7 @@
 #include "plan/memory.h"
 #include "plan/passes.h"
 #include "ranks/ranks.h"
+#include "run/check-look.h"
 #include "run/check-ranks.h"
 #include "run/patience.h"
 #include "run/ranks.h"
@@ -160,8 +161,6 @@ static int start(struct run *r)
     return STATUS_DONE;
 }
 
-static const double patience = 3; /* [s] for a look at all particles; see sample.c for the rest of 5 */
-
 /* What can be said of a scene that is too large to be made for a look at it. */
 static void print_survey(const struct run_order *order, const struct plan_survey *s, double program)
 {
@@ -174,7 +173,7 @@ static void print_survey(const struct run_order *order, const struct plan_survey
     printf("memory: about %.3g MB at its peak\n", (program + later + s->bytes) / 1e6);
     run_sample_print(order, s);
     puts("This scene is too large for a look at all its particles, which a check makes of up to 1.5 "
-         "million\nand in a few seconds: whether they overlap, and what a right-hand side refuses, is "
+         "million\nin a few seconds and 1 GB: whether they overlap, and what a right-hand side refuses, is "
          "not known.\nCheck it with a larger spacing, too.");
 }
 
@@ -214,8 +213,8 @@ static int check(struct run *r, const struct run_order *order, double program)
     return status;
 }
 
-/* Counts what would take too long to make.  The look has given all warnings there are. */
-static int count(const struct run_order *order, double program)
+/* The look has given all warnings there are. */
+int check_count(const struct run_order *order, double program)
 {
     struct run r;
     struct plan_survey survey;
@@ -224,6 +223,7 @@ static int count(const struct run_order *order, double program)
     status_hush(true);
     status = run_prepare_count(&r, order, &survey);
     status_hush(false);
+    patience_done();
     if (status == STATUS_DONE)
         print_survey(order, &survey, program);
     plan_survey_free(&survey);
@@ -231,22 +231,12 @@ static int count(const struct run_order *order, double program)
     return status;
 }
 
-int run_check(const struct run_order *order)
+int check_look(const struct run_order *order, double program)
 {
     struct run r;
     struct plan_survey survey;
-    const double program = memory_peak();
-    int ended, status;
+    int status = run_prepare_small(&r, order, &survey);
 
-    if (!run_ranks_writes() && !freopen("/dev/null", "w", stdout))
-        return status_fail(STATUS_IO, "/dev/null cannot be written");
-    ended = patience_try(patience);
-
-    if (ended == PATIENCE_OVER)
-        return count(order, program);
-    if (ended != PATIENCE_BEGIN)
-        exit(ended); /* the child has said why */
-    status = run_prepare_small(&r, order, &survey);
     if (survey.large || status != STATUS_DONE)
         patience_done();
     if (survey.large)

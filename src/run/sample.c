@@ -7,6 +7,7 @@
 
 #include "base/status.h"
 #include "run/patience.h"
+#include "run/ranks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -77,7 +78,7 @@ void run_sample_print(const struct run_order *order, const struct plan_survey *s
 {
     const pid_t me = getpid();
 
-    if (patience_try(patience) != PATIENCE_BEGIN)
+    if (!run_ranks_writes() || patience_try(patience) != PATIENCE_BEGIN)
         return;
     status_hush(true);
     find(order, s);
