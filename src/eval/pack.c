@@ -57,17 +57,16 @@ static bool take_densities(const struct moment *m, const struct record_source *o
 {
     const double low = m->density[0], high = m->density[1], rho0 = m->plan->scales.rho0;
     const double *x = of->x, *u = of->u;
-    const int *order = of->order + from, first = of->first, n = to - from;
-    int good = 1;
+    const int *order = of->order, first = of->first;
+    bool good = true;
 
-    for (int k = 0; k < n; k++) {
-        const int i = order[k] - first;
+    for (int s = from; s < to; s++) {
+        const int i = order[s] - first;
         __builtin_prefetch(x + (size_t)i * DIM);
         __builtin_prefetch(u + (size_t)i * DIM);
-        rho[k] = given ? given[i] : rho0;
+        rho[s - from] = given ? given[i] : rho0;
+        good &= (rho[s - from] >= low) & (rho[s - from] <= high);
     }
-    for (int k = 0; k < n; k++)
-        good &= (rho[k] >= low) & (rho[k] <= high);
     return good;
 }
 

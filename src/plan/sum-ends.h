@@ -12,26 +12,10 @@
 
 _Static_assert((int)VISIT_GROUPS <= (int)EXACT_ROWS, "rows of a chunk");
 
-/* What threads need. */
-struct sum_pass {
-    const struct sum_job *job;
-    struct sum_columns columns;
-    struct exact_sum *power; /* [threads][slots] */
-    struct exact_cut *cut;   /* [threads][slots] */
-    const float *record;     /* in single precision; NULL: pairs are in double */
-};
-
-/* Powers of the owners of one chunk. */
+/* Powers of the owners of one chunk, by row of the book. */
 struct chunk_power {
-    struct exact_rows rows[SUM_SLOTS];  /* [columns] [W]                       */
+    struct exact_rows rows[SUM_SLOTS];  /* [slots] [W]                         */
 };
-
-/* Sums of the columns before there are any. */
-LANES_INLINE void clear_sums(const struct sum_columns *columns, struct sum *part)
-{
-    for (int k = 0; k < columns->n; k++)
-        part[columns->of[k].slot] = (struct sum){ 0 };
-}
 
 /* rho dp/drho [Pa] of owners. */
 static inline lanes moduli(const struct sum_job *job, lanes rho, lanes p)
@@ -81,11 +65,9 @@ LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, i
     const struct sum_rates to = rates_of(job, kind);
     const int *order = job->list->order + first;
 
-    if (owners < LANES)
-        return;
-    for (int l = 0; l < LANES && to.u; l++)
+    for (int l = 0; l < owners && to.u; l++)
         __builtin_prefetch(to.u[order[l]], 1);
-    for (int l = 0; l < LANES && to.rho; l++)
+    for (int l = 0; l < owners && to.rho; l++)
         __builtin_prefetch(to.rho + order[l], 1);
 }
 
@@ -122,59 +104,33 @@ static inline void write_rates(const struct sum_job *job, int kind, int first, i
 /* The sum of slot s, of those at hand. */
 typedef struct sum sum_of_slot(const void *sums, int s);
 
-/* All forces, and rates of density. */
-LANES_INLINE struct sum add_columns(const struct sum_job *job, const struct sum_columns *columns,
-                                    lanes m, sum_of_slot *of, const void *sums)
+/* Adds the sums in order of places, writes the rates, books the power.  `of` is a constant. */
+LANES_INLINE void finish_group(const struct sum_job *job, int kind, int first, int owners,
+                               struct side *a, sum_of_slot *of, const void *sums,
+                               struct chunk_power *book)
 {
     struct sum all = { 0 };
-    bool rates = false;
 
-    for (int k = 0; k < columns->n; k++) {
-        const int s = columns->of[k].slot;
+    for (int s = 0; s < job->slots; s++) {
         const struct sum part = of(sums, s);
 
         if (job->apart && s == job->apart_slot)
             continue;
-        for (int d = 0; d < DIM && columns->of[k].force; d++)
+        for (int d = 0; d < DIM; d++)
             all.f[d] += part.f[d];
-        if (columns->of[k].rate) {
-            all.drho += part.drho;
-            rates = true;
-        }
+        all.drho += part.drho;
     }
-    if (rates)
-        all.drho /= m;
-    return all;
-}
-
-/* Power of the k-th column; 0 is added so that it is never -0, which cutting would not
- * understand. */
-LANES_INLINE lanes power_of(const struct sum_columns *columns, int k, const struct side *a,
-                            struct sum part)
-{
-    lanes power = { 0 };
-
-    if (columns->of[k].rate)
-        power += a->p2 * part.drho;
-    for (int d = 0; d < DIM && columns->of[k].force; d++)
-        power += a->v[d] * part.f[d];
-    return power;
-}
-
-/* Adds the sums in order of places, writes the rates, books the power.  `of` is a constant. */
-LANES_INLINE void finish_group(const struct sum_pass *pass, int kind, int first, int owners,
-                               struct side *a, sum_of_slot *of, const void *sums,
-                               struct chunk_power *book)
-{
-    const struct sum_job *job = pass->job;
-    const struct sum_columns *columns = &pass->columns;
-    struct sum all = add_columns(job, columns, a->m, of, sums);
-
+    all.drho /= a->m;
     if (job->later != 0)
         look_ahead(job, first, owners, &all, a);
-    for (int k = 0; k < columns->n; k++)
-        exact_rows_add(&book->rows[k],
-                       power_of(columns, k, a, of(sums, columns->of[k].slot)));
+    for (int s = 0; s < job->slots; s++) {
+        const struct sum part = of(sums, s);
+        lanes power = a->p2 * part.drho;
+
+        for (int d = 0; d < DIM; d++)
+            power += a->v[d] * part.f[d];
+        exact_rows_add(&book->rows[s], power);
+    }
     write_rates(job, kind, first, owners, a->m, all);
     if (job->apart)
         set_apart(job, first, owners, of(sums, job->apart_slot));

@@ -41,10 +41,9 @@ LANES_INLINE struct sum sum_of(const void *sums, int s)
     return sum;
 }
 
-static void end_group(const struct sum_pass *pass, int g, const float *sum,
+static void end_group(const struct sum_job *job, int g, const float *sum,
                       struct chunk_power *book)
 {
-    const struct sum_job *job = pass->job;
     struct visit v = visit_group(job->list, g);
     const int owners = visit_owners(&v);
     struct side a;
@@ -54,7 +53,7 @@ static void end_group(const struct sum_pass *pass, int g, const float *sum,
         return;
     }
     gather_side(job->record, v.first, v.end, job->list->listed, &a);
-    finish_group(pass, v.kind, v.first, owners, &a, sum_of, sum, book);
+    finish_group(job, v.kind, v.first, owners, &a, sum_of, sum, book);
 }
 
 /* Asks for what the end of a group will read and write. */
@@ -64,9 +63,8 @@ LANES_INLINE void expect(const struct sum_job *job, int g)
     const double *r = job->record + (size_t)v.first * RECORD;
     const int owners = visit_owners(&v);
 
-    if (owners == LANES) /* else a group of few */
-        for (int i = 0; i < LANES * RECORD; i += 8)
-            __builtin_prefetch(r + i);
+    for (int i = 0; i < owners * RECORD; i += 8)
+        __builtin_prefetch(r + i);
     expect_rates(job, v.kind, v.first, owners);
 }
 
@@ -82,9 +80,9 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
 
         for (int h = 0; h < 1 + both; h++)
             expect(job, g + h);
-        single->groups(job, &pass->columns, pass->record, g, both, sum);
+        single->groups(job, pass->record, g, both, sum);
         for (int h = 0; h < 1 + both; h++)
-            end_group(pass, g + h, sum + h * LANES, book);
+            end_group(job, g + h, sum + h * LANES, book);
     }
 }
 

@@ -18,20 +18,17 @@ static void sum_chunk(const void *of, int chunk, int from, int to, struct block 
 {
     const struct work *work = of;
     const struct sum_pass *pass = &work->pass;
-    const struct sum_columns *columns = &pass->columns;
-    const size_t mine = (size_t)threads_me() * (size_t)pass->job->slots;
+    const int slots = pass->job->slots;
+    const size_t mine = (size_t)threads_me() * (size_t)slots;
     struct exact_cut *const cut = pass->cut + mine;
     struct chunk_power book;
 
     (void)chunk;
-    for (int k = 0; k < columns->n; k++)
-        exact_rows_open(&book.rows[k]);
+    for (int s = 0; s < slots; s++)
+        exact_rows_open(&book.rows[s]);
     work->groups(pass, from, to, b, &book);
-    for (int k = 0; k < columns->n; k++) {
-        const int s = columns->of[k].slot;
-
-        exact_rows_close(&book.rows[k], &cut[s], &pass->power[mine + (size_t)s]);
-    }
+    for (int s = 0; s < slots; s++)
+        exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
 }
 
 /* Kinds that own nothing have rates of exactly 0. */
@@ -82,25 +79,6 @@ static void add_ranks(int slots, struct exact_sum *power)
         memcpy(power[s].word, word[s], sizeof word[s]);
 }
 
-static struct sum_columns find_columns(const struct sum_job *job)
-{
-    unsigned added[SUM_SLOTS] = { 0 };
-    struct sum_columns all = { .n = 0 };
-
-    for (int t = 0; t < KINDS * KINDS; t++)
-        for (int i = 0; i < job->table[t].n; i++)
-            added[job->table[t].work[i].slot] |= job->table[t].work[i].columns;
-    if (job->apart)
-        added[job->apart_slot] |= COLUMN_FORCE;
-    for (int s = 0; s < job->slots; s++)
-        if (added[s]) {
-            all.of[all.n].slot = s;
-            all.of[all.n].force = added[s] & COLUMN_FORCE;
-            all.of[all.n++].rate = added[s] & COLUMN_DRHO;
-        }
-    return all;
-}
-
 /* What a row costs by the kind of its owners: it is fetched, and has laws. */
 static void weigh(const struct sum_job *job, int *cost)
 {
@@ -127,7 +105,7 @@ int sum_pass_run(const struct sum_job *job, struct sum_scratch *scratch, sum_pas
         return status_fail(STATUS_FAILED, "%d effects act on pairs, %d are possible", slots,
                            SUM_SLOTS);
     TRY(make_room(scratch, slots, job->shared));
-    work = (struct work){ { job, find_columns(job), scratch->power, scratch->cut, scratch->record }, groups };
+    work = (struct work){ { job, scratch->power, scratch->cut, scratch->record }, groups };
     clear_idle(job);
     weigh(job, cost);
     visit_shares(job->list, VISIT_ALL, cost, sum_chunk, &work);

@@ -4,6 +4,13 @@
 
 #include "plan/sum-ends.h"
 
+struct sum_pass {
+    const struct sum_job *job;
+    struct exact_sum *power; /* [threads][slots] */
+    struct exact_cut *cut;   /* [threads][slots] */
+    const float *record;     /* in single precision; NULL: pairs are in double */
+};
+
 /* Groups from..to-1, their powers into the book. */
 typedef void sum_pass_groups(const struct sum_pass *pass, int from, int to, struct block *b,
                              struct chunk_power *book);

@@ -5,6 +5,8 @@
 #include "space/gather.h"
 #include "space/single-rows.h"
 
+#include <string.h>
+
 /* The groups at hand. */
 struct walk {
     const struct list *list;
@@ -112,8 +114,7 @@ static void fill(const struct walk *w, const struct single_records *all,
 
 _Static_assert(sizeof(struct sum) == (DIM + 1) * sizeof(lanes), "what ends of groups read");
 
-static void groups(const struct sum_job *job, const struct sum_columns *columns,
-                   const float *record, int g, bool both, float *sum)
+static void groups(const struct sum_job *job, const float *record, int g, bool both, float *sum)
 {
     const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
     const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
@@ -124,8 +125,7 @@ static void groups(const struct sum_job *job, const struct sum_columns *columns,
     struct block b;
 
     single_rows_side(&all, &at, &own);
-    for (int k = 0; k < columns->n; k++)
-        part[columns->of[k].slot] = (struct sum){ 0 };
+    memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
         const struct pairs_table *table = &tables[partner];
         struct single_places from = take(&w, partner, rows);

@@ -30,10 +30,9 @@ LANES_INLINE struct sum sum_of(const void *sums, int s)
     return ((const struct sum *)sums)[s];
 }
 
-static void sum_group(const struct sum_pass *pass, int g, struct block *b,
+static void sum_group(const struct sum_job *job, int g, struct block *b,
                       struct chunk_power *book)
 {
-    const struct sum_job *job = pass->job;
     struct visit v = visit_group(job->list, g);
     const struct pairs_table *tables = job->table + (size_t)v.kind * KINDS;
     const int owners = visit_owners(&v);
@@ -46,7 +45,7 @@ static void sum_group(const struct sum_pass *pass, int g, struct block *b,
     }
     expect_rates(job, v.kind, v.first, owners);
     gather_side(job->record, v.first, v.end, job->list->listed, &a);
-    clear_sums(&pass->columns, part);
+    memset(part, 0, (size_t)job->slots * sizeof *part);
     while (visit_segment(&v, VISIT_ALL)) {
         const struct pairs_table *table = &tables[v.segment->partner];
 
@@ -54,14 +53,14 @@ static void sum_group(const struct sum_pass *pass, int g, struct block *b,
                && visit_rows(&v, job->record, table->needs, NULL, &a, b))
             table->laws(table, &a, b, part);
     }
-    finish_group(pass, v.kind, v.first, owners, &a, sum_of, part, book);
+    finish_group(job, v.kind, v.first, owners, &a, sum_of, part, book);
 }
 
 static void sum_groups(const struct sum_pass *pass, int from, int to, struct block *b,
                        struct chunk_power *book)
 {
     for (int g = from; g < to; g++)
-        sum_group(pass, g, b, book);
+        sum_group(pass->job, g, b, book);
 }
 
 static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)

@@ -56,13 +56,6 @@ struct sum_job {
                                           what this rank has of them, for the caller to add */
 };
 
-/* Columns of the book that the laws of a pass add to, ascending: nothing is added up of what
- * is 0 in all of them. */
-struct sum_columns {
-    int n;
-    struct { int slot; bool force, rate; } of[SUM_SLOTS];
-};
-
 /* Sums for a summed density, before there are forces. */
 struct sum_field_job {
     const struct list *list;

@@ -49,7 +49,6 @@ static int add_law(struct plan *p, struct pairs_table *table, const struct plan_
         .self = part->self,
         .kernel = p->table.kernel[law->kernel],
         .slot = part->slot,
-        .columns = law->columns,
         .needs = law->rows,
     };
     p->list_def.acts[owner] |= KIND_BIT(partner);

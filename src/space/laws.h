@@ -40,7 +40,6 @@ struct pairs_work {
     const void *self;
     const struct kernel_use *kernel;
     int slot;       /* column of the book it is accounted in                 */
-    unsigned columns; /* COLUMN_ bits of what it adds up: all else stays 0   */
     unsigned needs; /* NEED_ bits that its kernel is asked for before it; 0: the
                        rows stand as a law before left them                  */
 };

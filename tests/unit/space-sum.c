@@ -88,13 +88,12 @@ static void make_tables(struct work *w, double support)
             struct pairs_table *t = &w->table[a * KINDS + b];
 
             t->work[t->n++] = (struct pairs_work){ wide.laws[0], NULL, &w->kernel[0], 1,
-                                                  COLUMN_FORCE | COLUMN_DRHO, NEED_GRADW };
+                                                  NEED_GRADW };
             t->needs = NEED_X | NEED_P2 | NEED_GRADW | NEED_XV;
             w->engine->arrange(t, false);
             if (a > KIND_WALL || b > KIND_WALL)
                 continue;
             t->work[t->n++] = (struct pairs_work){ wide.laws[1], &strength, &w->kernel[1], 2,
-                                                  COLUMN_FORCE | COLUMN_DRHO,
                                                   NEED_GRADW | NEED_W };
             t->needs |= NEED_V | NEED_W | NEED_IRHO | NEED_RHO | NEED_R2;
         }
