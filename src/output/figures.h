@@ -28,7 +28,7 @@ struct figures_constants {
     int column;          /* 1: a block in the low corner that falls, else 0      */
     double beam_x;       /* left face of the first beam or wall within the domain at t = 0 [m];
                             NAN: there is none                                   */
-    double dx;           /* spacing                                      [m]     */
+    double dx;           /* spacing, or what pictures take for it        [m]     */
     double rho0, c0;     /* [kg/m^3], [m/s]                                      */
     const char *beams;   /* their names, with blanks between; NULL: none         */
     const char *sections; /* heights of their sections at the root [m], likewise; 0: it

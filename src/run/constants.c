@@ -3,6 +3,7 @@
 
 #include "output/figures.h"
 #include "plan/input.h"
+#include "run/looks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -96,7 +97,7 @@ int run_constants(const struct run *r)
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
         .until = r->until, .beam_x = first_solid(all), .column = is_column(all),
         .rings = plan_hydrostatic(r->plan), .moves = plan_walls_move(r->plan),
-        .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
+        .dx = looks_grain(r->plan), .rho0 = s->rho0, .c0 = s->c0,
         .E0 = outputs_energy_initial(r->outputs), .beams = beams.names,
         .sections = beams.sections, .bodies = beams.rigid,
     };
