@@ -34,6 +34,7 @@ struct figures_constants {
     const char *sections; /* heights of their sections at the root [m], likewise; 0: it
                             has none                                             */
     const char *bodies;   /* names of rigid bodies, likewise                        */
+    const char *masses;   /* of rigid bodies [kg, 2D: kg/m], likewise               */
     double E0;           /* energy at t = 0                     [J, 2D: J/m]     */
 };
 
