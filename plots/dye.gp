@@ -16,7 +16,7 @@ do for [m = 1:moments] {
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \
         file using (is(0)):up:(r):(dye(column(dye_column))) skip 3 \
         with circles fs solid noborder lc rgb variable notitle, \
-        file using (beams eq '' && looks ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
+        file using (beams eq '' && shapes ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
     eval take_away
 }
 unset multiplot

@@ -33,9 +33,9 @@ widen(v) = (low = v < low ? v : low, high = v > high ? v : high, v)
 
 # `eval beyond' with a column c, its name and a factor: says which peak the axis leaves out.
 beyond = "stats table using (factor * column(c)) skip 2 nooutput name 'raw'; \
-    if (raw_max > high) { cut = cut.sprintf('%s to %.3g at %.3g s;  ', called, raw_max, \
+    if (raw_max > high) { cut = cut.sprintf('%s%s to %.3g at %.3g s', strlen(cut) ? ';  ' : '', called, raw_max, \
         t_min + interval * raw_index_max) }; \
-    if (raw_min < low) { cut = cut.sprintf('%s to %.3g at %.3g s;  ', called, raw_min, \
+    if (raw_min < low) { cut = cut.sprintf('%s%s to %.3g at %.3g s', strlen(cut) ? ';  ' : '', called, raw_min, \
         t_min + interval * raw_index_min) }"
 
 # The slowest sounds of a column of water, from what holds it to what is free.

@@ -23,11 +23,12 @@ set cblabel "speed [m/s]\nend: and beyond"
 set cbtics
 set colorbox user origin screen 1 - (legend - 14.0) / canvas_x, screen 0.15 \
     size screen 24.0 / canvas_x, screen 0.7
+if (dyes < 0) { unset colorbox }
 do for [m = 1:moments] {
     eval next_panel
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \
         file using (is(0)):up:(r):(speed($4, $5, $6)) skip 3 \
-        with circles fs solid noborder lc palette notitle
+        with circles fs solid noborder lc palette notitle@bodies_too
     unset colorbox
     eval take_away
 }

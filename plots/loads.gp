@@ -3,9 +3,14 @@
 load 'filtered.gp'
 end = '.fx'
 eval choose
+rigid = exists('bodies') ? bodies : ''
+masses = exists('masses') ? masses : ''   # an older version did not say
 bodies = ''
 do for [k = 1:words(columns)] { bodies = bodies.' '.stem(word(names, int(word(columns, k)))) }
 panels = words(bodies)
+# Its own weight is what a force on a rigid body is held against; 0 for what is none.
+weight_of(name) = words(masses) < words(rigid) ? 0 : \
+    sum [i = 1:words(rigid)] (word(rigid, i) eq name ? g * word(masses, i) : 0)
 force_of(b, d) = column_of(word(bodies, b).word('.fx .fy .fz', d))
 impulse_of(b, d) = column_of(word(bodies, b).word('.ix .iy .iz', d))
 
@@ -41,6 +46,9 @@ do for [panel = 1:panels] {
         c = impulse_of(panel, d + 0)
         stats table using (widen(factor * mean($0, $1, column(c)))) skip 2 nooutput
     }
+    weight = factor * weight_of(word(bodies, panel))
+    weight = none || weight > 4 * factor * largest ? 0 : weight
+    if (weight > 0) { weight = widen(weight) }
     if (none) { low = 0; high = 0 }
     eval limits
     cut = ''
@@ -55,6 +63,8 @@ do for [panel = 1:panels] {
     set ylabel 'force ['.(factor < 1 ? 'k' : '').(dim == 2 ? 'N/m]' : 'N]')
     set yrange [low:high]
     plot 0 lc rgb grey lw 1 notitle, \
+        (weight > 0 ? weight : NaN) with lines dt '-' lw 1.5 lc rgb '#404040' \
+            title (weight > 0 ? 'm g' : ''), \
         for [d in shown] table using 1:(factor * column(force_of(panel, d + 0))) skip 2 \
         with lines lw 1 lc rgb faint(d + 0) notitle, \
         for [d in shown] table \

@@ -20,15 +20,11 @@ stats 'frames.csv' using 1 nooutput name 'shot'
 frames = int(shot_records)
 array time[frames]
 array file[frames]
-stats 'frames.csv' using (time[int($0) + 1] = $1, file[int($0) + 1] = strcol(2), 0) nooutput
-fastest = a > 0 && g > 0 ? 2 * sqrt(g * n2 * a) : 0
-if (fastest == 0) {
-    do for [m = 1:frames] {
-        stats file[m] using ($6 == 0 ? $4 : NaN) nooutput name 'all'
-        fastest = all_max > fastest ? all_max : fastest
-    }
-    fastest = fastest > 0 ? fastest : 1
-}
+array particles[frames]
+all_max = 0
+stats 'frames.csv' using (n = int($0) + 1, time[n] = $1, file[n] = strcol(2), particles[n] = $3, \
+    all_max = $4 > all_max ? $4 : all_max, 0) nooutput
+fastest = a > 0 && g > 0 ? 2 * sqrt(g * n2 * a) : all_max > 0 ? all_max : 1
 shown(y) = dim == 2 || abs(y - (low_y + high_y) / 2) < 1.01 * dx
 up(y, z) = dim == 2 ? y : z
 of(kind, low, high) = kind >= low && kind <= high ? 1 : NaN
@@ -52,6 +48,7 @@ set cblabel 'speed [m/s], end: and beyond'
 set cbtics
 set colorbox user origin screen (125 + drawn_x) / canvas_x, screen 85.0 / canvas_y \
     size screen 20.0 / canvas_x, screen drawn_y / canvas_y
+if (particles[1] == 0) { unset colorbox }
 r = 0.65 * dx
 bodies_too = shaped == 0 ? '' : ", sprintf('bodies-%04d.csv', m - 1) using 1:".(dim == 2 ? 2 : 3)." skip 3 \
     with filledcurves closed fs solid 1 border lc rgb '#5a3210' lw 2 fc rgb '#d9a066' notitle"
@@ -59,7 +56,7 @@ r_skin = shaped == 0 ? r : 0.5 * dx
 do for [m = 1:frames] {
     if (joined) { set output sprintf('frame-%04d.png', m - 1) }
     set title sprintf('%s, t = %.3f s', title, time[m]) noenhanced
-    plot file[m] using (shown($2) ? $1 * of($6, 1, 2) : NaN):(up($2, $3)):(r) \
+    plot NaN notitle, file[m] using (shown($2) ? $1 * of($6, 1, 2) : NaN):(up($2, $3)):(r) \
             with circles fs solid noborder lc rgb '#a6a6a6' notitle, \
         '' using (shown($2) ? $1 * of($6, 0, 0) : NaN):(up($2, $3)):(r):4 \
             with circles fs solid noborder lc palette notitle, \

@@ -24,8 +24,11 @@ body_face = '#d9a066'
 body_edge = '#5a3210'
 beams = exists('beams') ? beams : ''
 r_skin = words(bodies) == 0 ? r : 0.5 * dx
-looks = words(bodies) == 0 || from_above ? '' : dim == 2 ? '-bodies' : '-cut'
-bodies_too = looks eq '' ? '' : ", shot.looks.'.csv' using 1:".(up == 2 ? 2 : 3)." skip 3 \
+# From above they lie over each other: one face after the other, each with its edge.
+shapes = words(bodies) == 0 ? '' : from_above ? "sprintf('floor-bodies-%d.csv', m) index i - 1" : \
+    "shot.'".(dim == 2 ? '-bodies' : '-cut').".csv'"
+bodies_too = shapes eq '' ? '' : ", ".(from_above ? "for [i = 1:faces] " : '').shapes \
+    ." using 1:".(up == 2 ? 2 : 3)." skip 3 \
     with filledcurves closed fs solid 1 border lc rgb body_edge lw 2 fc rgb body_face notitle"
 is(what) = sort(column(kind_column)) == what ? $1 : NaN
 heading = title.(dim == 2 ? '' : from_above ? ', the floor from above' : ', cut in the middle')
@@ -40,7 +43,7 @@ down = (moments + across - 1) / across
 panel_x = 1560 / across
 drawn_x = panel_x - 24
 drawn_y = drawn_x * (above - bottom) / (right - left)
-if (drawn_y > 900) { drawn_x = drawn_x * 900 / drawn_y; drawn_y = 900; panel_x = drawn_x + 24 }
+if (drawn_y > 900) { drawn_x = drawn_x * 900 / drawn_y; drawn_y = 900.0; panel_x = drawn_x + 24 }
 legend = exists('legend') ? legend : 0   # pixels at the right, for a colour box
 panel_y = drawn_y + 52
 canvas_x = int(across * panel_x + 24 + legend)
@@ -85,6 +88,11 @@ p_high = 0
 stats 'shots.csv' using (p_low = p_low + $3 / moments, p_high = p_high + $4 / moments, end_max = $5, \
     dyes = $6 > dyes ? $6 : dyes, has_walls = $0 == 0 ? $7 : has_walls, \
     has_skins = $0 == 0 ? $8 : has_skins, 0) skip 2 nooutput
+# A tank without walls is told by its outline.
+if (has_walls == 0 && picture ne 'view') {
+    set object 80 rectangle from low_x, (up == 2 ? low_y : low_z) to high_x, (up == 2 ? high_y : high_z) \
+        behind fs empty border lc rgb '#808080' lw 1.2
+}
 solids = (has_walls > 0 ? " '".wall.":walls'" : '') \
     .(words(bodies) > 0 ? " '".body_face.":rigid bodies'" : '') \
     .(words(beams) > 0 && has_skins > 0 ? " '".skin.":beams'" : '')
@@ -93,6 +101,9 @@ solids = (has_walls > 0 ? " '".wall.":walls'" : '') \
 # says; its panel is set.
 next_panel = "stats 'shots.csv' using (t = $1, shot = strcol(2), 0) skip 2 every ::m - 1::m - 1 nooutput; \
     file = sprintf('%s-%d.csv', picture, m); \
+    if (from_above && words(bodies) > 0) { set xrange [*:*]; set yrange [*:*]; \
+        stats sprintf('floor-bodies-%d.csv', m) using 1:2 skip 3 nooutput; faces = int(STATS_blocks); \
+        set xrange [left:right]; set yrange [bottom:above] }; \
     set lmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0) / canvas_x; \
     set rmargin at screen (12 + panel_x * ((m - 1) % across) + 12.0 + drawn_x) / canvas_x; \
     set tmargin at screen 1 - (48 + panel_y * ((m - 1) / across)) / canvas_y; \

@@ -3,6 +3,7 @@
 load 'style.gp'
 legend = 165
 load 'panels.gp'
+if (dyes < 0) { exit }   # no water
 
 # One scale for all moments, that no single particle and no single impact sets: the mean over the
 # moments of the pressures below and above which 1 of 40 particles of the fluid is.  Above, no less
@@ -34,7 +35,7 @@ do for [m = 1:moments] {
     plot file using (is(1)):up:(r) skip 3 with circles fs solid noborder lc rgb wall notitle, \
         file using (is(0)):up:(r):(column(p_column) / 1e3) skip 3 \
         with circles fs solid noborder lc palette notitle, \
-        file using (beams eq '' && looks ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
+        file using (beams eq '' && shapes ne '' ? NaN : is(3)):up:(r_skin) skip 3 with circles fs solid noborder lc rgb skin notitle@bodies_too
     unset colorbox
     eval take_away
 }

@@ -54,6 +54,7 @@ water(s) = 65536 * mix(red[lower(s)], red[lower(s) + 1], s) \
 lit(p) = 65536 * int(217 * p) + 256 * int(160 * p) + int(102 * p)
 rgb(what, v) = what == 0 ? lit(v) : what == 1 ? 0x2a1808 : what == 3 ? 0xa6a6a6 : \
     water(v > fastest ? 5.0 : 5 * v / fastest)
+if (dyes < 0) { unset colorbox }
 do for [m = 1:moments] {
     eval next_panel
     plot file using 1:2:3:(rgb($4, $5)) skip 3 with circles fs solid noborder lc rgb variable notitle, \

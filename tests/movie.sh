@@ -29,6 +29,26 @@ fi
 [ -z "$(ls -d beam/.figures* 2>/dev/null)" ] && good 'nothing is left over' ||
     wrong 'nothing is left over'
 
+# Bodies without a particle are shown, too.
+"$STIFFWATER" run "$top_srcdir/data/scenes/block-heap.scene" until=0.2 output.snapshots=3 output.fields=0.05 \
+    -q -o heap >heap.said 2>&1 || wrong 'bodies without water come to their end'
+claim 'bodies without water have snapshots' "$(grep -c snapshots/ heap/snapshots.csv) == 3"
+claim 'each with faces of ten blocks' "$(awk -F, '/^[-0-9]/ { n[$7] } END { print length(n) }' \
+    heap/snapshots/0002-bodies.csv) == 10"
+claim 'no grid of no particles is in the index' "$(grep -c 'Name="particles"' heap/fields.xdmf) == 0"
+"$STIFFWATER" plot heap >drawn.said 2>&1
+claim 'they are drawn' "$? == 0"
+prints drawn view.png floor.png dye.png
+claim 'but no pressure' "$(grep -c pressure.png drawn.said) == 0"
+PATH=$out/bin "$STIFFWATER" movie heap >heap.said 2>&1
+claim 'and move' "$? == 0"
+claim 'in each of 5 frames' \
+    "$(od -An -v -tx1 heap/movie.gif | tr -d ' \n' | grep -o '0021f904' | wc -l) == 5"
+# Faces from above: each looks up, and none is lower than the one before.
+claim 'from above the low ones come first' "$(awk -F, '/^[-0-9]/ { if ($6 <= 0) bad++; if (!on || $3 > top) top = $3
+        on = 1; next } on { if (top < before) bad++; before = top; on = 0 } END { print bad + 0 }' \
+    heap/figures/floor-bodies-1.csv) == 0"
+
 # --- what it refuses ----------------------------------------------------------------------------
 go few "$top_srcdir/tests/scenes/small-2d.scene" until=0.001
 "$STIFFWATER" movie few >few.said 2>&1

@@ -33,6 +33,14 @@ scene=$top_srcdir/data/scenes/dam-break.scene
 run dam tol=1e-3 method=leapfrog@0.2
 prints dam 'warnings:' 'tol = 0.001 does nothing with leapfrog'
 
+# A force on a rigid body is held against its own weight, here 500 kg/m3 x 0.3 m x 0.1 m x 9.81 m/s2.
+"$STIFFWATER" run "$top_srcdir/data/scenes/box-in-waves.scene" spacing=0.05 until=0.2 output.interval=0.01 \
+    output.fields=100 -o waves >waves.said 2>waves.err
+said=$(sed -n 's/.*force on box .*; \(.*\) times its own weight, \(.*\) N.m$/\1 \2/p' waves.said)
+claim 'the weight of a box is its own' "(${said#* } + 0 - 147.15)^2 < 1"
+claim 'a box that floats is carried by its weight' "${said% *} + 0 > 0.5 && ${said% *} + 0 < 2.5"
+prints waves 'times the weight of the fluid'
+
 # --- the page ---------------------------------------------------------------------------------
 "$STIFFWATER" report dam >page.said 2>&1
 code=$?

@@ -122,7 +122,8 @@ static void moment(const struct fields *f, FILE *to, int i)
     }
     fputs("    <Grid Name=\"moment\" GridType=\"Collection\" CollectionType=\"Spatial\">\n", to);
     time_of(to, f->t[i]);
-    particles(to, i, f->t[i], (int)f->n[i], false);
+    if (f->n[i] > 0)
+        particles(to, i, f->t[i], (int)f->n[i], false);
     bodies(to, i, f->looks);
     fputs("    </Grid>\n", to);
 }

@@ -43,5 +43,6 @@ int figures_constants(const char *run, const struct figures_constants *c)
     figures_data_text(a.to, "beams", c->beams);
     figures_data_text(a.to, "sections", c->sections);
     figures_data_text(a.to, "bodies", c->bodies);
+    figures_data_text(a.to, "masses", c->masses);
     return aside_close(&a);
 }

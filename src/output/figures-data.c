@@ -121,17 +121,41 @@ int figures_data_copy(const char *from, const char *to)
     return status;
 }
 
-double figures_data_constant(const char *path, const char *name)
+/* What stands behind "NAME = " in a file, in a line to be freed; NULL: there is none. */
+static char *value_of(const char *path, const char *name)
 {
-    char line[1000];
     const size_t n = strlen(name);
-    double value = NAN;
+    char *line = NULL, *value = NULL;
+    size_t room = 0;
     FILE *in = fopen(path, "r");
 
-    while (in && fgets(line, sizeof line, in))
+    while (in && !value && getline(&line, &room, in) >= 0)
         if (strncmp(line, name, n) == 0 && strncmp(line + n, " = ", 3) == 0)
-            value = strtod(line + n + 3, NULL);
+            value = strdup(line + n + 3);
+    free(line);
     if (in)
         fclose(in);
     return value;
+}
+
+double figures_data_constant(const char *path, const char *name)
+{
+    char *text = value_of(path, name);
+    const double value = text ? strtod(text, NULL) : NAN;
+
+    free(text);
+    return value;
+}
+
+bool figures_data_word(const char *path, const char *name, int i, char *to, size_t size)
+{
+    char *text = value_of(path, name), *rest = NULL;
+    const char *word = text ? strtok_r(text, "\" \n", &rest) : NULL;
+
+    for (; word && i > 0; i--)
+        word = strtok_r(NULL, "\" \n", &rest);
+    if (word)
+        snprintf(to, size, "%s", word);
+    free(text);
+    return word != NULL;
 }

@@ -2,6 +2,7 @@
 #ifndef OUTPUT_FIGURES_DATA_H
 #define OUTPUT_FIGURES_DATA_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 /* NAME = VALUE, for gnuplot; what is not finite becomes NaN. */
@@ -17,5 +18,8 @@ int figures_data_copy(const char *from, const char *to);
 
 /* A line NAME = NUMBER of such a file; NAN: there is none. */
 double figures_data_constant(const char *path, const char *name);
+
+/* Word i = 0, 1, ... of a line NAME = "TEXT", cut to size; false: there is none. */
+bool figures_data_word(const char *path, const char *name, int i, char *to, size_t size);
 
 #endif

@@ -28,12 +28,13 @@ struct figures_constants {
     int column;          /* 1: a block in the low corner that falls, else 0      */
     double beam_x;       /* left face of the first beam or wall within the domain at t = 0 [m];
                             NAN: there is none                                   */
-    double dx;           /* spacing                                      [m]     */
+    double dx;           /* spacing, or what pictures take for it        [m]     */
     double rho0, c0;     /* [kg/m^3], [m/s]                                      */
     const char *beams;   /* their names, with blanks between; NULL: none         */
     const char *sections; /* heights of their sections at the root [m], likewise; 0: it
                             has none                                             */
     const char *bodies;   /* names of rigid bodies, likewise                        */
+    const char *masses;   /* of rigid bodies [kg, 2D: kg/m], likewise               */
     double E0;           /* energy at t = 0                     [J, 2D: J/m]     */
 };
 

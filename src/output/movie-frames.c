@@ -47,10 +47,17 @@ static bool read_frame(const char *path, struct frame *f)
     return f->x && f->u && f->p && f->kind;
 }
 
-static int write_frame(const char *from, const char *to)
+static double speed_of(const double u[3])
+{
+    return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+}
+
+/* And to the list how many particles there are, and the largest speed of the fluid. */
+static int write_frame(const char *from, const char *to, FILE *list)
 {
     struct frame f;
     struct aside a;
+    double fastest = 0;
     int status;
 
     if (!read_frame(from, &f)) {
@@ -58,10 +65,12 @@ static int write_frame(const char *from, const char *to)
         return status_fail(STATUS_IO, "%s: no particles can be read from this file", from);
     }
     status = aside_open(&a, to);
-    for (hsize_t i = 0; status == STATUS_DONE && i < f.n; i++)
+    for (hsize_t i = 0; status == STATUS_DONE && i < f.n; i++) {
         fprintf(a.to, "%.6g,%.6g,%.6g,%.4g,%.4g,%d\n", f.x[i][0], f.x[i][1], f.x[i][2],
-                sqrt(f.u[i][0] * f.u[i][0] + f.u[i][1] * f.u[i][1] + f.u[i][2] * f.u[i][2]), f.p[i],
-                f.kind[i]);
+                speed_of(f.u[i]), f.p[i], f.kind[i]);
+        fastest = fmax(fastest, f.kind[i] == 0 ? speed_of(f.u[i]) : 0);
+    }
+    fprintf(list, ",%llu,%.6g\n", (unsigned long long)f.n, fastest);
     if (status == STATUS_DONE)
         status = aside_close(&a);
     free_frame(&f);
@@ -85,8 +94,8 @@ static int add(const struct movie_shot *shot, const char *run, const char *to, i
     TRY(aside_join(from, run, name));
     snprintf(name, sizeof name, "frame-%04d.csv", i);
     TRY(aside_join(frame, to, name));
-    fprintf(list, "%.9g,%s\n", t, name);
-    return write_frame(from, frame);
+    fprintf(list, "%.9g,%s", t, name);
+    return write_frame(from, frame, list);
 }
 
 /* Each file is named by many lines, and once behind its time. */

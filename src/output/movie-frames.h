@@ -11,7 +11,8 @@ struct movie_shot {
 };
 
 /* Writes TO/frame-0000.csv and on, rows x,y,z,speed,pressure,kind of each particle (SI), for each of
- * the files that RUN/fields.xdmf names, and TO/frames.csv with times and names; with bodies TO/bodies-0000.csv and on, movie-bodies.h.  *n: how many. */
+ * the files that RUN/fields.xdmf names, and TO/frames.csv with times, names, numbers of particles and
+ * the largest speed of the fluid [m/s]; with bodies TO/bodies-0000.csv and on, movie-bodies.h.  *n: how many. */
 int movie_frames(const struct movie_shot *shot, const char *run, const char *to, int *n);
 
 #endif

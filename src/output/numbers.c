@@ -1,13 +1,16 @@
 /* numbers.c -- the main numbers of a run, from its files. */
 #include "output/numbers.h"
 
+#include "base/status.h"
 #include "output/aside.h"
 #include "output/force.h"
+#include "output/figures-data.h"
 #include "output/json-find.h"
 #include "output/table.h"
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double warned_energy = 0.01; /* as run/doubts.c warns */
@@ -162,17 +165,34 @@ static double weight(const struct reader *r)
     return mass * g;
 }
 
+/* Weight of a rigid body [N], 0 when it is none. */
+static double own_weight(const struct reader *r, const char *name, size_t length)
+{
+    char path[ASIDE_PATH], word[80], mass[40];
+
+    if (aside_join(path, r->run, "figures/constants.gp") != STATUS_DONE)
+        return 0;
+    for (int i = 0; figures_data_word(path, "bodies", i, word, sizeof word); i++)
+        if (strlen(word) == length && strncmp(word, name, length) == 0
+            && figures_data_word(path, "masses", i, mass, sizeof mass))
+            return strtod(mass, NULL) * number(r, "gravity");
+    return 0;
+}
+
 static void add_force(struct reader *r, const struct table *t, int column, double heavy)
 {
     const double window = force_window(t), force = force_peak(t, column, window);
     const char *name = t->name[column];
+    const double own = own_weight(r, name, strlen(name) - 3);
     char what[80];
     struct numbers_row *row;
 
     snprintf(what, sizeof what, "force on %.*s", (int)(strlen(name) - 3), name);
     row = add(r, what);
     SAY(row->value, "%.4g %s at its largest, as a mean over %.2g s", force, r->newton, window);
-    if (heavy > 0)
+    if (own > 0)
+        SAY(row->against, "%.3g times its own weight, %.3g %s", force / own, own, r->newton);
+    else if (heavy > 0)
         SAY(row->against, "%.3g times the weight of the fluid, %.3g %s", force / heavy, heavy,
             r->newton);
 }

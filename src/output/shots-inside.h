@@ -56,4 +56,8 @@ int shots_canvas(const struct shots_picture *p, struct canvas *c);
 int shots_view(const struct shots_scene *scene, const struct shots_picture *p, const struct shot *s,
                int k);
 
+/* TO/floor-bodies-K.csv, where there are bodies: faces that look up, what is low first, rows as in
+ * snapshots/0003-bodies.csv, with two blank lines behind each. */
+int shots_bodies(const struct shots_scene *scene, int k);
+
 #endif

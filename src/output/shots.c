@@ -155,6 +155,8 @@ static int tell_moment(const struct shots_scene *s, const struct shots_picture *
         code = flat(s, &p[FLOOR], 1, &shot, k);
     if (code == STATUS_DONE && s->dim == 3)
         code = shots_view(s, &p[VIEW], &shot, k);
+    if (code == STATUS_DONE && s->dim == 3)
+        code = shots_bodies(s, k);
     shot_free(&shot);
     return code;
 }

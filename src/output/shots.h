@@ -8,6 +8,7 @@
  *                         made of
  *     TO/cut-1.csv ...    rows of the snapshot: in the plane, or in space of a cut in the middle
  *     TO/floor-1.csv ...  in space: rows of the snapshot, of what runs along the floor
+ *     TO/floor-bodies-1.csv ...  in space: faces of bodies as seen from above, what is low first
  *     TO/view-1.csv ...   in space: all that is seen from the side and above, what is far first */
 #ifndef OUTPUT_SHOTS_H
 #define OUTPUT_SHOTS_H

@@ -21,6 +21,7 @@ const char *plan_body_name(const struct plan *plan, int body);
  * allows. */
 double plan_body_foresee(const struct plan *plan, int body, const char **path);
 bool plan_body_rigid(const struct plan *plan, int body); /* it has a pose, no tip */
+double plan_body_mass(const struct plan *plan, int body); /* [kg, 2D: kg/m] */
 bool plan_body_tied(const struct plan *plan, int body); /* and joints, a motion or springs? */
 int plan_body_look(const struct plan *plan, int body, struct surface *to); /* of a rigid one */
 const char *plan_object_group(const struct plan *plan, int object); /* "fluid", "wall", "beam" */

@@ -115,6 +115,11 @@ bool plan_body_rigid(const struct plan *p, int body)
     return watch && watch->pose;
 }
 
+double plan_body_mass(const struct plan *p, int body)
+{
+    return p->body[body].kind->weight(p->body[body].body);
+}
+
 bool plan_body_tied(const struct plan *p, int body)
 {
     return p->body[body].kind->watch->tied(p->body[body].body);

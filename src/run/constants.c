@@ -3,6 +3,7 @@
 
 #include "output/figures.h"
 #include "plan/input.h"
+#include "run/looks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -63,19 +64,22 @@ static bool is_column(const struct particles *all)
 }
 
 struct beams {
-    char names[INPUT_BODIES * 65], sections[INPUT_BODIES * 25], rigid[INPUT_BODIES * 65];
+    char names[INPUT_BODIES * 65], sections[INPUT_BODIES * 25], rigid[INPUT_BODIES * 65],
+         masses[INPUT_BODIES * 25];
 };
 
-/* Names of all, and sections of the beams, as they are in the last state. */
+/* Names of all, masses of the rigid, and sections of the beams, as they are in the last state. */
 static void list_beams(const struct run *r, struct beams *to)
 {
-    size_t n = 0, m = 0, k = 0;
+    size_t n = 0, m = 0, k = 0, l = 0;
 
     for (int i = 0; i < plan_bodies(r->plan); i++) {
         struct body_view view;
         if (plan_body_rigid(r->plan, i)) {
             k += (size_t)snprintf(to->rigid + k, sizeof to->rigid - k, " %s",
                                   plan_body_name(r->plan, i));
+            l += (size_t)snprintf(to->masses + l, sizeof to->masses - l, " %.17g",
+                                  plan_body_mass(r->plan, i));
             continue;
         }
         observe_body(r->moment, i, r->past.tally.t, r->method->state(r->self), &view);
@@ -87,7 +91,7 @@ static void list_beams(const struct run *r, struct beams *to)
 
 int run_constants(const struct run *r)
 {
-    struct beams beams = { .names = "", .rigid = "" };
+    struct beams beams = { .names = "", .rigid = "", .masses = "" };
     const struct particles *all = plan_particles(r->plan);
     const struct scales *s = plan_scales(r->plan);
     struct figures_constants c = {
@@ -96,9 +100,9 @@ int run_constants(const struct run *r)
         .g = sqrt(s->g[0] * s->g[0] + s->g[1] * s->g[1] + s->g[2] * s->g[2]),
         .until = r->until, .beam_x = first_solid(all), .column = is_column(all),
         .rings = plan_hydrostatic(r->plan), .moves = plan_walls_move(r->plan),
-        .dx = s->dx, .rho0 = s->rho0, .c0 = s->c0,
+        .dx = looks_grain(r->plan), .rho0 = s->rho0, .c0 = s->c0,
         .E0 = outputs_energy_initial(r->outputs), .beams = beams.names,
-        .sections = beams.sections, .bodies = beams.rigid,
+        .sections = beams.sections, .bodies = beams.rigid, .masses = beams.masses,
     };
 
     list_beams(r, &beams);

@@ -18,13 +18,23 @@ static double times(double until, double every)
     return every > 0 ? floor(until / every) + 1 : 1;
 }
 
+/* Those are shown also where there are no particles. */
+static bool any_rigid(const struct plan *plan)
+{
+    for (int i = 0; i < plan_bodies(plan); i++)
+        if (plan_body_rigid(plan, i))
+            return true;
+    return false;
+}
+
 void run_disk(const struct run *r, struct run_disk *to)
 {
     const struct settings_output *o = plan_output(r->plan);
     const double n = plan_particles(r->plan)->n, objects = plan_particles(r->plan)->objects;
     const double rows = times(r->until, isnan(o->interval) ? r->until / 500 : o->interval);
-    const double fields = n > 0 ? times(r->until, isnan(o->fields) ? r->until / 50 : o->fields) : 0;
-    const double pictures = n > 0 ? o->snapshots : 0;
+    const bool shown = n > 0 || any_rigid(r->plan);
+    const double fields = shown ? times(r->until, isnan(o->fields) ? r->until / 50 : o->fields) : 0;
+    const double pictures = shown ? o->snapshots : 0;
 
     *to = (struct run_disk){
         .rows = rows, .fields = fields, .pictures = pictures,

@@ -6,6 +6,7 @@
 #include "shapes/surface.h"
 #include "state/period.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 struct looks {
@@ -79,6 +80,16 @@ int looks_open(struct looks **out, const struct plan *plan)
     if (code != STATUS_DONE)
         looks_close(out);
     return code;
+}
+
+double looks_grain(const struct plan *plan)
+{
+    const struct scales *s = plan_scales(plan);
+    double longest = 0;
+
+    for (int d = 0; d < DIM; d++)
+        longest = fmax(longest, s->high[d] - s->low[d]);
+    return plan_particles(plan)->n > 0 ? s->dx : longest / 200;
 }
 
 const struct cloud_looks *looks_known(const struct looks *l)

@@ -7,6 +7,10 @@
 
 struct looks;
 
+/* What pictures take for a spacing [m]: that of particles; where there are none a 200th of the domain's
+ * longest side. */
+double looks_grain(const struct plan *plan);
+
 /* *out stays NULL when the plan has no rigid bodies. */
 int looks_open(struct looks **out, const struct plan *plan);
 

@@ -38,7 +38,8 @@ static int open_particles(struct outputs *o, const struct plan *plan, const char
     const struct scales *s = plan_scales(plan);
     const int n = all->n;
 
-    if (n == 0)
+    TRY(looks_open(&o->looks, plan));
+    if (n == 0 && !o->looks)
         return STATUS_DONE;
     o->rho = status_alloc(n, sizeof *o->rho);
     o->p = status_alloc(n, sizeof *o->p);
@@ -49,10 +50,9 @@ static int open_particles(struct outputs *o, const struct plan *plan, const char
         return STATUS_FAILED;
     for (int k = 0; k < KINDS; k++)
         memset(o->kind + all->from[k], k, particles_count(all, k));
-    TRY(looks_open(&o->looks, plan));
     TRY(fields_open(&o->fields, dir, looks_known(o->looks)));
     TRY(snapshot_open(&o->snapshot, dir, again));
-    snapshot_fineness(o->snapshot, 0.3 * s->dx, 0.5 * (s->low[1] + s->high[1]));
+    snapshot_fineness(o->snapshot, 0.3 * looks_grain(plan), 0.5 * (s->low[1] + s->high[1]));
     return STATUS_DONE;
 }
 
