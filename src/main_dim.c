@@ -44,14 +44,19 @@ static void explain_method(const struct method *m)
            m->varies ? "" : "@1e-4s");
 }
 
+/* What only scenes in 3D have, the other program knows. */
 static int explain_thing(const char *name)
 {
+    char *const there[] = { "stiffwater", "explain", (char *)name, NULL };
     const int status = catalogue_explain(name, stdout);
 
-    if (status != STATUS_BAD_SCENE || !catalogue_explain_key(name, stdout))
+    if (status != STATUS_BAD_SCENE)
         return status;
-    status_clear();
-    return STATUS_DONE;
+    if (catalogue_explain_key(name, stdout)) {
+        status_clear();
+        return STATUS_DONE;
+    }
+    return DIM == 2 ? cli_exec(3, (char **)there) : status;
 }
 
 /* Methods first: the catalogue knows what a scene is made of, not how it is run, but a

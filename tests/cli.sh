@@ -94,6 +94,10 @@ expect 0 explain gamma
 says "eos, tait" "mps"
 expect 0 explain effects.density-diffusion.delta
 [ "$(wc -l <said)" = 3 ] || complain "one key is more than one row: $(cat said)"
+for value in compound hull elastica max; do # values of keys, some of them in 3D alone
+    expect 0 explain $value
+    says "one of:" " $value"
+done
 expect 2 explain eos.gammma
 expect 2 explain effects.pressure.gamma
 expect 2 explain .
@@ -109,6 +113,8 @@ expect 2 run "$scenes/small-2d.scene" another.scene
 says another.scene KEY=VALUE
 expect 2 run "$scenes/small-2d.scene" --until soon
 says until soon
+expect 2 check "$scenes/small-2d.scene" -u 2 until=3
+says 'until is set twice, by an option to 2 and by a word to 3'
 expect 2 run "$scenes/small-2d.scene" --method leapfrog9
 says leapfrog9
 expect 2 run "$scenes/small-2d.scene" --method leapfrog@fast
@@ -117,6 +123,7 @@ expect 2 run "$scenes/small-2d.scene" --method leapfrog@fast
 # --- where results go -----------------------------------------------------------------------
 expect 0 run "$scenes/small-2d.scene" -q until=0.002
 [ -f small-2d/run.json ] || complain "the default directory is not the scene's name"
+grep -q '^method = "[a-z0-9]*";  # computed' small-2d/scene.used || complain "scene.used does not say which method"
 expect 0 run "$scenes/small-2d.scene" -q until=0.004 -o small-2d
 grep -q '"t_end": 0.004' small-2d/run.json || complain "a second run does not replace the first"
 expect 0 run "$scenes/small-3d.scene" -q until=0.002 -o three

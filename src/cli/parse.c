@@ -145,10 +145,30 @@ static error_t take_comparison(int key, char *arg, struct argp_state *argp)
     return 0;
 }
 
+/* An option is one way to set a key, KEY=VALUE another: with both, one of them was forgotten.  Of
+ * KEY=VALUE twice the last counts, as scripts want it. */
+static void check_twice(struct argp_state *argp)
+{
+    static const char *const keys[] = { "method=", "tol=", "until=" };
+    const struct state *s = argp->input;
+
+    for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+        const char *option = NULL, *word = NULL;
+        for (int i = 0; i < s->cli->overrides; i++)
+            if (strncmp(s->cli->override[i], keys[k], strlen(keys[k])) == 0)
+                *(s->cli->override[i] == s->text[i] ? &option : &word) = s->cli->override[i];
+        if (option && word)
+            argp_error(argp, "%.*s is set twice, by an option to %s and by a word to %s: leave one "
+                       "of them out", (int)strlen(keys[k]) - 1, keys[k],
+                       option + strlen(keys[k]), word + strlen(keys[k]));
+    }
+}
+
 static void check_whole(struct argp_state *argp)
 {
     struct state *s = argp->input;
 
+    check_twice(argp);
     if (!s->cli->subject)
         argp_error(argp, "%s what? Usage: %s %s", s->command->name, s->command->name,
                    s->command->args);

@@ -12,6 +12,7 @@
 struct asked {
     char group[64], member[64]; /* "" where it is not said */
     const char *key;
+    bool values;                /* it is a value of keys, not a key */
     FILE *to;
     int found;
 };
@@ -36,13 +37,24 @@ static bool means(const char *asked, const char *group)
     return !*asked || strcmp(asked, group) == 0;
 }
 
+/* Is the row asked for? */
+static bool fits(const struct asked *a, const struct param *r)
+{
+    if (!a->values)
+        return strcmp(r->key, a->key) == 0;
+    for (const char *const *word = r->words; word && *word; word++)
+        if (strcmp(*word, a->key) == 0)
+            return true;
+    return false;
+}
+
 /* The row of the key among those of "GROUP" or "GROUP ...". */
 static void look(struct asked *a, const char *group, const char *whose, const struct param *rows)
 {
     if (!means(a->group, group))
         return;
     for (const struct param *r = rows; r && r->key; r++)
-        if (strcmp(r->key, a->key) == 0) {
+        if (fits(a, r)) {
             fprintf(a->to, "%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
                     *whose ? ", " : "", whose);
             catalogue_row(r, a->to);
@@ -85,16 +97,24 @@ static void look_in_groups(struct asked *a)
             look(a, name, "", rows[k]);
 }
 
+static bool look_everywhere(struct asked *a)
+{
+    look_in_groups(a);
+    look_in_parts(a, "eos", pressure_table);
+    look_in_parts(a, "walls", engine_pick()->walls);
+    look_in_effects(a);
+    look_in_bodies(a);
+    return a->found > 0;
+}
+
 bool catalogue_explain_key(const char *name, FILE *to)
 {
     struct asked a = { .to = to };
 
     if (!take_apart(&a, name))
         return false;
-    look_in_groups(&a);
-    look_in_parts(&a, "eos", pressure_table);
-    look_in_parts(&a, "walls", engine_pick()->walls);
-    look_in_effects(&a);
-    look_in_bodies(&a);
-    return a.found > 0;
+    if (look_everywhere(&a))
+        return true;
+    a.values = !strchr(name, '.');
+    return a.values && look_everywhere(&a);
 }

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 /* Every row that KEY, GROUP.KEY, GROUP.NAME.KEY or effects.EFFECT.KEY can mean, and whose it is;
- * false: there is none. */
+ * else every row that can have this word as its value; false: there is none. */
 bool catalogue_explain_key(const char *name, FILE *to);
 
 #endif

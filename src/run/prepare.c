@@ -108,6 +108,8 @@ static int find_method(struct run *r)
     reason = r->method->serves ? r->method->serves(r->plan) : NULL;
     if (reason)
         return refuse_scene(r, name, reason);
+    if (!s->method[0])
+        scene_computed_word(r->scene, "", "method", name);
     return STATUS_DONE;
 }
 

@@ -215,17 +215,25 @@ int scene_note_raw(struct scene *scene, const char *path, const struct scene_nod
     return note->value ? STATUS_DONE : out_of_memory();
 }
 
-void scene_computed(struct scene *scene, const char *path, const char *key, double value)
+/* text: NULL when there is no memory for it, and the note stays. */
+static void compute(struct scene *scene, const char *path, const char *key, const char *text)
 {
     struct scene_note *note = find(scene, path, key);
-    const char *text;
 
-    if (!note || !note->origin[0] || !isfinite(value))
-        return;
-    text = scene_pool_print(&scene->pool, "%.17g", value);
-    if (!text)
+    if (!note || !note->origin[0] || !text)
         return;
     note->value = text;
     note->origin = "computed";
     note->silent = false;
+}
+
+void scene_computed(struct scene *scene, const char *path, const char *key, double value)
+{
+    if (isfinite(value))
+        compute(scene, path, key, scene_pool_print(&scene->pool, "%.17g", value));
+}
+
+void scene_computed_word(struct scene *scene, const char *path, const char *key, const char *word)
+{
+    compute(scene, path, key, scene_pool_print(&scene->pool, "\"%s\"", word));
 }

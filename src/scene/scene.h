@@ -72,6 +72,7 @@ int scene_fill(struct scene *scene, const struct scene_node *group,
 /* Writes down what a default that the row calls computed came to be; does
  * nothing when the scene gave the value. */
 void scene_computed(struct scene *scene, const char *path, const char *key, double value);
+void scene_computed_word(struct scene *scene, const char *path, const char *key, const char *word);
 
 /* All noted values as a scene file: value, unit, whether default.  Running
  * it again gives the same bits (numbers have up to 17 digits).  Groups that were
