@@ -11,152 +11,123 @@ set -u
 cd "${top_srcdir:-$(dirname "$0")/..}" || exit 99
 list=tests/tests.list
 made=tests/tests.am
+order=$(mktemp) || exit 99
+trap 'rm -f "$order"' EXIT
 
-refuse()
-{
-    echo "$list: $*" >&2
-    exit 1
-}
-
-# straight FILE: without ..
-straight()
-{
-    echo "$1" | sed 's|[^/]*/\.\./||g'
-}
-
-# headers FILE...: those of tests/ that they include, and what these include
-headers()
-{
-    for file; do
-        for name in $(sed -n 's/^ *# *include *"\(.*\)".*/\1/p' "$file"); do
-            name=$(straight "$(dirname "$file")/$name")
-            case $name in
-            tests/*.h)
-                [ -f "$name" ] || continue
-                echo "$name"
-                headers "$name" ;;
-            esac
-        done
-    done | sort -u
-}
-
-# flags WORD...: for the linker, of wrap=FUNCTION,...
-flags()
-{
-    for word; do
-        case $word in
-        wrap=*) echo "$word" | sed 's/,/ -Wl@--wrap=/g; s/^wrap=/ -Wl@--wrap=/; s/@/,/g' ;;
-        esac
-    done
-}
-
-# brought DIMENSION WORD...: libraries that come before the house's, of with=NAME
-brought()
-{
-    dimension=$1
-    shift
-    for word; do
-        case $word in with=*) printf '$(%s%s_libs) ' "${word#with=}" "$dimension" ;; esac
-    done
-}
-
-# sources DIRECTORY WORD...: the others
-sources()
-{
-    directory=$1
-    shift
-    for word; do
-        case $word in
-        wrap=* | with=*) ;;
-        *)
-            for file in "$directory"/$word; do
-                [ -f "$file" ] || refuse "there is no $file"
-                straight "$file"
-            done ;;
-        esac
-    done
-}
-
-# one NAME DIMENSION FLAGS WORDS SOURCE...: a program
-one()
-{
-    name=$1 dimension=$2 flags=$3 words=$4
-    shift 4
-    canonical=$(echo "$name" | tr -c 'a-zA-Z0-9\n' _)
-    echo "check_PROGRAMS += $name"
-    echo "${canonical}_SOURCES =" "$@"
-    [ "$dimension" = - ] || echo "${canonical}_CPPFLAGS = \$(dim${dimension}_cppflags)"
-    [ -z "$flags" ] || echo "${canonical}_LDFLAGS = \$(AM_LDFLAGS)$flags"
-    case $dimension in
-    -) echo "${canonical}_LDADD = \$(common_libs) \$(test_libs)" ;;
-    *)
-        # shellcheck disable=SC2086 # words
-        echo "${canonical}_LDADD = $(brought "$dimension" $words)\$(dim${dimension}_test_libs)" ;;
-    esac
-}
-
-# parallel NAME DIMENSION WORDS SOURCE...: a program of MPI, which a script starts
-parallel()
-{
-    name=$1 dimension=$2 words=$3
-    shift 3
-    canonical=$(echo "$name" | tr -c 'a-zA-Z0-9\n' _)
-    echo "mpi_tests += $name"
-    echo "${canonical}_SOURCES =" "$@" '$(mpi_sources)'
-    echo "${canonical}_CPPFLAGS = \$(dim${dimension}_cppflags) \$(mpi_cppflags)"
-    # shellcheck disable=SC2086 # words
-    echo "${canonical}_LDADD = $(brought "$dimension" $words)\$(dim${dimension}_test_libs) \$(mpi_libs)"
-}
-
-# program NAME DIMENSIONS [WORD...]
-program()
-{
-    name=tests/$1 dimensions=$2
-    shift 2
-    [ -f "$name.c" ] || refuse "there is no $name.c"
-    files="$name.c $(sources "$(dirname "$name")" "$@")" || exit 1
-    flags=$(flags "$@") words=$*
-    # shellcheck disable=SC2086 # names of files have no blanks
-    set -- $files $(headers $files)
-    case $dimensions in
-    - | 2 | 3) one "$name" "$dimensions" "$flags" "$words" "$@" ;;
-    23)
-        plain=$name
-        one "${plain}2" 2 "$flags" "$words" "$@"
-        one "${plain}3" 3 "$flags" "$words" "$@" ;;
-    mpi2 | mpi3) parallel "$name" "${dimensions#mpi}" "$words" "$@" ;;
-    *) refuse "$name: dimensions are -, 2, 3, 23, mpi2 or mpi3, not $dimensions" ;;
-    esac
-}
-
-# script NAME WHEN
-script()
-{
-    [ -f "tests/$1" ] || refuse "there is no tests/$1"
-    case $2 in
-    quick) echo "script_tests += tests/$1" ;;
-    slow) echo "script_tests += tests/$1"; echo "slow_tests += tests/$1" ;;
-    long) echo "long_tests += tests/$1" ;;
-    *) refuse "tests/$1: quick, slow or long, not $2" ;;
-    esac
-}
-
+# The automake on standard output.  One awk, as a process for every header took a minute.
 write()
 {
     echo '# tests.am -- made by tests/register.sh of tests/tests.list: change that one.'
     for file in tests/scenes/*.scene; do echo "EXTRA_DIST += $file"; done
-    while read -r name what more; do
-        case $name in
-        '' | '#'*) ;;
-        *.sh) script "$name" "$what" ;;
-        *)
-            set -f # patterns of names are not for here
-            # shellcheck disable=SC2086 # words
-            set -- $more
-            set +f
-            program "$name" "$what" "$@" ;;
-        esac
-    done <$list
+    awk '
+    function refuse(words) { print FILENAME ": " words >"/dev/stderr"; bad = 1; exit }
+
+    function there(file,    line, found)
+    {
+        found = (getline line <file) >= 0
+        close(file)
+        return found
+    }
+
+    # without ..
+    function straight(file) { sub(/[^\/]*\/\.\.\//, "", file); return file }
+
+    # to among[]: headers of tests/ that a file includes, and what these include
+    function headers(file, among,    line, name, names, n, i)
+    {
+        while ((getline line <file) > 0)
+            if (line ~ /^ *# *include *"/) {
+                split(line, name, "\"")
+                names[++n] = name[2]
+            }
+        close(file)
+        for (i = 1; i <= n; i++) {
+            line = file
+            sub(/[^\/]*$/, "", line)
+            line = straight(line names[i])
+            if (line ~ /^tests\/.*\.h$/ && !(line in among) && there(line)) {
+                among[line] = 1
+                headers(line, among)
+            }
+        }
+    }
+
+    # sorted and joined
+    function joined(among,    name, text, sort, line)
+    {
+        sort = "LC_ALL=C sort >" order
+        printf "" | sort # an empty file of none
+        for (name in among) print name | sort
+        close(sort)
+        while ((getline line <order) > 0) text = text " " line
+        close(order)
+        return text
+    }
+
+    # the files of a word that may be a pattern
+    function files(pattern,    text, line, list)
+    {
+        if (pattern !~ /[*?]/) {
+            if (!there(pattern)) refuse("there is no " pattern)
+            return " " straight(pattern)
+        }
+        list = "ls " pattern
+        while ((list | getline line) > 0) text = text " " straight(line)
+        close(list)
+        if (text == "") refuse("there is no " pattern)
+        return text
+    }
+
+    # a program: kind is -, 2, 3, mpi2 or mpi3
+    function program(name, kind, sources, flags, with,    dim, own, mpi)
+    {
+        mpi = sub(/^mpi/, "", kind)
+        dim = kind == "-" ? "" : "dim" kind
+        own = name
+        gsub(/[^a-zA-Z0-9]/, "_", own)
+        print (mpi ? "mpi_tests" : "check_PROGRAMS") " += " name
+        print own "_SOURCES =" sources (mpi ? " $(mpi_sources)" : "")
+        if (dim != "") print own "_CPPFLAGS = $(" dim "_cppflags)" (mpi ? " $(mpi_cppflags)" : "")
+        if (flags != "") print own "_LDFLAGS = $(AM_LDFLAGS)" flags
+        if (dim == "") print own "_LDADD = $(common_libs) $(test_libs)"
+        else
+            print own "_LDADD = " (with == "" ? "" : "$(" with kind "_libs) ") \
+                "$(" dim "_test_libs)" (mpi ? " $(mpi_libs)" : "")
+    }
+
+    /^#/ || NF == 0 { next }
+
+    $1 ~ /\.sh$/ {
+        if (!there("tests/" $1)) refuse("there is no tests/" $1)
+        if ($2 !~ /^(quick|slow|long)$/) refuse("tests/" $1 ": quick, slow or long, not " $2)
+        if ($2 != "long") print "script_tests += tests/" $1
+        if ($2 != "quick") print $2 "_tests += tests/" $1
+        next
+    }
+
+    {
+        name = "tests/" $1
+        room = name
+        sub(/[^\/]*$/, "", room)
+        if (!there(name ".c")) refuse("there is no " name ".c")
+        sources = " " name ".c"
+        flags = with = ""
+        for (i = 3; i <= NF; i++)
+            if (sub(/^with=/, "", $i)) with = $i
+            else if (sub(/^wrap=/, "", $i)) { gsub(/,/, " -Wl,--wrap=", $i); flags = flags " -Wl,--wrap=" $i }
+            else sources = sources files(room $i)
+        split("", among)
+        n = split(sources, file, " ")
+        for (i = 1; i <= n; i++) headers(file[i], among)
+        sources = sources joined(among)
+        if ($2 == "23") {
+            program(name "2", "2", sources, flags, with)
+            program(name "3", "3", sources, flags, with)
+        } else if ($2 ~ /^(-|2|3|mpi2|mpi3)$/) program(name, $2, sources, flags, with)
+        else refuse(name ": dimensions are -, 2, 3, 23, mpi2 or mpi3, not " $2)
+    }
+
+    END { exit bad }' order="$order" $list
 }
 
 # forgotten: programs that are there and not in the list
