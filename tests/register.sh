@@ -99,7 +99,8 @@ write()
 
     $1 ~ /\.sh$/ {
         if (!there("tests/" $1)) refuse("there is no tests/" $1)
-        if ($2 !~ /^(quick|slow|long)$/) refuse("tests/" $1 ": quick, slow or long, not " $2)
+        if ($2 !~ /^(quick|source|slow|long)$/)
+            refuse("tests/" $1 ": quick, source, slow or long, not " $2)
         if ($2 != "long") print "script_tests += tests/" $1
         if ($2 != "quick") print $2 "_tests += tests/" $1
         next

@@ -98,11 +98,9 @@ scene()
     run "$base" "$scenes/$base.scene" "$@" --until "$until" --threads 2
     books "$base" "$until"
     tables "$base"
-    run "$base.again" "$base/scene.used" --threads 1
-    same "$base" "$base.again" "its own scene.used on one thread"
-    run "$base.dense" "$scenes/$base.scene" "$@" --until "$until" output.interval="$interval" \
+    run "$base.again" "$base/scene.used" --threads 1 output.interval="$interval" \
         output.fields="$until" output.snapshots=3
-    same "$base" "$base.dense" "the rhythm of outputs"
+    same "$base" "$base.again" "its own scene.used, one thread, or the rhythm of outputs"
 }
 
 # fails NAME: a scene that is there to fail ends so, with a reason and all its files
