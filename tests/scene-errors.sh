@@ -290,6 +290,7 @@ bad small-2d 'look-ahead with a beam of its own way between walls of contact' "$
 # the command line
 bad_key 'override without a key' '=3' '=3'
 bad_key 'override of nothing' 'kernel.suport=2' kernel.suport support 'command line'
+bad_key 'a misprint of an object' 'fluid.rigth.dye=1' 'the file has right and no rigth' 'a box needs from and to'
 bad_key 'override out of range' 'until=-1' until -1 'command line'
 bad_key 'override of the wrong type' 'until=soon' until soon 'command line'
 bad_key 'override of an unknown body' 'body.mass=3' body 'command line'

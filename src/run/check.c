@@ -8,6 +8,7 @@
 #include "ranks/ranks.h"
 #include "run/check-look.h"
 #include "run/check-ranks.h"
+#include "run/looks.h"
 #include "run/patience.h"
 #include "run/ranks.h"
 #include "run/tables.h"
@@ -207,7 +208,7 @@ static int check(struct run *r, const struct run_order *order, double program)
         TRY(check_ranks_print(r, program, later));
     else
         print_memory(r, program);
-    run_disk_print(r);
+    TRY(run_disk_print(r, plan_particles(r->plan)->n, looks_grain(r->plan)));
     if (ranks_count() == 1)
         run_shares_print(r, order, seconds);
     return status;

@@ -2,8 +2,10 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "run/looks.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/statvfs.h>
@@ -13,36 +15,60 @@
 static const double value = 14, row = 13 * 14.0, picture = 7.5 * (2 * DIM + 4), field = 64,
                     frame = 22e3;
 
+/* Of a point on the surface of a rigid body, or a particle beside it, in a file for pictures with
+ * depth; of a corner of a face, in files for pictures and for viewers. */
+static const double point = 46, corner = 11.0 * DIM * (DIM - 1), corner_field = 100;
+
+/* How much is written: of tables; files of all particles for viewers, for pictures. */
+struct amount {
+    double rows, fields, pictures;
+    double files, bytes; /* but for steps.csv and figures */
+};
+
 static double times(double until, double every)
 {
     return every > 0 ? floor(until / every) + 1 : 1;
 }
 
-/* Those are shown also where there are no particles. */
-static bool any_rigid(const struct plan *plan)
+/* What rigid bodies add to each moment, if there are any: NUMBER-bodies.vtkhdf; NUMBER-bodies.csv
+ * and, in 3D, NUMBER-surface.csv with all particles and NUMBER-cut.csv.  Points on surfaces stand
+ * 0.3 dx apart on triangles, 1.5 for each square of that side. */
+static void add_bodies(struct amount *to, const struct looks *looks, double n, double dx)
 {
-    for (int i = 0; i < plan_bodies(plan); i++)
-        if (plan_body_rigid(plan, i))
-            return true;
-    return false;
+    const struct cloud_looks *l = looks_known(looks);
+    const double corners = l->first[l->faces];
+
+    to->files += to->fields + to->pictures * (DIM == 2 ? 1 : 3);
+    to->bytes += to->fields * (frame + corners * corner_field) + to->pictures * corners * corner;
+    if (DIM == 3)
+        to->bytes += to->pictures * point * (n + 1.5 * looks_area(looks) / pow(0.3 * dx, 2));
 }
 
-void run_disk(const struct run *r, struct run_disk *to)
+/* Of the run with n particles in a lattice of spacing dx [m]. */
+static int estimate(const struct run *r, double n, double dx, struct amount *to)
 {
     const struct settings_output *o = plan_output(r->plan);
-    const double n = plan_particles(r->plan)->n, objects = plan_particles(r->plan)->objects;
+    const struct particles *all = plan_particles(r->plan);
     const double rows = times(r->until, isnan(o->interval) ? r->until / 500 : o->interval);
-    const bool shown = n > 0 || any_rigid(r->plan);
-    const double fields = shown ? times(r->until, isnan(o->fields) ? r->until / 50 : o->fields) : 0;
-    const double pictures = shown ? o->snapshots : 0;
+    const double state = all->n > 0 ? plan_size(r->plan) * n / all->n : plan_size(r->plan);
+    struct looks *looks;
+    bool shown;
 
-    *to = (struct run_disk){
-        .rows = rows, .fields = fields, .pictures = pictures,
-        .files = fields + pictures + 20,
-        .bytes = rows * (2 * row + value * (2 * DIM * objects + 2 * plan_probes(r->plan)))
-               + fields * (n * field + frame) + pictures * n * picture
-               + (o->checkpoint > 0 || o->checkpoint_minutes > 0 ? 16.0 * plan_size(r->plan) : 0),
+    TRY(looks_open(&looks, r->plan));
+    shown = n > 0 || looks;
+    *to = (struct amount){
+        .rows = rows,
+        .fields = shown ? times(r->until, isnan(o->fields) ? r->until / 50 : o->fields) : 0,
+        .pictures = shown ? o->snapshots : 0,
+        .bytes = rows * (2 * row + value * (2 * DIM * all->objects + 2 * plan_probes(r->plan)))
+               + (o->checkpoint > 0 || o->checkpoint_minutes > 0 ? 16 * state : 0),
     };
+    to->files = to->fields + to->pictures + 20;
+    to->bytes += n * (to->fields * field + to->pictures * picture) + to->fields * frame;
+    if (looks)
+        add_bodies(to, looks, n, dx);
+    looks_close(&looks);
+    return STATUS_DONE;
 }
 
 /* Bytes that we may still write where the directory is or will be, NAN: it cannot be told. */
@@ -66,26 +92,32 @@ static double free_bytes(const char *directory)
     return disk.f_blocks > 0 ? (double)disk.f_bavail * (double)disk.f_frsize : NAN; /* /proc */
 }
 
-int run_disk_agree(const struct run *r)
+static int agree(const struct run *r, const struct amount *d, double there)
 {
-    const double there = free_bytes(r->directory);
-    struct run_disk d;
-
-    run_disk(r, &d);
-    if (!(d.bytes > there))
+    if (!(d->bytes > there))
         return STATUS_DONE;
     return status_fail(STATUS_BAD_SCENE, "%s: the files of this run would take about %.3g MB (%.0f "
                        "rows in tables, %.0f files of all particles, %.0f pictures), and the disk "
                        "has %.3g MB: take a larger output.interval or output.fields, fewer "
-                       "output.snapshots, or another disk by -o", r->directory, d.bytes / 1e6,
-                       d.rows, d.fields, d.pictures, there / 1e6);
+                       "output.snapshots, or another disk by -o", r->directory, d->bytes / 1e6,
+                       d->rows, d->fields, d->pictures, there / 1e6);
 }
 
-void run_disk_print(const struct run *r)
+int run_disk_agree(const struct run *r)
 {
-    struct run_disk d;
+    struct amount d;
 
-    run_disk(r, &d);
+    TRY(estimate(r, plan_particles(r->plan)->n, looks_grain(r->plan), &d));
+    return agree(r, &d, free_bytes(r->directory));
+}
+
+int run_disk_print(const struct run *r, double n, double dx)
+{
+    const double there = free_bytes(r->directory);
+    struct amount d;
+
+    TRY(estimate(r, n, dx, &d));
     printf("output: about %.3g MB in %.0f files, steps.csv and figures aside; the disk has %.3g "
-           "MB\n", d.bytes / 1e6, d.files, free_bytes(r->directory) / 1e6);
+           "MB\n", d.bytes / 1e6, d.files, there / 1e6);
+    return STATUS_DONE;
 }

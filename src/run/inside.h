@@ -88,14 +88,10 @@ int run_doubt_end(const struct run *r, const double *y);
 int run_doubt_hopes(const struct run *r); /* of the first kind, too */
 void run_doubt_lacks(const struct run *r); /* and of effects that are missing */
 
-/* Files of a run, but for steps.csv and figures. */
-struct run_disk {
-    double rows, fields, pictures; /* of tables; files of all particles for viewers, for pictures */
-    double files, bytes;
-};
-void run_disk(const struct run *r, struct run_disk *to);
-int run_disk_agree(const struct run *r); /* STATUS_BAD_SCENE: more than the disk has */
-void run_disk_print(const struct run *r);
+/* Files of a run, but for steps.csv and figures.  STATUS_BAD_SCENE: more than the disk has. */
+int run_disk_agree(const struct run *r);
+/* What they would take with n particles in a lattice of spacing dx [m]. */
+int run_disk_print(const struct run *r, double n, double dx);
 
 /* CPU time of one right-hand side at r->y, the list made before: the least of some [s]. */
 int run_time_rhs(struct run *r, double *seconds);

@@ -97,6 +97,11 @@ const struct cloud_looks *looks_known(const struct looks *l)
     return l ? &l->shown : NULL;
 }
 
+double looks_area(const struct looks *l)
+{
+    return surface_area(&l->own);
+}
+
 /* Corner i of a body that stands there. */
 static void carry(struct looks *l, int i, const struct solid_place *at, const double *centre)
 {

@@ -17,6 +17,9 @@ int looks_open(struct looks **out, const struct plan *plan);
 /* Their names and faces; NULL for NULL. */
 const struct cloud_looks *looks_known(const struct looks *l);
 
+/* Area of their faces [m^2 in space, else 0]. */
+double looks_area(const struct looks *l);
+
 /* As they stand at y; lent until the next call. */
 const struct cloud_looks *looks_at(struct looks *l, const struct moment *moment, const double *y);
 

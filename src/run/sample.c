@@ -53,11 +53,14 @@ static bool look(const struct run_order *order, const struct plan_survey *s, int
     }
     if (fine) {
         patience_done();
-        const double n = plan_particles(r.plan)->n;
+        const double n = plan_particles(r.plan)->n, all = s->fluid + s->solid;
         moment_limit(r.moment, 0, r.y, false, limit);
-        run_cost_print(r.until, coarser * limit[0].rate, seconds * (s->fluid + s->solid) / n);
-        printf(",\n  from %.0f particles at a spacing of %g m, whose right-hand sides take %.3g ms\n", n,
+        run_cost_print(r.until, coarser * limit[0].rate, seconds * all / n);
+        printf(",
+  from %.0f particles at a spacing of %g m, whose right-hand sides take %.3g ms
+", n,
                coarser * s->dx, 1e3 * seconds);
+        fine = run_disk_print(&r, all, s->dx) == STATUS_DONE;
     }
     run_release(&r);
     return fine;

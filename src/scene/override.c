@@ -102,13 +102,33 @@ static bool means_all(const struct override *o, const struct scene_node *group, 
     return held || (last && o->value->kind != SCENE_GROUP);
 }
 
+/* Notes the group of the file that a new one may be a misprint of.  Keys and effects are known by
+ * their names anyway. */
+static int note_similar(struct override *o, const struct scene_node *parent, struct scene_node *made)
+{
+    const char **names;
+    int n = 0;
+
+    if (parent == o->scene->root || strcmp(parent->name, "effects") == 0)
+        return STATUS_DONE;
+    names = scene_pool_take(&o->scene->pool, (size_t)(parent->n + 1) * sizeof *names);
+    if (!names)
+        return STATUS_FAILED;
+    for (int i = 0; i < parent->n; i++)
+        if (parent->child[i]->kind == SCENE_GROUP && parent->child[i]->at.file)
+            names[n++] = parent->child[i]->name;
+    made->beside = scene_nearest(made->name, names);
+    return STATUS_DONE;
+}
+
 static struct scene_node *make_group(struct override *o, struct scene_node *parent,
                                      const char *name)
 {
     struct scene_node *group = scene_node_create(&o->scene->pool, name, SCENE_GROUP,
                                                  (struct scene_place){ 0 });
 
-    if (!group || scene_node_add(&o->scene->pool, parent, group) != STATUS_DONE)
+    if (!group || note_similar(o, parent, group) != STATUS_DONE
+        || scene_node_add(&o->scene->pool, parent, group) != STATUS_DONE)
         return NULL;
     return group;
 }

@@ -45,7 +45,8 @@ bool scene_is_group(const struct scene_node *node);
 const char *scene_file(const struct scene_node *node);     /* or "command line" */
 int scene_line(const struct scene_node *node);             /* 0: an override */
 
-/* "FILE:LINE" or "command line" for messages; the last two answers stay valid. */
+/* "FILE:LINE" or "command line" for messages, with the name that may be meant where the command line
+ * alone has an object of a similar one; the last two answers stay valid. */
 const char *scene_where(const struct scene_node *node);
 
 /* Refuses values where only named groups may stand, as in beam = { gate = { ... } }.

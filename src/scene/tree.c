@@ -140,7 +140,15 @@ int scene_line(const struct scene_node *node)
 
 const char *scene_where(const struct scene_node *node)
 {
-    return scene_place_text(node->at);
+    static char text[2][256];
+    static int turn;
+
+    if (node->at.file || !node->beside)
+        return scene_place_text(node->at);
+    turn = !turn;
+    snprintf(text[turn], sizeof text[turn], "command line (the file has %.64s and no %.64s)", node->beside,
+             node->name);
+    return text[turn];
 }
 
 const char *scene_place_text(struct scene_place at)

@@ -41,6 +41,8 @@ struct scene_node {
     bool flag;
     bool off;                  /* a group that the command line has taken away       */
     const char *text;          /* of a text; of any override: as it was typed        */
+    const char *beside;        /* of a group that the command line made: a group of the file that
+                                * it stands beside and has nearly its name, NULL: none        */
     const struct scene_node *was; /* of an override: what the file has, NULL: nothing */
     struct scene_node **child; /* [n] of a group or list                             */
     int n, room;

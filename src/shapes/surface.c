@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -127,6 +128,24 @@ double surface_volume(const struct surface *s)
         for (int i = 1; i + 1 < n; i++)
             sum += cone(s->x[at[0]], s->x[at[i]], s->x[at[i + 1]]);
 #endif
+    }
+    return sum;
+}
+
+/* Newell's normal of a face is twice its area long. */
+double surface_area(const struct surface *s)
+{
+    double sum = 0;
+
+    for (int f = 0; f < s->faces && DIM == 3; f++) {
+        const int *at = s->loop + s->first[f], n = s->first[f + 1] - s->first[f];
+        double normal[3] = { 0 };
+        for (int i = 0; i < n; i++) {
+            const double *a = s->x[at[i]], *b = s->x[at[(i + 1) % n]];
+            for (int d = 0; d < 3; d++)
+                normal[d] += (a[(d + 1) % 3] - b[(d + 1) % 3]) * (a[(d + 2) % 3] + b[(d + 2) % 3]);
+        }
+        sum += sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) / 2;
     }
     return sum;
 }

@@ -30,6 +30,9 @@ int surface_box(struct surface *s, const double *half);
 /* What it encloses, by the divergence theorem: integral of n . x over it, by DIM [m^3, 2D: m^2]. */
 double surface_volume(const struct surface *s);
 
+/* Of all faces, by Newell's formula; 0 in the plane, where there are outlines only [m^2]. */
+double surface_area(const struct surface *s);
+
 void surface_free(struct surface *s);
 
 #endif
