@@ -3,6 +3,7 @@
 table = '../compare.csv'
 set datafile missing NaN
 eval read_names
+eval read_units
 first_swept = 21                       # before it: method to energy_defect
 sweeps = column_of('t_end') - first_swept
 c_end = column_of('t_end')

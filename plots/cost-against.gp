@@ -100,7 +100,7 @@ do for [k = 1:sweeps] {
         eval start
         do for [n = 1:rows] {
             p = word(others_at, n)
-            set xlabel (n < rows ? '' : word(names, c)) noenhanced
+            set xlabel (n < rows ? '' : say(c)) noenhanced
             if (sweeps > 1) { set label 7 p[4:*] noenhanced at graph 0.03, 0.95 left }
             do for [w = 1:panels] {
                 set ylabel name_of[w] offset 1, 0

@@ -29,6 +29,15 @@ read_line = "stats table using 0 every ::0::0 nooutput name 'head'; line = ''; \
 # Above the rows stand two lines: units and names.
 read_names = "set datafile separator ','; between = ' '; ".read_line."; names = line"
 
+# `eval read_units` leaves the line above them in `units`; unit(c) is then that of column c, and
+# say(c) its name with it. To be asked for after read_names.
+read_units = "set datafile commentschars ''; between = ','; ".read_line."; units = line; \
+    set datafile commentschars '#'"
+field(s, n) = n > 1 ? field(s[strstrt(s, ',') + 1:*], n - 1) : \
+    strstrt(s, ',') ? s[1:strstrt(s, ',') - 1] : s
+unit(c) = strlen(units) > 9 ? field(units[10:*], c) : ''
+say(c) = word(names, c).(strlen(unit(c)) ? ' ['.unit(c).']' : '')
+
 # ends_in('left.fx', '.fx') is 1; stem('left.fx') is 'left'
 ends_in(word, end) = strlen(word) > strlen(end) && word[strlen(word) - strlen(end) + 1:*] eq end
 stem(word) = word[1:strstrt(word, '.') - 1]

@@ -15,16 +15,7 @@ elsewhere(k) = 'at'.but(k, 1).but(k, 2).but(k, 3).but(k, 4)
 is_number(w) = strstrt('+-.0123456789', w[1:1]) > 0
 done(i) = strcol(c_status) eq 'done'
 
-# Units stand in the line above the names, with commas between.
-set datafile commentschars ''
-between = ','
-eval read_line
-units = line
-set datafile commentschars '#'
-field(s, n) = n > 1 ? field(s[strstrt(s, ',') + 1:*], n - 1) : \
-    strstrt(s, ',') ? s[1:strstrt(s, ',') - 1] : s
-unit(c) = strlen(units) > 9 ? field(units[10:*], c) : ''
-say(c) = word(names, c).(strlen(unit(c)) ? ' ['.unit(c).']' : '')
+eval read_units
 
 # Panels: cost, and the outputs that stand first, as long as they differ.
 most_panels = 8
@@ -68,7 +59,7 @@ do for [k = 1:sweeps] {
             eval few_tics
             set offsets graph 0.05, graph 0.05, 0, 0
         }
-        set xlabel word(names, k) noenhanced
+        set xlabel say(k) noenhanced
         unset key
         do for [panel in panels] {
             c = panel + 0

@@ -12,6 +12,12 @@ at_edge(q) = strcol(3) eq 'failed' || strcol(3) eq 'stopped' || error(q) > most[
 sign(i) = strcol(3) eq 'failed' ? 2 : strcol(3) eq 'stopped' ? 12 : 8
 
 if (words(shown) == 0) { exit }
+# What a point of a line is told from the others by: its tolerance, what stands behind its @, or its spacing.
+c_spacing = 0
+do for [k = 1:sweeps] { if (space && word(names, first_swept - 1 + k) eq 'spacing') { c_spacing = first_swept - 1 + k } }
+told(i) = c_spacing > 0 ? strcol(c_spacing) : strstrt(strcol(1), '@') ? \
+    strcol(1)[strstrt(strcol(1), '@'):*] : strcol(2) eq 'nan' ? '' : strcol(2)
+says_points = c_spacing > 0 ? 'at points: '.say(c_spacing) : 'at points: tol'
 cost(w) = w == 1 ? column(4) : passes(0)
 array name_of[2] = ['CPU time [s]', say_passes]
 array least[2]
@@ -35,6 +41,8 @@ panel = "set lmargin at screen (gap + side * (panel_wide + gap)) / wide; \
     plot for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(good(q)) skip 2 \
         with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) \
         notitle, \
+    for [i = 1:words(lines)] table using (mine(i, p) && is_hull(i) ? cost(w) : NaN):(good(q)):(told(0)) \
+        skip 2 with labels left offset 0.7, 0.45 font ',11' tc rgb look(i) noenhanced notitle, \
     for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) \
         skip 2 axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; \
     unset label 9"
@@ -71,6 +79,7 @@ legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at sc
         font ',13' tc rgb '#404040'; \
     plot for [i = 1:words(lines)] NaN with linespoints lw 2.2 ps 1.4 pt mark(member(i)) \
         dt dash(member(i)) lc rgb look(i) title say_line(word(lines, i)), \
+        NaN with points pt -1 title says_points, \
         NaN with points pt 2 ps 1.6 lw 3 lc rgb grey title 'failed', \
         NaN with points pt 12 ps 1.6 lw 3 lc rgb grey title 'stopped', \
         NaN with points pt 8 ps 1.6 lw 2 lc rgb grey title 'off the scale'; unset label 1"

@@ -141,7 +141,7 @@ static int compare(const struct cli *c)
         .tols = c->tols ? c->tols : "1e-2,1e-3,1e-4", .sweeps = c->sweeps, .sweep = c->sweep,
         .reference = c->reference, .early = c->early, .growth = c->growth, .repeat = c->repeat,
         .jobs = c->jobs, .threads = c->threads, .budget = c->budget, .quiet = c->quiet,
-        .force = c->force, .scripts = scripts,
+        .force = c->force, .scripts = scripts, .unit = catalogue_unit,
     };
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());
@@ -170,7 +170,7 @@ static int sweep(const struct cli *c)
     const struct sweep_order order = {
         .scene = c->subject, .words = c->overrides, .word = c->override,
         .directory = c->directory, .jobs = c->jobs, .threads = c->threads, .budget = c->budget,
-        .quiet = c->quiet, .force = c->force, .scripts = scripts,
+        .quiet = c->quiet, .force = c->force, .scripts = scripts, .unit = catalogue_unit,
     };
 
     snprintf(scripts, sizeof scripts, "%.4096s/plots", cli_data());

@@ -45,8 +45,9 @@ says density-difusion density-diffusion
 # --- numbers, and an effect ---------------------------------------------------------------------
 expect 0 $dam eos.c0=20,30 effects.density-diffusion=on,off probe.low.at=[0.2,0.02] -j 2 -o dam
 }
-says "| eos.c0 | effects.density-diffusion | CPU s | pair passes | energy defect [J/m] | front.x.end [m] |" \
+says "| eos.c0 [m/s] | effects.density-diffusion | CPU s | pair passes | energy defect [J/m] | front.x.end [m] |" \
     "| 30 | off |" tank.force.peak
+head -n 1 dam/sweep.csv | grep -q '^# units: m/s,,,s,,,,,,J/m,s,m,' || complain "units of sweep.csv: $(head -n 1 dam/sweep.csv)"
 [ "$(wc -l <dam/sweep.csv)" = 6 ] || complain "sweep.csv has not a row for each run"
 for c0 in 20 30; do
     for effect in on off; do

@@ -13,8 +13,9 @@ struct asked {
     char group[64], member[64]; /* "" where it is not said */
     const char *key;
     bool values;                /* it is a value of keys, not a key */
-    FILE *to;
+    FILE *to;                   /* NULL: only the unit matters */
     int found;
+    const char *unit;           /* of all that were found, "": they differ */
 };
 
 static bool take_apart(struct asked *a, const char *name)
@@ -48,6 +49,17 @@ static bool fits(const struct asked *a, const struct param *r)
     return false;
 }
 
+static void tell(struct asked *a, const char *group, const char *whose, const struct param *r)
+{
+    if (!a->to) {
+        a->unit = a->found == 0 || strcmp(a->unit, r->unit) == 0 ? r->unit : "";
+        return;
+    }
+    fprintf(a->to, "%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
+            *whose ? ", " : "", whose);
+    catalogue_row(r, a->to);
+}
+
 /* The row of the key among those of "GROUP" or "GROUP ...". */
 static void look(struct asked *a, const char *group, const char *whose, const struct param *rows)
 {
@@ -55,9 +67,7 @@ static void look(struct asked *a, const char *group, const char *whose, const st
         return;
     for (const struct param *r = rows; r && r->key; r++)
         if (fits(a, r)) {
-            fprintf(a->to, "%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
-                    *whose ? ", " : "", whose);
-            catalogue_row(r, a->to);
+            tell(a, group, whose, r);
             a->found++;
         }
 }
@@ -117,4 +127,16 @@ bool catalogue_explain_key(const char *name, FILE *to)
         return true;
     a.values = !strchr(name, '.');
     return a.values && look_everywhere(&a);
+}
+
+const char *catalogue_unit(const char *name)
+{
+    struct asked a = { .unit = "" };
+
+    if (!take_apart(&a, name))
+        return "";
+    if (!*a.group)
+        strcpy(a.group, "scene");
+    look_everywhere(&a);
+    return a.unit;
 }

@@ -9,4 +9,8 @@
  * else every row that can have this word as its value; false: there is none. */
 bool catalogue_explain_key(const char *name, FILE *to);
 
+/* The unit of the key, written as in a scene: "Pa" for "beam.plate.E" or "beam.E"; "" where it has
+ * none, is unknown, or can mean keys with different units. */
+const char *catalogue_unit(const char *name);
+
 #endif

@@ -22,6 +22,7 @@ struct compare_order {
     bool quiet;
     bool force;                  /* a directory with files of others does not matter */
     const char *scripts;         /* directory with plots/work-precision.gp                */
+    const char *(*unit)(const char *key); /* of a key of scenes; NULL: none is known      */
 };
 
 /* Runs what is not there yet as child processes `PROGRAM run', each into DIR/runs/NAME, and

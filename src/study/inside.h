@@ -38,6 +38,7 @@ struct study {
     struct member_home home;
     int sweeps;
     char key[COMPARE_SWEEPS][INSIDE_WORD];
+    const char *unit[COMPARE_SWEEPS]; /* of the keys                                     */
     struct words values[COMPARE_SWEEPS], methods, tols;
     int points, cases;   /* cases: methods x tolerances of one point                  */
     struct point *point; /* [points]                                                  */

@@ -17,6 +17,7 @@ static int read_sweep(struct study *s, int k, const char *word)
         return status_fail(STATUS_BAD_SCENE, "--sweep %.60s: not of the form KEY=VALUE,VALUE,...",
                            word);
     memcpy(s->key[k], word, n);
+    s->unit[k] = s->order->unit ? s->order->unit(s->key[k]) : "";
     return words_split(&s->values[k], word + n + 1, "--sweep");
 }
 

@@ -4,7 +4,7 @@
 
 #include "study/inside.h"
 
-/* Fills s->sweeps, key, values from the words of --sweep. */
+/* Fills s->sweeps, key, unit, values from the words of --sweep. */
 int point_sweeps(struct study *s);
 
 /* Makes s->point: reads the scene at each combination. */

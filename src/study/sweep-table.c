@@ -15,7 +15,7 @@ static void head(FILE *to, const struct sweep *s)
 
     fputs("# units: ", to);
     for (int k = 0; k < study->sweeps; k++)
-        fputc(',', to);
+        fprintf(to, "%s,", study->unit[k]);
     fprintf(to, ",s,,,,,,%s,s", study->point[0].facts.dimension == 2 ? "J/m" : "J");
     for (int first = 1; first >= 0; first--)
         for (int k = 0; k < s->outputs.n; k++)
@@ -85,7 +85,7 @@ static void words_head(FILE *to, const struct sweep *s, int n, const int *which)
 {
     fprintf(to, "# %s\n\n|", s->study.point[0].facts.title);
     for (int k = 0; k < s->study.sweeps; k++)
-        fprintf(to, " %s |", s->study.key[k]);
+        fprintf(to, *s->study.unit[k] ? " %s [%s] |" : " %s |", s->study.key[k], s->study.unit[k]);
     fprintf(to, " CPU s | pair passes | energy defect [%s] |",
             s->study.point[0].facts.dimension == 2 ? "J/m" : "J");
     for (int k = 0; k < n; k++)

@@ -154,7 +154,7 @@ int sweep_scene(const struct sweep_order *asked)
         .scene = asked->scene, .directory = asked->directory, .jobs = asked->jobs,
         .threads = asked->threads, .budget = asked->budget, .quiet = asked->quiet,
         .force = asked->force,
-        .scripts = asked->scripts, .override = a.set, .sweep = a.swept,
+        .scripts = asked->scripts, .unit = asked->unit, .override = a.set, .sweep = a.swept,
     };
     struct sweep s = { .study.order = &order };
     int status;

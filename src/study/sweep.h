@@ -14,6 +14,7 @@ struct sweep_order {
     bool quiet;
     bool force;              /* a directory with files of others does not matter */
     const char *scripts;     /* directory with plots/sweep.gp                             */
+    const char *(*unit)(const char *key); /* of a key of scenes; NULL: none is known      */
 };
 
 /* Runs what is not there yet, by the scene's own method, each into DIR/runs/NAME, and leaves

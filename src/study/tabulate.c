@@ -97,9 +97,9 @@ static void head(FILE *to, const struct study *s)
     const char *energy = s->point[0].facts.dimension == 2 ? "J/m" : "J";
 
     fprintf(to, "# units: ,,,s,s,s,,,,,,s,spacings,,,,,,,%s", energy);
-    for (int k = 0; k <= s->sweeps; k++)
-        fputc(',', to);
-    fputs("s,,,\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
+    for (int k = 0; k < s->sweeps; k++)
+        fprintf(to, ",%s", s->unit[k]);
+    fputs(",s,,,\nmethod,tol,status,cpu_s,cpu_spread,wall_s,steps,rejected,rhs_explicit,rhs_implicit,"
           "pair_passes,h_mean,error_position,error_front,error_tip,error_body,error_impulse,error_force,"
           "error_probe,energy_defect",
           to);
