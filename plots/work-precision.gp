@@ -38,15 +38,16 @@ panel = "set lmargin at screen (gap + side * (panel_wide + gap)) / wide; \
     set tmargin at screen 1 - (head + (n - 1) * high) / tall; \
     set bmargin at screen 1 - (head + n * high - foot) / tall; \
     set xrange [least[w]:largest[w]]; \
-    plot for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(good(q)) skip 2 \
+    plot for [at in stand] for [i = 1:words(lines)] table using (mine(i, at) ? cost(w) : NaN):(good(q)) skip 2 \
         with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) \
         notitle, \
-    for [i = 1:words(lines)] table using (mine(i, p) && is_hull(i) ? cost(w) : NaN):(good(q)):(told(0)) \
+    for [i = 1:words(lines)] table using (told_here && mine(i, p) && is_hull(i) ? cost(w) : NaN):(good(q)):(told(0)) \
         skip 2 with labels left offset 0.7, 0.45 font ',11' tc rgb look(i) noenhanced notitle, \
     for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) \
         skip 2 axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; \
     unset label 9"
-axes = "set logscale xy; set format y '10^{%T}'; set ytics autofreq; set y2range [0:1]; \
+# A line joins points of one place; where there are many points they are told in figures of one quantity.
+axes = "stand = p eq '' ? places : p; told_here = p ne '' || row_records <= 16; set logscale xy; set format y '10^{%T}'; set ytics autofreq; set y2range [0:1]; \
     unset y2tics; unset key; \
     set yrange [*:*]; set xtics autofreq format (largest[w] / least[w] < 50 ? '%g' : '10^{%T}'); \
     if (largest[w] / least[w] < 50) { set xtics (); \
@@ -79,7 +80,7 @@ legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at sc
         font ',13' tc rgb '#404040'; \
     plot for [i = 1:words(lines)] NaN with linespoints lw 2.2 ps 1.4 pt mark(member(i)) \
         dt dash(member(i)) lc rgb look(i) title say_line(word(lines, i)), \
-        NaN with points pt -1 title says_points, \
+        NaN with points pt -1 title (told_here ? says_points : ''), \
         NaN with points pt 2 ps 1.6 lw 3 lc rgb grey title 'failed', \
         NaN with points pt 12 ps 1.6 lw 3 lc rgb grey title 'stopped', \
         NaN with points pt 8 ps 1.6 lw 2 lc rgb grey title 'off the scale'; unset label 1"
