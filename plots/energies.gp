@@ -4,13 +4,17 @@
 load 'style.gp'
 table = '../book.csv'
 eval read_names
-stored = 'kinetic potential internal elastic'
-# Parts stand between `elastic` and `total`; those that never did anything are left out.
+# What never was more than rounding is left out; parts stand between `elastic` and `total`.
+stats table using (abs(column(column_of('total')))) skip 2 nooutput name 'all'
+stored = ''
 parts = ''
-do for [i = column_of('elastic') + 1:column_of('total') - 1] {
+do for [i = 2:column_of('total') - 1] {
     stats table using (abs(column(i))) skip 2 nooutput name 'part'
-    if (part_max > 0) { parts = parts.' '.word(names, i) }
+    if (part_max > 1e-9 * all_max) {
+        if (i > column_of('elastic')) { parts = parts.' '.word(names, i) } else { stored = stored.' '.word(names, i) }
+    }
 }
+say_part(w) = w eq 'pressure_defect' ? "pressure forces that\nno energy stands for" : w
 unit = dim == 2 ? ' [J/m]' : ' [J]'
 
 set terminal pngcairo size 1200, 1250 font 'Sans,18'
@@ -34,7 +38,7 @@ set ylabel 'taken or given'.unit
 if (words(parts) > 0) {
     plot 0 lc rgb grey lw 1 notitle, for [k = 1:words(parts)] table \
         using 1:(column(column_of(word(parts, k)))) skip 2 \
-        with lines lw 2.5 lc rgb pick(k) title word(parts, k)
+        with lines lw 2.5 lc rgb pick(k) title say_part(word(parts, k))
 }
 
 set origin 0, 0
@@ -42,6 +46,9 @@ set size 1, 0.28
 set xlabel 'time [s]'
 set ylabel 'defect'.unit
 set format y '%g'
+stats table using (column(column_of('defect'))) skip 2 nooutput name 'y'
+step = (y_max - y_min) / 4
+if (step > 0) { set ytics decade(step) * round_up(step / decade(step)) }
 plot 0 lc rgb grey lw 1 notitle, \
     table using 1:(column(column_of('defect'))) skip 2 with lines lw 2.5 lc rgb pick(2) \
     title E0 > 0 ? sprintf("defect\n(of %.3g\nat t = 0)", E0) : 'defect'
