@@ -50,7 +50,7 @@ if (is_column && abs(n2 - 1) < 0.05) {
 set terminal pngcairo size 1200, 1050 font 'Sans,18'
 set output 'front.png'
 set multiplot title sprintf("%s: column a = %g mm, n² = %.3g", title, 1e3 * a, n2) noenhanced
-set lmargin 9
+set lmargin 11
 set rmargin 3
 set xrange [0:last]
 
