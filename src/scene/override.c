@@ -104,7 +104,8 @@ static bool means_all(const struct override *o, const struct scene_node *group, 
 
 /* Notes the group of the file that a new one may be a misprint of.  Keys and effects are known by
  * their names anyway. */
-static int note_similar(struct override *o, const struct scene_node *parent, struct scene_node *made)
+static int note_similar(struct override *o, const struct scene_node *parent,
+                        struct scene_node *made)
 {
     const char **names;
     int n = 0;
