@@ -115,6 +115,7 @@ same mri 2 $small-2d until=0.004 $beam method=mri
 same box 2 floating-box until=0.01
 same cubes 3 flood-six-cubes until=0.003 spacing=0.05
 same single 2 dam-break until=0.01 spacing=0.01 precision=single
+same euler 2 dam-break until=0.02 spacing=0.01 method=euler-cfl@4 # forces, of whichever rank, give its steps
 if [ -n "${STIFFWATER_LONG-}" ]; then
     same plate 2 $small-2d until=0.004 $beam
     same contact 2 $small-2d until=0.004 beam.plate.E=1e6 walls=contact

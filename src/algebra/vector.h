@@ -97,9 +97,16 @@ void vector_combine(int terms, const double *c, const double *const *x, long n, 
 /* x . y; partial: room for n/1024 + 1 numbers. */
 double vector_dot(long n, const double *x, const double *y, double *partial);
 
+/* The largest |x[i] weight[i]|, of the entries of all ranks, which ask together; one that is NaN is
+ * passed over. */
+double vector_most(long n, const double *x, const double *weight);
+
 void vector_copy(long n, const double *x, double *to);
 
 /* First entry that is NaN or infinite; -1 if there is none. */
 long vector_first_bad(long n, const double *x);
+
+/* The same of all ranks, which ask together. */
+long vector_bad_anywhere(long n, const double *x);
 
 #endif

@@ -158,7 +158,7 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
     flag = CVode(c->cvode, t_stop, c->spare, &t, CV_ONE_STEP);
     if (flag < 0)
         return collapse(c, flag);
-    bad = vector_first_bad(c->n, vector_data(c->spare));
+    bad = vector_bad_anywhere(c->n, vector_data(c->spare));
     if (bad >= 0)
         return failure_not_finite(name(c), t, moment_entry(c->rates.moment, bad));
     vector_copy(c->n, vector_data(c->spare), vector_data(c->y));

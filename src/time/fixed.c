@@ -141,7 +141,7 @@ static void begin(struct fixed *x)
 static int attempt(struct fixed *x, double h)
 {
     TRY(x->kind->advance(x, h));
-    return vector_first_bad(x->n, x->y) < 0 ? STATUS_DONE : STATUS_FAILED;
+    return vector_bad_anywhere(x->n, x->y) < 0 ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Halves the step while there is no answer. */

@@ -66,9 +66,7 @@ static int collapse(const struct gslode *x, double h)
 /* Without a rate: a step along f that changes y by as much as an error may. */
 static double first_step(const struct gslode *x, double left)
 {
-    const struct gslode_node *now = &x->node[0];
-    const double *w = vector_data(x->weight);
-    double rate, most = 0;
+    double rate, most;
 
     if (x->def.seconds > 0)
         return x->def.seconds;
@@ -77,8 +75,7 @@ static double first_step(const struct gslode *x, double left)
     rate = fastest(x).rate;
     if (rate > 0)
         return fmin(x->row->first / rate, left);
-    for (long i = 0; i < x->n; i++)
-        most = fmax(most, fabs(now->f[i] * w[i]));
+    most = vector_most(x->n, x->node[0].f, vector_read(x->weight));
     return most > 0 ? fmin(1 / most, left) : left / 100;
 }
 
@@ -108,9 +105,9 @@ static double attempt(struct gslode *x, double h, struct gslode_node *to)
     if (gsl_odeiv2_step_apply(x->stepper, now->t, h, to->y, error, now->f, to->f, &x->system)
         != GSL_SUCCESS)
         return NAN;
-    bad = vector_first_bad(x->n, to->y);
+    bad = vector_bad_anywhere(x->n, to->y);
     if (bad < 0)
-        bad = vector_first_bad(x->n, error);
+        bad = vector_bad_anywhere(x->n, error);
     if (bad >= 0) {
         x->entry = bad;
         return NAN;

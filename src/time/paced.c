@@ -67,7 +67,7 @@ static double attempt(struct paced *x, double h)
         keep_refusal(x);
         return NAN;
     }
-    bad = vector_first_bad(x->n, x->y);
+    bad = vector_bad_anywhere(x->n, x->y);
     if (bad < 0)
         return x->def.seconds > 0 ? 0 : x->kind->error(x, h);
     x->choice.entry = bad;

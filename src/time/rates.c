@@ -21,7 +21,7 @@ int rates_ask(struct rates *r, double t, const double *y, double *f)
         const char *said = status_message(); /* of memory */
         return refuse(r, "", said[0] ? said : moment_refusal(r->moment), "");
     }
-    bad = vector_first_bad(n, f);
+    bad = vector_bad_anywhere(n, f);
     if (bad >= 0)
         return refuse(r, "the rate of ", moment_entry(r->moment, bad), " is not finite");
     r->refusal[0] = '\0';
