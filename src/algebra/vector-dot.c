@@ -1,5 +1,5 @@
 /* vector-dot.c -- x . y, the same on any number of threads: four sums a block, blocks in
- * their order; and the largest product of two entries and the first bad one, of all ranks. */
+ * their order; and the largest product of two entries, of all ranks. */
 #include "algebra/vector-private.h"
 
 #include "ranks/ranks.h"
@@ -66,11 +66,4 @@ double vector_most(long n, const double *x, const double *weight)
         most = fmax(most, fabs(x[i] * weight[i]));
     ranks_most(1, &most);
     return most;
-}
-
-long vector_bad_anywhere(long n, const double *x)
-{
-    long bad = vector_first_bad(n, x);
-
-    return ranks_first(bad < 0 ? HUGE_VAL : 0, bad, &bad, sizeof bad) < 0 ? -1 : bad;
 }

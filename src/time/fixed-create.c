@@ -13,7 +13,7 @@ int fixed_restart(void *self, double t, const double *y)
 {
     struct fixed *x = self;
 
-    vector_copy(x->n, y, x->y);
+    moment_take(x->moment, y, x->y);
     x->t = x->t_old = t;
     x->has_f = x->stepped = false;
     return STATUS_DONE;

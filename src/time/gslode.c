@@ -98,6 +98,7 @@ static int begin(struct gslode *x, double t_stop)
 static double attempt(struct gslode *x, double h, struct gslode_node *to)
 {
     const struct gslode_node *now = &x->node[0];
+    const struct vector_own own = moment_own(x->rates.moment);
     double *error = vector_data(x->error);
     long bad;
 
@@ -105,9 +106,9 @@ static double attempt(struct gslode *x, double h, struct gslode_node *to)
     if (gsl_odeiv2_step_apply(x->stepper, now->t, h, to->y, error, now->f, to->f, &x->system)
         != GSL_SUCCESS)
         return NAN;
-    bad = vector_bad_anywhere(x->n, to->y);
+    bad = vector_bad_anywhere(x->n, to->y, &own);
     if (bad < 0)
-        bad = vector_bad_anywhere(x->n, error);
+        bad = vector_bad_anywhere(x->n, error, &own);
     if (bad >= 0) {
         x->entry = bad;
         return NAN;
@@ -237,7 +238,7 @@ int gslode_restart(void *self, double t, const double *y)
 {
     struct gslode *x = self;
 
-    vector_copy(x->n, y, x->node[0].y);
+    moment_take(x->rates.moment, y, x->node[0].y);
     x->node[0].t = t;
     x->known = 1;
     x->h = 0;

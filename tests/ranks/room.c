@@ -125,10 +125,10 @@ static void the_haste_of_all_is_known_to_all(void)
 
     rate[me == last ? 3 : 1] = -1 - me;
     claim(vector_most(ENTRIES, rate, weight) == 2.0 * (1 + last), "the largest weighted rate");
-    claim(vector_bad_anywhere(ENTRIES, rate) == -1, "rates that are numbers on all ranks");
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == -1, "rates that are numbers on all ranks");
     if (me == last)
         rate[2] = INFINITY;
-    claim(vector_bad_anywhere(ENTRIES, rate) == 2, "a rate of one rank that is no number");
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == 2, "a rate of one rank that is no number");
 }
 
 /* Ranks from `first` on bring a failure. */
