@@ -53,6 +53,8 @@ scene=$top_srcdir/tests/scenes/small-2d.scene
 scenes=$top_srcdir/data/scenes
 ranks 2 "$top_builddir/stiffwater-2d-mpi" explain tait
 refused "no other command is shared" "2 ranks share .run., .resume. and .check., and no other"
+ranks 2 "$top_builddir/stiffwater-2d-mpi" sweep "$scene" tol=0.1,0.2 -o "$out/many"
+refused "many runs are not shared, with advice" '.--jobs N has N runs at a time'
 code=0
 PMI_SIZE=2 PMI_RANK=0 "$top_builddir/stiffwater-2d-mpi" check "$scene" >"$out/said" 2>&1 || code=$?
 refused "copies that another mpirun started are refused" 'there are 2 copies'
