@@ -311,6 +311,18 @@ else
     echo "skipped: no library that refuses memory"
 fi
 
+# A rank with another libm takes steps of another length, and then all are told, and end.
+if ${CC:-cc} -O1 -shared -fPIC -o "$out/libm.so" "$top_srcdir/tests/ranks/other-libm.c" -ldl 2>"$out/said"; then
+    set -- "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" spacing=0.025 until=0.02 output.fields=100 \
+        output.snapshots=0 -q -f -o "$out/apart"
+    code=0
+    timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" : -n 1 env LD_PRELOAD="$out/libm.so" "$@" \
+        >"$out/said" 2>&1 || code=$?
+    if [ $code = 1 ] && [ "$(grep -c 'ranks have come to different times' "$out/said")" = 1 ]; then
+        good "ranks that are not at one time end with one message"
+    else wrong "ranks that are not at one time: status $code"; cat "$out/said"; fi
+fi
+
 # What one step of a solve refuses, all refuse, and say once.
 ranks 2 "$top_builddir/stiffwater-2d-mpi" run "$scenes/mps-dam-break.scene" until=0.001 mps.iterations=1 \
     -q -o "$out/few"
