@@ -53,6 +53,8 @@ scene=$top_srcdir/tests/scenes/small-2d.scene
 scenes=$top_srcdir/data/scenes
 ranks 2 "$top_builddir/stiffwater-2d-mpi" explain tait
 refused "no other command is shared" "2 ranks share .run., .resume. and .check., and no other"
+ranks 2 "$top_builddir/stiffwater-2d-mpi" sweep "$scene" tol=0.1,0.2 -o "$out/many"
+refused "many runs are not shared, with advice" '.--jobs N has N runs at a time'
 code=0
 PMI_SIZE=2 PMI_RANK=0 "$top_builddir/stiffwater-2d-mpi" check "$scene" >"$out/said" 2>&1 || code=$?
 refused "copies that another mpirun started are refused" 'there are 2 copies'
@@ -115,6 +117,7 @@ same mri 2 $small-2d until=0.004 $beam method=mri
 same box 2 floating-box until=0.01
 same cubes 3 flood-six-cubes until=0.003 spacing=0.05
 same single 2 dam-break until=0.01 spacing=0.01 precision=single
+same euler 2 dam-break until=0.02 spacing=0.01 method=euler-cfl@4 # forces, of whichever rank, give its steps
 if [ -n "${STIFFWATER_LONG-}" ]; then
     same plate 2 $small-2d until=0.004 $beam
     same contact 2 $small-2d until=0.004 beam.plate.E=1e6 walls=contact
@@ -306,6 +309,18 @@ if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-ma
     [ -z "${STIFFWATER_LONG-}" ] || lacks walls=adami method=bdf
 else
     echo "skipped: no library that refuses memory"
+fi
+
+# A rank with another libm takes steps of another length, and then all are told, and end.
+if ${CC:-cc} -O1 -shared -fPIC -o "$out/libm.so" "$top_srcdir/tests/ranks/other-libm.c" -ldl 2>"$out/said"; then
+    set -- "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" spacing=0.025 until=0.02 output.fields=100 \
+        output.snapshots=0 -q -f -o "$out/apart"
+    code=0
+    timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" : -n 1 env LD_PRELOAD="$out/libm.so" "$@" \
+        >"$out/said" 2>&1 || code=$?
+    if [ $code = 1 ] && [ "$(grep -c 'ranks have come to different times' "$out/said")" = 1 ]; then
+        good "ranks that are not at one time end with one message"
+    else wrong "ranks that are not at one time: status $code"; cat "$out/said"; fi
 fi
 
 # What one step of a solve refuses, all refuse, and say once.

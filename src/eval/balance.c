@@ -14,7 +14,10 @@ static const double worth = 1.05;    /* more than a cut leaves, before the next;
 
 /* Who owns what from now on, and the rows of y that go there. */
 struct balance_move {
-    int *owner;            /* [n]                                              */
+    int *owner;            /* [n] by id                                        */
+    int *from;             /* [n] row i of a kind becomes what row from[i] was */
+    int *place;            /* [n] where that row stands then                   */
+    int *was, *now;        /* [n] rows that stay and move                      */
     int *to, *row;         /* [n] scratch: of routes                           */
     int *out, *in;         /* [n] rows that leave, that come, kind by kind     */
     double *weight;        /* [n] neighbours                                   */
@@ -51,6 +54,10 @@ void balance_free(struct balance_move **move)
         free(b->travel[k].room);
     }
     free(b->owner);
+    free(b->from);
+    free(b->place);
+    free(b->was);
+    free(b->now);
     free(b->to);
     free(b->row);
     free(b->out);
@@ -129,15 +136,40 @@ static int take_memory(const struct moment_share *s, struct balance_move **out)
     if (!b)
         return STATUS_FAILED;
     b->owner = status_alloc(n, sizeof *b->owner);
+    b->from = status_alloc(n, sizeof *b->from);
+    b->place = status_alloc(n, sizeof *b->place);
+    b->was = status_alloc(n, sizeof *b->was);
+    b->now = status_alloc(n, sizeof *b->now);
     b->to = status_alloc(n, sizeof *b->to);
     b->row = status_alloc(n, sizeof *b->row);
     b->out = status_alloc(n, sizeof *b->out);
     b->in = status_alloc(n, sizeof *b->in);
     b->weight = status_alloc(n, sizeof *b->weight);
-    return b->owner && b->to && b->row && b->out && b->in && b->weight ? STATUS_DONE : STATUS_FAILED;
+    return b->owner && b->from && b->place && b->was && b->now && b->to && b->row && b->out && b->in && b->weight ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* Rows of kind k, counted within it, that leave and that come: by rank, ascending. */
+/* Where rows of kind k stand afterwards, counted within it, and which move. */
+static void plan_places(const struct moment *m, struct balance_move *b, int k)
+{
+    const int first = m->particles->from[k], n = particles_count(m->particles, k);
+    const int mine = moment_rows_of(m, (enum kind)k);
+    struct vector_travel *t = &b->travel[k];
+
+    t->rows = own_exchange(m, k, b->owner, b->from + first);
+    t->to = b->place + first;
+    t->was = b->was + first;
+    t->now = b->now + first;
+    for (int i = 0; i < n; i++) {
+        const int was = b->from[first + i];
+        b->place[first + was] = i;
+        if (i < t->rows && was < mine && was != i) {
+            b->was[first + t->moving] = was;
+            b->now[first + t->moving++] = i;
+        }
+    }
+}
+
+/* Rows of kind k, counted within it, that leave and that come: by rank, by id. */
 static int plan_travel(const struct moment *m, struct balance_move *b, int k)
 {
     const struct moment_share *s = m->share;
@@ -145,16 +177,17 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
     struct vector_travel *t = &b->travel[k];
     int *out = b->out + first, *in = b->in + first;
 
+    plan_places(m, b, k);
     t->out = out;
     t->in = in;
     for (int r = 0; r < s->ranks; r++)
         for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++) {
-            const int row = s->row[i], to = b->owner[row];
+            const int row = s->row[i], to = b->owner[particles_id_of(m->particles, row)];
             if (r == s->me && to != r) {
                 b->to[t->leaving] = to;
                 out[t->leaving++] = row - first;
             } else if (r != s->me && to == s->me) {
-                in[t->coming++] = row - first;
+                in[t->coming++] = b->place[row];
             }
         }
     t->room = status_alloc((size_t)t->coming + 1, DIM * sizeof *t->room);
@@ -169,8 +202,9 @@ static long find_owners(const struct moment *m, const struct ranks_cut *cuts, st
     long moved = 0;
 
     for (int i = 0; i < s->n; i++) {
-        b->owner[i] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
-        moved += b->owner[i] != s->owner[i];
+        const int id = particles_id_of(m->particles, i);
+        b->owner[id] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
+        moved += b->owner[id] != s->owner[id];
     }
     return moved;
 }
@@ -210,21 +244,39 @@ int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *bloc
     return STATUS_DONE;
 }
 
+/* Owners, and places where the list was made, of the rows as they will be. */
+static void move_rows(const struct moment *m)
+{
+    const struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    const struct balance_move *b = s->move;
+    double *was = s->all;
+
+    memcpy(was, s->built, (size_t)s->n * DIM * sizeof *was);
+    for (int k = 0; k < KINDS; k++)
+        for (int i = p->from[k]; i < p->from[k + 1]; i++) {
+            const int row = b->travel[k].route ? p->from[k] + b->from[i] : i;
+            memcpy(s->built + (size_t)i * DIM, was + (size_t)row * DIM, DIM * sizeof *was);
+            s->mine[i] = b->owner[particles_id_of(p, row)] == s->me;
+        }
+}
+
 /* The list by ids stays what it was, and has rows of other owners. */
 int balance_carry_out(struct moment *m)
 {
-    static const int *const as_before[KINDS];
     struct moment_share *s = m->share;
     struct balance *b = &s->balance;
-    const int *row[KINDS];
+    const int *from[KINDS];
     int status;
 
+    for (int k = 0; k < KINDS; k++)
+        from[k] = s->move->travel[k].route ? s->move->from + m->particles->from[k] : NULL;
+    move_rows(m);
+    status = moment_rearrange(m, from);
     share_own(m, s->move->owner);
     balance_free(&s->move);
-    memcpy(row, m->particles->row, sizeof row);
-    status = share_fit_own(s);
     if (status == STATUS_DONE)
-        status = m->plan->engine->sum->list->rearrange(m->own, as_before, row);
+        status = share_fit_own(s);
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     TRY(ranks_agree(status));

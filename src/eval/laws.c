@@ -14,7 +14,7 @@ int passes_ahead(struct evaluation *e, const struct plan_field *of)
         return STATUS_DONE;
     e->job.push = spread_velocities(e->m, e->ydot);
     memset(e->job.push, 0,
-           (size_t)particles_count(e->view.p, KIND_FLUID) * sizeof *e->job.push);
+           (size_t)moment_rows_of(e->m, KIND_FLUID) * sizeof *e->job.push);
     passes_add_body_forces(e);
     return STATUS_DONE;
 }

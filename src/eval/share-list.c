@@ -68,41 +68,43 @@ static void mark_needed(const struct moment *m, bool *needed)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
             const struct list_segment *of = &l->segment[k];
             for (int i = 0; comes(m, of->partner) && i < of->rows * l->lanes; i++)
-                if (of->j[i] < l->listed && s->owner[l->order[of->j[i]]] != s->me)
+                if (of->j[i] < l->listed && !s->mine[l->order[of->j[i]]])
                     needed[l->order[of->j[i]]] = true;
         }
 }
 
 /* What a rank asks another for. */
 struct request {
-    int rank, row;
+    int rank, id;
 };
 
-static int ascending(const void *l, const void *r)
+/* The number of a particle among those of this rank, which are in order of ids. */
+static int own_number(const struct moment *m, int id)
 {
-    const int *a = l, *b = r;
-
-    return (*a > *b) - (*a < *b);
-}
-
-/* The number of a row among those of this rank, which are ascending. */
-static int own_number(const struct moment_share *s, int row)
-{
+    const struct moment_share *s = m->share;
     const int *own = s->row + s->from[s->me][0];
-    const size_t n = (size_t)(s->from[s->me][KINDS] - s->from[s->me][0]);
+    int low = 0, high = s->from[s->me][KINDS] - s->from[s->me][0] - 1;
 
-    return (int)((const int *)bsearch(&row, own, n, sizeof *own, ascending) - own);
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (particles_id_of(m->particles, own[middle]) < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
 }
 
 /* Owners hear who needs which of their rows, and so know what to send to whom. */
-static int answer(struct moment_share *s, const struct request *asked, int n)
+static int answer(const struct moment *m, const struct request *asked, int n)
 {
+    struct moment_share *s = m->share;
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     int status = ranks_agree(to && row ? STATUS_DONE : STATUS_FAILED);
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
         to[i] = asked[i].rank;
-        row[i] = own_number(s, asked[i].row);
+        row[i] = own_number(m, asked[i].id);
     }
     ranks_route_free(&s->route);
     if (status == STATUS_DONE)
@@ -113,8 +115,9 @@ static int answer(struct moment_share *s, const struct request *asked, int n)
 }
 
 /* Asks for s->halo [n], sorted by owner. */
-static int request(struct moment_share *s, int n)
+static int request(const struct moment *m, int n)
 {
+    struct moment_share *s = m->share;
     struct request *mine = status_alloc((size_t)n + 1, sizeof *mine), *asked = NULL;
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     struct ranks_route *questions = NULL;
@@ -125,8 +128,8 @@ static int request(struct moment_share *s, int n)
     status = ranks_agree(mine && to && row && s->in ? STATUS_DONE : STATUS_FAILED);
 
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
-        mine[i] = (struct request){ s->me, s->halo[i] };
-        to[i] = s->owner[s->halo[i]];
+        mine[i] = (struct request){ s->me, particles_id_of(m->particles, s->halo[i]) };
+        to[i] = s->owner[mine[i].id];
         row[i] = i;
     }
     if (status == STATUS_DONE)
@@ -137,7 +140,7 @@ static int request(struct moment_share *s, int n)
     }
     if (status == STATUS_DONE) {
         ranks_route_go(questions, sizeof *mine, mine, asked);
-        status = answer(s, asked, ranks_route_coming(questions));
+        status = answer(m, asked, ranks_route_coming(questions));
     }
     ranks_route_free(&questions);
     free(mine);
@@ -170,7 +173,7 @@ int share_halo(struct moment *m)
             if (needed[s->row[i]])
                 s->halo[n++] = s->row[i];
     free(needed);
-    return request(s, n);
+    return request(m, n);
 }
 
 /* Own rows of y, packed as they travel, and by field. */
@@ -231,6 +234,7 @@ int share_remake(const struct moment *run, struct list *list)
     struct cloud cloud = { 0 };
 
     memcpy(cloud.from, p->from, sizeof cloud.from);
+    memcpy(cloud.row, p->row, sizeof cloud.row);
     for (int k = 0; k < KINDS; k++)
         cloud.x[k] = run->share->built + (size_t)p->from[k] * DIM;
     return run->plan->engine->sum->list->update(list, &cloud);

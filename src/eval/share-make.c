@@ -97,7 +97,7 @@ static int cut(const struct moment *m, const double *y, struct ranks_cut **out)
     return ranks_cut_create(out, DIM, n, x, weight);
 }
 
-static void own_first(const struct moment *m, const double *y, const struct ranks_cut *cuts)
+static void find_owners(const struct moment *m, const double *y, const struct ranks_cut *cuts)
 {
     const struct moment_share *s = m->share;
 
@@ -106,7 +106,6 @@ static void own_first(const struct moment *m, const double *y, const struct rank
         if (!s->full)
             s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
     }
-    share_own(m, s->owner);
 }
 
 /* As take_memory() has it, with a share of rows that travel and as many that come. */
@@ -115,11 +114,13 @@ double moment_share_bytes(const struct moment *m)
     const double common = sizeof(bool) + 2 * sizeof(int)
                           + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
     const double halo = sizeof(int) + (2 * DIM + 1) * sizeof(double);
+    const double rows = 8 * (1 + DIM) + 5 + 16 * DIM + 8; /* particles in an order of their own */
     const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
 
     if (!m->share)
         return 0;
     return m->share->n * (m->share->full ? common : common + halo + travels)
+           + (m->share->packed ? rows * m->share->n : 0)
            + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
 }
 
@@ -143,7 +144,7 @@ static void attach(struct moment *m)
     m->own->others = m;
 }
 
-int moment_share(struct moment *m, const double *y, bool full)
+int moment_share(struct moment *m, double *y, enum moment_rows rows)
 {
     struct moment_share *s;
     struct ranks_cut *cuts;
@@ -153,14 +154,18 @@ int moment_share(struct moment *m, const double *y, bool full)
     s = m->share = status_alloc(1, sizeof *s);
     if (s)
         *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n,
-                                    .full = full || wants_all(m->plan),
+                                    .full = rows == MOMENT_ALL || wants_all(m->plan),
                                     .balance = balance_start() };
     TRY(ranks_agree(s ? take_memory(s, m) : STATUS_FAILED));
     TRY(cut(m, y, &cuts));
-    own_first(m, y, cuts);
+    find_owners(m, y, cuts);
     ranks_cut_free(&cuts);
+    s->packed = !s->full && rows == MOMENT_OWN;
+    if (s->packed)
+        TRY(own_divide(m, s->owner, y));
+    share_own(m, s->owner);
     TRY(ranks_agree(s->full ? STATUS_DONE : share_fit_own(s)));
-    if (s->full)
+    if (!s->packed)
         balance_never(m);
     attach(m);
     return STATUS_DONE;

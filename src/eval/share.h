@@ -30,8 +30,8 @@ enum {
 struct moment_share {
     int ranks, me, n;      /* n: particles                                     */
     bool *mine;            /* [n] by row                                       */
-    int *owner;            /* [n] rank                                         */
-    int *row;              /* [n] by rank, ascending                           */
+    int *owner;            /* [n] rank, by id                                  */
+    int *row;              /* [n] by rank, of one by id                        */
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
@@ -45,6 +45,11 @@ struct moment_share {
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
+    bool packed;           /* own rows stand before others, own.c              */
+    struct {
+        long piece[LAYOUT_ROWS][2]; /* of y                                    */
+        bool joins;
+    } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
     bool refuses;          /* some rank has a density out of bounds            */
@@ -56,9 +61,20 @@ struct moment_share {
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
 
+/* own.c: do own rows of this kind stand before those of others? */
+bool own_packs(const struct moment *m, int k);
+
+/* Rows of such kinds, in the order of owners by id [n], at first in order of ids; with
+ * y. */
+int own_divide(struct moment *m, const int *owner, double *y);
+
+/* The same of kind k later: row i becomes what row from[i] was, and as few as can be move.  Returns
+ * how many are this rank's. */
+int own_exchange(const struct moment *m, int k, const int *owner, int *from);
+
 /* share.c */
 
-/* From now on particle i belongs to rank owner[i] [n]. */
+/* From now on the particle with id i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
 /* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */

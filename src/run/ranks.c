@@ -12,12 +12,14 @@
 /* Methods that add up over y for themselves, or by a library that knows no ranks. */
 static const char *const adding[] = { "bdf", "dv", "gsl-msadams", "pcisph" };
 
-bool run_ranks_full(const struct run *r)
+enum moment_rows run_ranks_rows(const struct run *r)
 {
     for (size_t i = 0; i < sizeof adding / sizeof *adding; i++)
         if (strcmp(r->method->name, adding[i]) == 0)
-            return true;
-    return r->def.norm != VECTOR_NORM_MAX;
+            return MOMENT_ALL;
+    if (r->def.norm != VECTOR_NORM_MAX)
+        return MOMENT_ALL;
+    return plan_solved(r->method->name) ? MOMENT_RATES : MOMENT_OWN;
 }
 
 /* A pressure that is solved for is found by each rank for itself, from all of y. */

@@ -5,8 +5,8 @@
 
 #include "run/inside.h"
 
-/* Does this run's method, or its norm, want all rows of y on each rank?  Sums in an order do. */
-bool run_ranks_full(const struct run *r);
+/* Rows of y that each rank has: this run's method, or its norm, may want all, as sums in an order do. */
+enum moment_rows run_ranks_rows(const struct run *r);
 
 /* Once the method is there: can what it keeps follow particles that change their rank? */
 void run_ranks_begin(struct run *r);

@@ -176,12 +176,8 @@ static double bound(const struct paced *x, struct limit *of)
 static double haste(struct paced *frame)
 {
     const struct ab3 *x = (const struct ab3 *)frame;
-    const double *weight = vector_data(frame->weight);
-    double most = 0;
 
-    for (long i = 0; i < frame->n; i++)
-        most = fmax(most, fabs(x->f[0][i] * weight[i]));
-    return most;
+    return vector_most(frame->n, x->f[0], vector_read(frame->weight));
 }
 
 /* --- memory, and what it says of itself ----------------------------------------- */

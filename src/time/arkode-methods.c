@@ -56,6 +56,7 @@ static const char *table(const void *self)
                 .step = arkode_step,                                                     \
                 .at = arkode_at, .state = state, .restart = arkode_restart,              \
                 .table = table, .free = arkode_free, .vectors = arkode_vectors,          \
+                .sparing = true,                                                         \
                 .rearrange = arkode_rearrange }
 
 #define OWN(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \

@@ -31,8 +31,10 @@ static const gsl_odeiv2_control_type levels = { .name = "weights of a plan", .er
 
 static int take_vectors(struct gslode *x)
 {
+    const struct vector_own own = moment_own(x->rates.moment);
+
     TRY(sundials_open(&x->context));
-    x->weight = vector_create(x->n, x->def.norm, x->context);
+    x->weight = vector_create_own(x->n, x->def.norm, x->context, &own);
     if (!x->weight)
         return STATUS_FAILED;
     x->error = N_VClone(x->weight);

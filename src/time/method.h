@@ -70,7 +70,8 @@ struct method {
      * never asks for a right-hand side that could change later bits. */
     int (*at)(void *self, double t, double *y);
 
-    /* How many vectors of the size of y it will hold. */
+    /* How many vectors of the size of y it will hold; on many ranks, with rows of its own alone? */
+    bool sparing;
     int (*vectors)(const struct method *m, const struct plan *plan);
 
     const double *(*state)(const void *self);     /* y at the end of the last step */

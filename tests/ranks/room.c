@@ -2,6 +2,7 @@
 #include "ranks/ranks.h"
 
 #include "algebra/exact-sum.h"
+#include "algebra/vector.h"
 #include "base/status.h"
 #include "claims.h"
 
@@ -112,6 +113,22 @@ static void the_largest_is_known_to_all(void)
 
     ranks_most(2, x);
     claim(x[0] == last && x[1] == 0, "the largest of two numbers each");
+}
+
+/* What a first step without a bound goes by: each rank has rates in its own entries alone, and the
+ * last rank the largest. */
+static void the_haste_of_all_is_known_to_all(void)
+{
+    enum { ENTRIES = 5 };
+    double rate[ENTRIES] = { 0 }, weight[ENTRIES] = { 1, 1, 1, 2, 1 };
+    const int me = ranks_me(), last = ranks_count() - 1;
+
+    rate[me == last ? 3 : 1] = -1 - me;
+    claim(vector_most(ENTRIES, rate, weight) == 2.0 * (1 + last), "the largest weighted rate");
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == -1, "rates that are numbers on all ranks");
+    if (me == last)
+        rate[2] = INFINITY;
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == 2, "a rate of one rank that is no number");
 }
 
 /* Ranks from `first` on bring a failure. */
@@ -395,6 +412,7 @@ int main(int argc, char **argv)
           && ranks_me() >= 0 && ranks_me() < ranks_count(), "they are as many as were asked for");
     sums_have_no_order();
     the_largest_is_known_to_all();
+    the_haste_of_all_is_known_to_all();
     who_is_first_is_heard();
     all_get_all();
     for (int first = 0; first <= ranks_count(); first++)
