@@ -81,11 +81,12 @@ int passes_apart(struct evaluation *e, const struct plan_field *of)
 int passes_others(struct evaluation *e, const struct plan_field *of)
 {
     const struct ask ask = { .sides = e->ask->sides, .without_pressure = true };
+    const struct sum_rates to = spread_places(e->m, &ask, e->ydot);
     struct evaluation one = *e;
 
     one.ask = &ask;
     one.job = (struct rates_job){ .table = e->m->plan->table.without_pressure };
-    one.job.to.u = spread_places(e->m, &ask, e->ydot).u;
+    one.job.to = (struct sum_rates){ .u = to.u, .rows = to.rows };
     if (e->m->face)
         TRY(passes_slip(&one, of));
     TRY(passes_laws(&one, of));
