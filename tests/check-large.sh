@@ -36,17 +36,18 @@ for spacing in 4e-5 4e-6; do # 1.26e7 and 1.25e9 particles
         "($(count large particles) / (2 * $fluid) - 1.005) ^ 2 < 0.008 ^ 2"
 done
 
-# what a run costs, from fewer particles: right-hand sides as 1/spacing, their time as particles
-# and so as 1/spacing^2; clocks of a busy machine tell a factor of two
+# what a run costs, from fewer particles: right-hand sides as 1/spacing, their time as particles,
+# of those that it was measured with
 costs() {
-    sed -n 's/.*about \([0-9]*\) right-hand sides of \([0-9.e+]*\) ms.*/\1 \2/p' "$out/$1.said"
+    sed -n 's/.*about \([0-9]*\) right-hand sides of \([0-9.e+]*\) ms.*/\1 \2/p
+            s/.*from \([0-9]*\) particles at a spacing of [^ ]* m, .* take \([0-9.e+-]*\) ms/\1 \2/p' "$out/$1.said"
 }
 look fine "$scenes/dam-break.scene" spacing=4e-5
 set -- $(costs small) $(costs fine)
-[ $# = 4 ] || wrong "costs of a scene that is too large: $(cat "$out/fine.said")"
+[ $# = 6 ] || wrong "costs of a scene that is too large: $(cat "$out/fine.said")"
 claim 'right-hand sides as 1/spacing' "($3 / $1 / 12.5 - 1) ^ 2 < 0.02 ^ 2"
-claim 'their time as particles' "$4 / $2 / 156.25 > 0.4 && $4 / $2 / 156.25 < 2.5"
-prints fine 'particles at a spacing of'
+claim 'their time as particles' "($4 / $6 / ($(count fine particles) / $5) - 1) ^ 2 < 0.02 ^ 2"
+claim 'measured with a tenth of them at most' "$5 < 0.1 * $(count fine particles)"
 
 # a scene that has few particles and takes long to make: 24 CPU s until there was a limit
 code=0
