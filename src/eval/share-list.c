@@ -183,13 +183,13 @@ static void read_own(struct moment_share *s, const struct view *v)
         for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
             const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
             double *to = s->seen + (size_t)(i - s->from[s->me][0]) * SHARE_HALO;
-            to[2 * DIM] = s->rho[row] = v->rho[k][at];
+            to[2 * DIM] = s->now.rho[row] = v->rho[k][at];
             if (k != KIND_FLUID)
                 continue;
             memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
             memcpy(to + DIM, v->u[k] + at * DIM, DIM * sizeof *to);
-            memcpy(s->x + row * DIM, to, DIM * sizeof *to);
-            memcpy(s->u + row * DIM, to + DIM, DIM * sizeof *to);
+            memcpy(s->now.x + row * DIM, to, DIM * sizeof *to);
+            memcpy(s->now.u + row * DIM, to + DIM, DIM * sizeof *to);
         }
 }
 
@@ -202,22 +202,22 @@ static void hear_halo(struct moment_share *s, const struct view *v)
     for (int i = 0; i < n; i++) {
         const size_t row = (size_t)s->halo[i];
         const double *from = s->in + (size_t)i * SHARE_HALO;
-        s->rho[row] = from[2 * DIM];
+        s->now.rho[row] = from[2 * DIM];
         if (s->halo[i] >= v->p->from[KIND_FLUID + 1])
             continue;
-        memcpy(s->x + row * DIM, from, DIM * sizeof *from);
-        memcpy(s->u + row * DIM, from + DIM, DIM * sizeof *from);
+        memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
+        memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
     }
 }
 
 /* What is in y is read where the halo is, too, from now on. */
 static void look_at_share(const struct moment_share *s, struct view *v)
 {
-    v->x[KIND_FLUID] = s->x;
-    v->u[KIND_FLUID] = s->u;
+    v->x[KIND_FLUID] = s->now.x;
+    v->u[KIND_FLUID] = s->now.u;
     for (int k = 0; k < KINDS; k++)
         if (v->rho[k])
-            v->rho[k] = s->rho + v->p->from[k];
+            v->rho[k] = s->now.rho + v->p->from[k];
 }
 
 /* From all to all. */
@@ -225,7 +225,7 @@ static void hear_solids(struct moment *m, const struct view *v)
 {
     for (int k = KIND_WALL; k < KINDS; k++)
         if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !comes(m, k))
-            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->rho + v->p->from[k]);
+            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->now.rho + v->p->from[k]);
 }
 
 int share_remake(const struct moment *run, struct list *list)
@@ -274,17 +274,17 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     flag[3] = -e->t;
     read_own(s, v);
     look_at_share(s, v);
-    cloud->x[KIND_FLUID] = s->x;
+    cloud->x[KIND_FLUID] = s->now.x;
     ranks_most(4, flag);
-    s->refuses = flag[1] > 0;
-    s->apart = flag[2] != -flag[3];
-    if (s->apart) {
+    s->heard.refuses = flag[1] > 0;
+    s->heard.apart = flag[2] != -flag[3];
+    if (s->heard.apart) {
         snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
                  "do all run the same program, with the same libraries?", -flag[3], flag[2]);
         return STATUS_FAILED;
     }
     if (flag[0] > 0) {
-        share_gather(s, v->p, KIND_FLUID, DIM, s->x, s->x);
+        share_gather(s, v->p, KIND_FLUID, DIM, s->now.x, s->now.x);
         TRY(remake(m, cloud));
     }
     hear_halo(s, v);

@@ -23,9 +23,9 @@ void share_free(struct moment_share **share)
     free(s->from);
     free(s->count);
     free(s->seen);
-    free(s->x);
-    free(s->u);
-    free(s->rho);
+    free(s->now.x);
+    free(s->now.u);
+    free(s->now.rho);
     free(s->built);
     free(s->halo);
     free(s->in);
@@ -62,13 +62,13 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     TRY(take_common(s, m));
     if (s->full)
         return STATUS_DONE;
-    s->x = status_alloc(n, DIM * sizeof *s->x);
-    s->u = status_alloc(n, DIM * sizeof *s->u);
-    s->rho = status_alloc(n, sizeof *s->rho);
+    s->now.x = status_alloc(n, DIM * sizeof *s->now.x);
+    s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
+    s->now.rho = status_alloc(n, sizeof *s->now.rho);
     s->halo = status_alloc(n, sizeof *s->halo);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->x && s->u && s->rho && s->halo && s->power && s->whole ? STATUS_DONE
+    return s->now.x && s->now.u && s->now.rho && s->halo && s->power && s->whole ? STATUS_DONE
                                                                       : STATUS_FAILED;
 }
 
@@ -104,7 +104,7 @@ static void find_owners(const struct moment *m, const double *y, const struct ra
     for (int i = 0; i < s->n; i++) {
         s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
         if (!s->full)
-            s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
+            s->now.rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
     }
 }
 

@@ -202,7 +202,7 @@ void share_silence(const struct moment *m, double *ydot)
 /* Rows that leave the halo keep what they had there, which may not be refused for ever. */
 static void forget_refused(const struct moment *m)
 {
-    double *rho = m->share->rho;
+    double *rho = m->share->now.rho;
 
     for (int i = 0; i < m->share->n; i++)
         if (!(rho[i] >= m->density[0] && rho[i] <= m->density[1]))
@@ -219,7 +219,7 @@ int share_agree(struct moment *m, int status)
     const bool refuses = status != STATUS_DONE;
     const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
 
-    if (!m->share->refuses)
+    if (!m->share->heard.refuses)
         return status;
     forget_refused(m);
     memcpy(said.refusal, m->refusal, sizeof said.refusal);

@@ -36,8 +36,9 @@ struct moment_share {
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
     double *seen;          /* [own rows][SHARE_HALO] as they travel            */
-    double *x, *u, *rho;   /* [fluid][DIM] [fluid][DIM] [n] own rows and the halo now, of
-                              others some time ago                             */
+    struct {
+        double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
+    } now;                 /* own rows and the halo now, of others some time ago */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     int *halo;             /* [n] rows that come                               */
@@ -52,8 +53,10 @@ struct moment_share {
     } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
-    bool refuses;          /* some rank has a density out of bounds            */
-    bool apart;            /* ranks are not at one time: refused, in the moment's words */
+    struct {
+        bool refuses;      /* some rank has a density out of bounds            */
+        bool apart;        /* ranks are not at one time: refused, in the moment's words */
+    } heard;               /* of all, by the last right-hand side              */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };

@@ -54,14 +54,14 @@ static int ask_once(struct run *r, struct rank *me)
 static double memory_of(const struct run *r, const struct rank *rank, double writing,
                         double all)
 {
-    const int vectors = r->method->vectors(r->method, r->plan);
+    const int vectors = r->method->room.vectors(r->method, r->plan);
     const bool first = writing > 0;
     struct plan_memory own, whole;
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
     return rank->program + messages + writing + rank->shared + own.state + own.sums
-           + own.particles - (r->method->sparing ? 8 * rank->spared * (vectors - 1) : 0)
+           + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
            + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
            + (first ? own.outputs : 0);
 }

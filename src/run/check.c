@@ -120,7 +120,7 @@ static void print_bytes(const char *what, double bytes)
 /* `program`: bytes that it holds before there is a scene. */
 static void print_memory(const struct run *r, double program)
 {
-    const int n = plan_particles(r->plan)->n, vectors = r->method->vectors(r->method, r->plan);
+    const int n = plan_particles(r->plan)->n, vectors = r->method->room.vectors(r->method, r->plan);
     struct plan_memory m;
     char state[40];
 

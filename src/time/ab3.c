@@ -223,7 +223,7 @@ const struct paced_kind ab3_kind = {
                          "right-hand side a step",
                           "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, "
                           "section III.5" },
-                .order = 3, .serves = serves, .table = table, .vectors = vectors, PACED_METHOD },
+                .order = 3, .serves = serves, .table = table, .room = { vectors }, PACED_METHOD },
     .size = sizeof(struct ab3),
     .control = { { 0.28, -0.23, 0 }, 0.5, 2, 1.3 },
     .take_memory = take_memory,

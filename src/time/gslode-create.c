@@ -159,7 +159,7 @@ static int vectors(const struct method *m, const struct plan *plan)
                 .order = ORDER, .serves = serves, .create = gslode_create,               \
                 .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
-                .table = table, .free = gslode_free, .vectors = vectors,                 \
+                .table = table, .free = gslode_free, .room = { vectors },                \
                 .rearrange = rearrange }
 
 const struct gslode_row gslode_rkf45 = {

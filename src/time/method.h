@@ -71,8 +71,10 @@ struct method {
     int (*at)(void *self, double t, double *y);
 
     /* How many vectors of the size of y it will hold; on many ranks, with rows of its own alone? */
-    bool sparing;
-    int (*vectors)(const struct method *m, const struct plan *plan);
+    struct {
+        int (*vectors)(const struct method *m, const struct plan *plan);
+        bool sparing;
+    } room;
 
     const double *(*state)(const void *self);     /* y at the end of the last step */
 

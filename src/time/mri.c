@@ -269,7 +269,7 @@ static int vectors(const struct method *m, const struct plan *plan)
     { .method = { .name = NAME,                                                           \
                   .told = { ABOUT, "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" }, \
                   .adaptive = false, .order = 3, .serves = SERVES, .create = create,       \
-                  .step = step, .at = at, .vectors = vectors, .state = state,              \
+                  .step = step, .at = at, .room = { vectors }, .state = state,             \
                   .restart = restart, .rearrange = rearrange, .table = table,              \
                   .free = release },                                                       \
       .number = 0.2, .sides = ASK_EXPLICIT, .length = length, .advance = advance }
