@@ -29,7 +29,7 @@ struct balance balance_start(void)
     const char *wish = getenv("STIFFWATER_BALANCE");
 
     return (struct balance){ .every = !wish ? 0 : strcmp(wish, "never") == 0 ? -1 : atoi(wish),
-                             .left = 1, .before = NAN, .after = NAN };
+                             .now = 1, .left = 1, .before = NAN, .after = NAN };
 }
 
 void balance_never(struct moment *m)
@@ -69,33 +69,19 @@ void balance_free(struct balance_move **move)
 
 /* --- when ------------------------------------------------------------------------- */
 
-/* Of entries in rows: the most that a rank has, over the mean. */
-static double imbalance(const struct moment *m)
-{
-    const double mine = list_entries(m->own);
-    int64_t all = (int64_t)mine;
-    double most = mine;
-
-    ranks_most(1, &most);
-    ranks_add(1, &all);
-    return all > 0 ? most * m->share->ranks / (double)all : 1;
-}
-
 /* Is there to be a cut after this step? */
 static bool is_due(const struct moment *m)
 {
     struct balance *b = &m->share->balance;
-    double now;
 
     b->steps++;
     if (b->every < 0 || !m->own->stands || (b->every > 0 && b->steps % b->every != 0)
         || (b->every == 0 && b->builds == m->own->builds))
         return false;
     b->builds = m->own->builds;
-    now = imbalance(m);
-    if (b->every == 0 && !(now > fmax(tolerable, worth * b->left)))
+    if (b->every == 0 && !(b->now > fmax(tolerable, worth * b->left)))
         return false;
-    b->before = fmax(b->before, now); /* of a NAN and a number, the number */
+    b->before = fmax(b->before, b->now); /* of a NAN and a number, the number */
     return true;
 }
 
@@ -191,8 +177,8 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
             }
         }
     t->room = status_alloc((size_t)t->coming + 1, DIM * sizeof *t->room);
-    TRY(ranks_agree(t->room ? STATUS_DONE : STATUS_FAILED));
-    return ranks_route_create(&t->route, DIM * sizeof(double), t->leaving, b->to, out);
+    return ranks_route_create(&t->route, t->room ? STATUS_DONE : STATUS_FAILED, DIM * sizeof(double),
+                              t->leaving, b->to, out);
 }
 
 /* How many particles of all ranks move by this cut. */
@@ -279,11 +265,10 @@ int balance_carry_out(struct moment *m)
         status = share_fit_own(s);
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
-    TRY(ranks_agree(status));
     m->work->met_list = NULL; /* it was of the rows before */
-    TRY(share_halo(m));
+    TRY(share_halo(m, status));
     b->cuts++;
-    b->left = imbalance(m);
+    b->left = b->now;
     b->after = fmax(b->after, b->left);
     return STATUS_DONE;
 }

@@ -1,4 +1,4 @@
-/* share-list.c -- the list of pairs of all ranks, and what its rows need of others. */
+/* share-list.c -- what all ranks ask each other in a right-hand side, and the list of pairs of all. */
 #include "eval/share.h"
 
 #include "base/status.h"
@@ -51,105 +51,6 @@ static bool refuses(const struct moment *m, const struct view *v)
     return !all;
 }
 
-/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
- * a density of their own, they read those of others than neighbours. */
-static bool comes(const struct moment *m, int kind)
-{
-    return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->plan->passes.press);
-}
-
-/* Marks rows that others own and that are neighbours of rows here. */
-static void mark_needed(const struct moment *m, bool *needed)
-{
-    const struct moment_share *s = m->share;
-    const struct list *l = m->own;
-
-    for (int g = 0; g < l->groups; g++)
-        for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
-            const struct list_segment *of = &l->segment[k];
-            for (int i = 0; comes(m, of->partner) && i < of->rows * l->lanes; i++)
-                if (of->j[i] < l->listed && !s->mine[l->order[of->j[i]]])
-                    needed[l->order[of->j[i]]] = true;
-        }
-}
-
-/* What a rank asks another for. */
-struct request {
-    int rank, id;
-};
-
-/* The number of a particle among those of this rank, which are in order of ids. */
-static int own_number(const struct moment *m, int id)
-{
-    const struct moment_share *s = m->share;
-    const int *own = s->row + s->from[s->me][0];
-    int low = 0, high = s->from[s->me][KINDS] - s->from[s->me][0] - 1;
-
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (particles_id_of(m->particles, own[middle]) < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* Owners hear who needs which of their rows, and so know what to send to whom. */
-static int answer(const struct moment *m, const struct request *asked, int n)
-{
-    struct moment_share *s = m->share;
-    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
-    int status = ranks_agree(to && row ? STATUS_DONE : STATUS_FAILED);
-
-    for (int i = 0; i < n && status == STATUS_DONE; i++) {
-        to[i] = asked[i].rank;
-        row[i] = own_number(m, asked[i].id);
-    }
-    ranks_route_free(&s->route);
-    if (status == STATUS_DONE)
-        status = ranks_route_create(&s->route, SHARE_HALO * sizeof(double), n, to, row);
-    free(to);
-    free(row);
-    return status;
-}
-
-/* Asks for s->halo [n], sorted by owner. */
-static int request(const struct moment *m, int n)
-{
-    struct moment_share *s = m->share;
-    struct request *mine = status_alloc((size_t)n + 1, sizeof *mine), *asked = NULL;
-    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
-    struct ranks_route *questions = NULL;
-    int status;
-
-    free(s->in);
-    s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
-    status = ranks_agree(mine && to && row && s->in ? STATUS_DONE : STATUS_FAILED);
-
-    for (int i = 0; i < n && status == STATUS_DONE; i++) {
-        mine[i] = (struct request){ s->me, particles_id_of(m->particles, s->halo[i]) };
-        to[i] = s->owner[mine[i].id];
-        row[i] = i;
-    }
-    if (status == STATUS_DONE)
-        status = ranks_route_create(&questions, sizeof *mine, n, to, row);
-    if (status == STATUS_DONE) {
-        asked = status_alloc((size_t)ranks_route_coming(questions) + 1, sizeof *asked);
-        status = ranks_agree(asked ? STATUS_DONE : STATUS_FAILED);
-    }
-    if (status == STATUS_DONE) {
-        ranks_route_go(questions, sizeof *mine, mine, asked);
-        status = answer(m, asked, ranks_route_coming(questions));
-    }
-    ranks_route_free(&questions);
-    free(mine);
-    free(asked);
-    free(to);
-    free(row);
-    return status;
-}
-
 /* Where all particles are, as the list is made. */
 static void note_places(const struct moment *m, const struct cloud *cloud)
 {
@@ -158,22 +59,6 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
 
     memcpy(m->share->built, cloud->x[KIND_FLUID], fluid * DIM * sizeof *m->share->built);
     memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
-}
-
-int share_halo(struct moment *m)
-{
-    struct moment_share *s = m->share;
-    bool *needed = status_alloc((size_t)s->n + 1, sizeof *needed);
-    int n = 0;
-
-    TRY(ranks_agree(needed ? STATUS_DONE : STATUS_FAILED));
-    mark_needed(m, needed);
-    for (int r = 0; r < s->ranks; r++)
-        for (int i = s->from[r][0]; i < s->from[r][KINDS]; i++)
-            if (needed[s->row[i]])
-                s->halo[n++] = s->row[i];
-    free(needed);
-    return request(m, n);
 }
 
 /* Own rows of y, packed as they travel, and by field. */
@@ -224,7 +109,7 @@ static void look_at_share(const struct moment_share *s, struct view *v)
 static void hear_solids(struct moment *m, const struct view *v)
 {
     for (int k = KIND_WALL; k < KINDS; k++)
-        if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !comes(m, k))
+        if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !share_comes(m, k))
             share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->now.rho + v->p->from[k]);
 }
 
@@ -251,12 +136,12 @@ static int remake(struct moment *m, const struct cloud *cloud)
         return STATUS_DONE;
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
-    agreed = ranks_agree(status);
+    if (status == STATUS_DONE)
+        note_places(m, cloud);
+    agreed = m->share->full ? ranks_agree(status) : share_halo(m, status);
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
-    TRY(agreed);
-    note_places(m, cloud);
-    return m->share->full ? STATUS_DONE : share_halo(m);
+    return agreed;
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)
@@ -264,7 +149,7 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[4];
+    double flag[5];
 
     if (s->full)
         return remake(m, cloud);
@@ -272,12 +157,14 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     flag[1] = refuses(m, v);
     flag[2] = e->t;
     flag[3] = -e->t;
+    flag[4] = s->wish;
     read_own(s, v);
     look_at_share(s, v);
     cloud->x[KIND_FLUID] = s->now.x;
-    ranks_most(4, flag);
+    ranks_most(5, flag);
     s->heard.refuses = flag[1] > 0;
     s->heard.apart = flag[2] != -flag[3];
+    s->heard.wish = flag[4];
     if (s->heard.apart) {
         snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
                  "do all run the same program, with the same libraries?", -flag[3], flag[2]);
@@ -290,4 +177,17 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     hear_halo(s, v);
     hear_solids(m, v);
     return STATUS_DONE;
+}
+
+bool moment_wish(struct moment *m, double wish)
+{
+    if (!m->share || m->share->full)
+        return false;
+    m->share->wish = wish;
+    return true;
+}
+
+double moment_heard(const struct moment *m)
+{
+    return m->share->heard.wish;
 }

@@ -53,9 +53,11 @@ struct moment_share {
     } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
+    double wish;           /* what this rank brings with a right-hand side     */
     struct {
         bool refuses;      /* some rank has a density out of bounds            */
         bool apart;        /* ranks are not at one time: refused, in the moment's words */
+        double wish;       /* the largest                                      */
     } heard;               /* of all, by the last right-hand side              */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
@@ -92,11 +94,20 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
 
-/* What rows of the list need of other ranks, after it was made. */
-int share_halo(struct moment *m);
-
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);
+
+/* share-halo.c */
+
+/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
+ * a density of their own, they read those of others than neighbours. */
+bool share_comes(const struct moment *m, int kind);
+
+/* What rows of the list need of other ranks, after it was made with this status here: on all ranks
+ * the first that is none.  Settles how unequal work is, too. */
+int share_halo(struct moment *m, int status);
+
+/* share.c */
 
 /* All ranks refuse a density that one refuses: the first in the order of the list.  Where none has
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
@@ -109,6 +120,7 @@ struct exact_sum *share_parts(const struct evaluation *e);
 /* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
  * were left. */
 void share_forces(struct evaluation *e);
+
 /* share-full.c */
 
 /* A function of struct list: sums of all ranks, by place, to the moment `others`. */
@@ -116,7 +128,6 @@ void share_complete(void *others, unsigned kinds, int width, double *to);
 
 /* What laws gave, likewise, in one message. */
 void share_laws(struct moment *m, const struct sum_job *job);
-
 
 /* Rates of rows of other ranks are 0. */
 void share_silence(const struct moment *m, double *ydot);

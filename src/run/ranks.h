@@ -17,7 +17,19 @@ int run_ranks_balance(struct run *r);
 /* Is this the rank that writes? */
 bool run_ranks_writes(void);
 
-/* The signal that came, to any rank; all ask together. */
-int run_ranks_stopped(void);
+/* Before a step: a signal that came to any rank, and what a rank alone has met, go along with right-hand
+ * sides and end the run of all after a step; where these do not ask all, that is asked after it. */
+void run_ranks_wish(struct run *r);
+int run_ranks_stopped(const struct run *r); /* the signal */
+
+/* After a step: what this rank alone has met, which it keeps until all have heard of it; the status
+ * itself where all ask each other after each step. */
+int run_ranks_met(struct run *r, int status);
+
+/* Then: has a rank met something?  status: what all alike have, or else are to be asked about. */
+int run_ranks_heard(struct run *r, int status);
+
+/* As ranks_agree(), with what this rank has met before. */
+int run_ranks_agree(struct run *r, int status);
 
 #endif
