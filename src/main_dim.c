@@ -220,14 +220,18 @@ static int check_printed(void)
     return status_fail(STATUS_IO, "standard output cannot be written: %s", strerror(errno));
 }
 
-/* What can be carried out on so many ranks. */
+/* What can be carried out on so many ranks: what makes many runs has them by child processes. */
 static int agree_ranks(const struct cli *c)
 {
+    const bool many = c->command == CLI_COMPARE || c->command == CLI_SWEEP || c->command == CLI_SPREAD;
+
     if (ranks_count() == 1 || c->command == CLI_RUN || c->command == CLI_RESUME
         || c->command == CLI_CHECK)
         return STATUS_DONE;
     return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
-        .remedy = "start the program without mpirun" },
+        .remedy = many ? "start the program without mpirun; --jobs N has N runs at a time. For runs that "
+                         "are to be shared, start each by `run SCENE KEY=VALUE --ranks N'"
+                       : "start the program without mpirun" },
         "%d ranks share `run', `resume' and `check', and no other command", ranks_count());
 }
 

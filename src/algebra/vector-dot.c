@@ -1,6 +1,10 @@
 /* vector-dot.c -- x . y, the same on any number of threads: four sums a block, blocks in
- * their order. */
+ * their order; and the largest product of two entries, of all ranks. */
 #include "algebra/vector-private.h"
+
+#include "ranks/ranks.h"
+
+#include <math.h>
 
 static double block_dot(const double *x, const double *y, int n)
 {
@@ -52,4 +56,14 @@ sunrealtype vector_dot_product(N_Vector x, N_Vector y)
     if (f->order)
         return dot_in_order(f, vector_read(x), vector_read(y));
     return vector_dot(f->n, vector_read(x), vector_read(y), f->partial);
+}
+
+double vector_most(long n, const double *x, const double *weight)
+{
+    double most = 0;
+
+    for (long i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i] * weight[i]));
+    ranks_most(1, &most);
+    return most;
 }

@@ -136,6 +136,14 @@ void vector_copy(long n, const double *x, double *to)
                (size_t)vector_block_size(n, b) * sizeof *x);
 }
 
+void vector_own_copy(const struct vector_family *f, const double *x, double *to)
+{
+    long from = 0, end;
+
+    for (; vector_piece(f, &from, f->n, &end); from = end)
+        vector_copy(end - from, x + from, to + from);
+}
+
 static bool block_bad(const double *x, int n)
 {
     int bad = 0;

@@ -115,7 +115,8 @@ static double finish(enum vector_norm norm, const double *partial, long count, l
 
 /* The largest of all ranks, and where: an infinite one is beyond all others.  Both in one message;
  * other: NULL, there is one. */
-static void hear_others(struct vector_store *one, struct vector_store *other)
+static void hear_others(const struct vector_family *f, struct vector_store *one,
+                        struct vector_store *other)
 {
     struct vector_store *store[RANKS_FIRSTS] = { one, other };
     struct {
@@ -136,7 +137,8 @@ static void hear_others(struct vector_store *one, struct vector_store *other)
     ranks_firsts(n, key, order, most, sizeof *most, rank);
     for (int i = 0; i < n; i++) {
         store[i]->norm = most[i].norm;
-        store[i]->largest = most[i].largest;
+        store[i]->largest = f->own.pieces > 0 ? f->own.here(f->own.self, most[i].largest)
+                                              : most[i].largest;
     }
 }
 
@@ -151,17 +153,35 @@ static void conclude(const struct vector_content *v, const struct vector_store *
     double x[VECTOR_BLOCK], w[VECTOR_BLOCK];
 
     s->norm = finish(f->norm, partial, count, f->n, lead);
+    s->by = weight->written;
+    if (f->own.pieces > 0) {
+        s->largest = vector_own_leading(f, s->data, weight->data, partial, lead);
+        return;
+    }
     s->largest = at + leading_entry(vector_in_order(f, s->data, lead, x),
                                     vector_in_order(f, weight->data, lead, w),
                                     vector_block_size(f->n, lead));
     if (f->order)
         s->largest = f->order[s->largest];
-    s->by = weight->written;
 }
 
 static bool known(const struct vector_content *v, const struct vector_store *weight)
 {
     return v->outside == VECTOR_HERE && v->store->by == weight->written;
+}
+
+/* The norm is a maximum where a rank has a part of y. */
+static double share_here(const struct vector_content *v, const struct vector_store *weight, long b)
+{
+    const struct vector_family *f = v->family;
+    block_norm *const norm = (f->wide ? NORMS_WIDE : norms_narrow)[VECTOR_NORM_MAX];
+    const long to = b * VECTOR_BLOCK + vector_block_size(f->n, b);
+    long from = b * VECTOR_BLOCK, end;
+    double most = 0;
+
+    for (; vector_piece(f, &from, to, &end); from = end)
+        most = fmax(most, norm(v->store->data + from, weight->data + from, (int)(end - from)));
+    return most;
 }
 
 static double share(const struct vector_content *v, const struct vector_store *weight, long b)
@@ -170,6 +190,8 @@ static double share(const struct vector_content *v, const struct vector_store *w
     block_norm *const *norms = f->wide ? NORMS_WIDE : norms_narrow;
     double x[VECTOR_BLOCK], w[VECTOR_BLOCK];
 
+    if (f->own.pieces > 0)
+        return share_here(v, weight, b);
     return norms[f->norm](vector_in_order(f, v->store->data, b, x),
                           vector_in_order(f, weight->data, b, w), vector_block_size(f->n, b));
 }
@@ -200,7 +222,7 @@ static void measure(struct vector_content *v, struct vector_content *other,
         vector_summed(other);
         conclude(other, weight, f->partial + count);
     }
-    hear_others(v->store, other ? other->store : NULL);
+    hear_others(f, v->store, other ? other->store : NULL);
 }
 
 static bool has(const struct vector_sum *s, const struct vector_store *x)
@@ -247,31 +269,4 @@ sunrealtype vector_norm_weighted(N_Vector of, N_Vector weight)
 long vector_largest(N_Vector v)
 {
     return vector_content(v)->family->largest;
-}
-
-static long bad_here(N_Vector v)
-{
-    const double *x = vector_read(v);
-    const struct vector_family *f = vector_content(v)->family;
-    const long bad = vector_first_bad(f->n, x);
-    long i = 0;
-
-    if (bad < 0 || !f->order)
-        return bad;
-    while (fabs(x[f->order[i]]) <= DBL_MAX)
-        i++;
-    return f->order[i];
-}
-
-/* No finite norm has an entry that is not; all ranks know it. */
-long vector_bad(N_Vector v)
-{
-    const struct vector_store *s = vector_content(v)->store;
-    long bad;
-
-    vector_settle(vector_content(v));
-    if (s->by && s->norm <= DBL_MAX)
-        return -1;
-    bad = bad_here(v);
-    return ranks_first(bad < 0 ? HUGE_VAL : 0, bad, &bad, sizeof bad) < 0 ? -1 : bad;
 }

@@ -22,7 +22,8 @@ enum {
 };
 
 struct vector_store {
-    double *data;          /* [n]                                              */
+    double *data;          /* [n] 64-byte aligned, in `memory`                 */
+    void *memory;
     int users;             /* vectors; 0: spare                                */
     long written;          /* when, in order of all writing; never 0           */
     double norm;           /* of what it holds, with weights ...               */
@@ -46,6 +47,8 @@ struct vector_family {
     int sums;              /* put off                                          */
     int ranges;
     long (*range)[2];      /* ascending, disjoint                              */
+    struct vector_own own; /* no pieces: all entries are here                  */
+    long (*piece)[2];      /* its pieces                                       */
 };
 
 /* What stands outside of the ranges. */
@@ -89,6 +92,22 @@ static inline int vector_block_size(long n, long b)
     return left < VECTOR_BLOCK ? (int)left : VECTOR_BLOCK;
 }
 
+/* The next piece of [*from, to) that this rank has; false: there is none. */
+static inline bool vector_piece(const struct vector_family *f, long *from, long to, long *end)
+{
+    *end = to;
+    for (int k = 0; k < f->own.pieces; k++) {
+        const long *piece = f->piece[k];
+
+        if (piece[1] <= *from || piece[1] == piece[0])
+            continue;
+        *from = *from < piece[0] ? piece[0] : *from;
+        *end = to < piece[1] ? to : piece[1];
+        return *from < to;
+    }
+    return f->own.pieces == 0 && *from < to;
+}
+
 /* Block b of x as sums take it: in place, or fetched to `room`. */
 static inline const double *vector_in_order(const struct vector_family *f, const double *x,
                                             long b, double *room)
@@ -115,6 +134,9 @@ bool vector_wide(void); /* does this machine have them? */
 void vector_add_up(bool wide, const double *unit, int terms, const double *c,
                    const double *const *x, long from, int n, double *to);
 
+/* Of entries here alone. */
+void vector_own_copy(const struct vector_family *f, const double *x, double *to);
+
 /* vector-store.c */
 bool vector_join(struct vector_content *c, struct vector_family *f); /* false: no memory */
 void vector_leave(struct vector_content *c);
@@ -124,6 +146,11 @@ void vector_put_off(struct vector_content *c, const struct vector_sum *sum);
 void vector_sum_block(const struct vector_content *c, long b); /* of a sum put off */
 void vector_summed(struct vector_content *c);  /* all its blocks are done       */
 void vector_settle(struct vector_content *c);  /* numbers are here now          */
+
+/* vector-own.c: of entries here alone.  `leading`: of those that have the norm, which is that of
+ * block `lead` of partial, the first by the name that all ranks give them. */
+long vector_own_leading(const struct vector_family *f, const double *x, const double *weight,
+                        const double *partial, long lead);
 
 /* vector-sum.c, vector-norm.c, vector-dot.c, vector-serial.c: operations. */
 int vector_sum_combination(int terms, sunrealtype *c, N_Vector *v, N_Vector z);

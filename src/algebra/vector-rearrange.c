@@ -55,7 +55,7 @@ static int check(const struct vector_family *f, int blocks, const struct vector_
     return STATUS_DONE;
 }
 
-/* What arrives must not meet what leaves: a row does not do both. */
+/* What comes, and what moves, goes where rows have left, or behind all that were there. */
 static void travel(const struct vector_rows *b, double *x)
 {
     const struct vector_travel *t = b->travel;
@@ -64,6 +64,10 @@ static void travel(const struct vector_rows *b, double *x)
     ranks_route_go(t->route, row, x, t->room);
     for (int i = 0; i < t->leaving; i++)
         memset(x + (size_t)t->out[i] * c, 0, row);
+    for (int i = 0; i < t->moving; i++) {
+        memcpy(x + (size_t)t->now[i] * c, x + (size_t)t->was[i] * c, row);
+        memset(x + (size_t)t->was[i] * c, 0, row);
+    }
     for (int i = 0; i < t->coming; i++)
         memcpy(x + (size_t)t->in[i] * c, t->room + (size_t)i * c, row);
 }
@@ -85,19 +89,39 @@ static void move_block(const struct vector_rows *b, double *data, double *scratc
 /* Where entry i goes. */
 static long moved(const struct vector_rows *b, const int *to, long i)
 {
-    if (!b->from || i < b->offset || i >= end_of(b))
+    if (i < b->offset || i >= end_of(b))
         return i;
+    to = b->from ? to : b->travel->to;
     i -= b->offset;
     return b->offset + (long)to[i / b->components] * b->components + i % b->components;
 }
 
+/* Rows of this rank end elsewhere from now on; returns where they ended. */
+static long end_anew(struct vector_family *f, const struct vector_rows *b, long now)
+{
+    for (int k = 0; k < f->own.pieces && !b->from; k++)
+        if (f->piece[k][0] == b->offset) {
+            const long last = f->piece[k][1];
+            f->piece[k][1] = now;
+            return last;
+        }
+    return now;
+}
+
+/* What is no vector's just now is 0, too, where rows are no longer here. */
 static void rearrange(struct vector_family *f, const struct vector_rows *b, struct scratch *s)
 {
+    const long now = b->from ? end_of(b) : b->offset + (long)b->travel->rows * b->components;
+    const long last = end_anew(f, b, now);
+
     if (b->from)
         invert(b, s->to);
     for (struct vector_store *store = f->all; store; store = store->other) {
-        if (store->users == 0)
+        if (store->users == 0) {
+            if (last > now)
+                memset(store->data + now, 0, (size_t)(last - now) * sizeof *store->data);
             continue;
+        }
         move_block(b, store->data, s->x);
         store->largest = moved(b, s->to, store->largest);
     }
@@ -182,7 +206,11 @@ long vector_rows_moved(int blocks, const struct vector_rows *block, long i)
     for (int k = 0; k < blocks; k++) {
         const struct vector_rows *b = &block[k];
 
-        for (int to = 0; b->from && to < b->n && i >= b->offset && i < end_of(b); to++)
+        if (!b->from) {
+            i = moved(b, NULL, i);
+            continue;
+        }
+        for (int to = 0; to < b->n && i >= b->offset && i < end_of(b); to++)
             if (b->from[to] == (i - b->offset) / b->components)
                 return b->offset + (long)to * b->components + (i - b->offset) % b->components;
     }

@@ -4,6 +4,8 @@
 
 #include "ranks/ranks.h"
 
+#include <math.h>
+
 static N_Vector in(N_Vector v)
 {
     vector_settle(vector_content(v));
@@ -21,29 +23,59 @@ static double *array(N_Vector v)
     return vector_data(v);
 }
 
+/* From now on serial operations see n entries, from `from` on. */
+static void show(N_Vector v, long from, long n)
+{
+    struct vector_content *c = vector_content(v);
+
+    c->serial.data = c->store->data + from;
+    c->serial.length = n;
+}
+
+/* A piece that this rank has after the other, of these vectors. */
+static bool next(N_Vector x, N_Vector y, N_Vector z, long *from)
+{
+    const struct vector_family *f = vector_content(z)->family;
+    long end;
+    const bool more = vector_piece(f, from, f->n, &end);
+
+    if (!more)
+        end = f->n, *from = 0;
+    show(x, *from, end - *from);
+    show(y, *from, end - *from);
+    show(z, *from, end - *from);
+    *from = end;
+    return more;
+}
+
 static void product(N_Vector x, N_Vector y, N_Vector z)
 {
-    N_VProd_Serial(in(x), in(y), out(z));
+    for (long from = (in(x), in(y), out(z), 0); next(x, y, z, &from);)
+        N_VProd_Serial(x, y, z);
 }
 
 static void quotient(N_Vector x, N_Vector y, N_Vector z)
 {
-    N_VDiv_Serial(in(x), in(y), out(z));
+    for (long from = (in(x), in(y), out(z), 0); next(x, y, z, &from);)
+        N_VDiv_Serial(x, y, z);
 }
 
 static void absolute(N_Vector x, N_Vector z)
 {
-    N_VAbs_Serial(in(x), out(z));
+    for (long from = (in(x), out(z), 0); next(x, x, z, &from);)
+        N_VAbs_Serial(x, z);
 }
 
 static void inverse(N_Vector x, N_Vector z)
 {
-    N_VInv_Serial(in(x), out(z));
+    for (long from = (in(x), out(z), 0); next(x, x, z, &from);)
+        N_VInv_Serial(x, z);
 }
 
 static void add_constant(N_Vector x, sunrealtype c, N_Vector z)
 {
-    N_VAddConst_Serial(in(x), c, out(z));
+    for (long from = (in(x), out(z), 0); next(x, x, z, &from);)
+        N_VAddConst_Serial(x, c, z);
 }
 
 static void compare(sunrealtype c, N_Vector x, N_Vector z)
@@ -64,8 +96,10 @@ static sunbooleantype constraint_mask(N_Vector c, N_Vector x, N_Vector z)
 /* CVODE and ARKODE bound a first step by it, on all ranks alike: rates of rows of others are 0. */
 static sunrealtype largest(N_Vector x)
 {
-    double most = N_VMaxNorm_Serial(in(x));
+    double most = 0;
 
+    for (long from = (in(x), 0); next(x, x, x, &from);)
+        most = fmax(most, N_VMaxNorm_Serial(x));
     ranks_most(1, &most);
     return most;
 }

@@ -4,6 +4,7 @@
 
 #include "ranks/ranks.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,6 +26,19 @@ static bool next_piece(const struct vector_family *f, long *from, long to, long 
     return *from < to;
 }
 
+/* The same, of what this rank has. */
+static bool next_part(const struct vector_family *f, long *from, long to, long *end)
+{
+    long last;
+
+    while (vector_piece(f, from, to, &last)) {
+        if (next_piece(f, from, last, end))
+            return true;
+        *from = last;
+    }
+    return false;
+}
+
 void vector_sum_block(const struct vector_content *c, long b)
 {
     const struct vector_sum *s = &c->sum;
@@ -33,7 +47,7 @@ void vector_sum_block(const struct vector_content *c, long b)
 
     for (int k = 0; k < s->terms; k++)
         x[k] = s->x[k]->data;
-    for (; next_piece(c->family, &from, to, &end); from = end)
+    for (; next_part(c->family, &from, to, &end); from = end)
         vector_add_up(c->family->wide, unit, s->terms, s->c, x, from, (int)(end - from),
                       c->store->data);
 }
@@ -99,7 +113,7 @@ static void write_zeros(struct vector_content *c)
 {
     long from = 0, end;
 
-    for (; next_piece(c->family, &from, c->family->n, &end); from = end)
+    for (; next_part(c->family, &from, c->family->n, &end); from = end)
         memset(c->store->data + from, 0, (size_t)(end - from) * sizeof(double));
     c->outside = VECTOR_HERE;
     c->nothing = false;
@@ -190,11 +204,14 @@ const double *vector_read(N_Vector v)
 bool vector_same(N_Vector v, N_Vector w)
 {
     const double *x = vector_read(v), *y = vector_read(w);
-    double differs;
+    const struct vector_family *f = vector_content(v)->family;
+    double differs = 0;
+    long from = 0, end;
 
     if (x == y) /* which copies share is the same on all ranks */
         return true;
-    differs = memcmp(x, y, (size_t)vector_content(v)->family->n * sizeof *x) != 0;
+    for (; vector_piece(f, &from, f->n, &end) && differs == 0; from = end)
+        differs = memcmp(x + from, y + from, (size_t)(end - from) * sizeof *x) != 0;
     ranks_most(1, &differs);
     return differs == 0;
 }
@@ -213,24 +230,26 @@ double *vector_data(N_Vector v)
     old = c->store->data;
     vector_renew(c);
     if (c->store->data != old)
-        vector_copy(c->family->n, old, c->store->data);
+        vector_own_copy(c->family, old, c->store->data);
     return c->store->data;
 }
 
 /* --- life ---------------------------------------------------------------- */
 
+/* What is never written, rows of other ranks, is 0 and takes no memory: calloc() has it mapped alone. */
 static struct vector_store *new_store(long n)
 {
-    const size_t bytes = ((size_t)(n > 0 ? n : 1) * sizeof(double) + 63) / 64 * 64;
+    const size_t bytes = (size_t)n * sizeof(double) + 128;
     struct vector_store *store = calloc(1, sizeof *store);
 
     if (!store)
         return NULL;
-    store->data = aligned_alloc(64, bytes);
-    if (!store->data) {
+    store->memory = calloc(1, bytes);
+    if (!store->memory) {
         free(store);
         return NULL;
     }
+    store->data = (double *)((char *)store->memory + (64 - (uintptr_t)store->memory % 64));
     return store;
 }
 
@@ -259,7 +278,7 @@ static void end_spare(struct vector_family *f)
     while (*at != store)
         at = &(*at)->other;
     *at = store->other;
-    free(store->data);
+    free(store->memory);
     free(store);
 }
 
@@ -274,6 +293,7 @@ void vector_leave(struct vector_content *c)
     if (--f->members > 0)
         return;
     free(f->range);
+    free(f->piece);
     free(f->order);
     free(f->partial);
     free(f);

@@ -202,9 +202,20 @@ void vector_sum_scale(sunrealtype c, N_Vector x, N_Vector z)
         vector_sum_combination(1, &c, &x, z);
 }
 
+static void fill_block(const struct vector_family *f, long b, double c, double *x)
+{
+    const long to = b * VECTOR_BLOCK + vector_block_size(f->n, b);
+    long from = b * VECTOR_BLOCK, end;
+
+    for (; vector_piece(f, &from, to, &end); from = end)
+        for (long i = from; i < end; i++)
+            x[i] = c;
+}
+
 void vector_sum_constant(sunrealtype c, N_Vector z)
 {
-    const long n = vector_content(z)->family->n;
+    const struct vector_family *f = vector_content(z)->family;
+    const long n = f->n;
     double *to;
 
     if (c == 0) {
@@ -214,8 +225,7 @@ void vector_sum_constant(sunrealtype c, N_Vector z)
     to = vector_renew(vector_content(z));
 #pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
     for (long b = 0; b < vector_blocks(n); b++)
-        for (int i = 0; i < vector_block_size(n, b); i++)
-            to[b * VECTOR_BLOCK + i] = c;
+        fill_block(f, b, c, to);
 }
 
 /* --- ranges -------------------------------------------------------------- */

@@ -34,6 +34,15 @@ static void destroy(N_Vector v)
     N_VFreeEmpty(v);
 }
 
+static void clear_block(const struct vector_family *f, double *data, long b)
+{
+    const long to = b * VECTOR_BLOCK + vector_block_size(f->n, b);
+    long from = b * VECTOR_BLOCK, end;
+
+    for (; vector_piece(f, &from, to, &end); from = end)
+        memset(data + from, 0, (size_t)(end - from) * sizeof *data);
+}
+
 /* Zeroes by all threads: each gets its part into memory near it. */
 static bool fill(N_Vector v, struct vector_family *f)
 {
@@ -44,8 +53,7 @@ static bool fill(N_Vector v, struct vector_family *f)
         return false;
 #pragma omp parallel for schedule(static) if (f->n > VECTOR_LONG)
     for (long b = 0; b < vector_blocks(f->n); b++)
-        memset(c->store->data + b * VECTOR_BLOCK, 0,
-               (size_t)vector_block_size(f->n, b) * sizeof(double));
+        clear_block(f, c->store->data, b);
     return true;
 }
 
@@ -103,13 +111,31 @@ static void end_family(struct vector_family *f)
     if (f->members > 0)
         return;
     free(f->partial);
+    free(f->piece);
     free(f);
+}
+
+/* False: no memory. */
+static bool take_pieces(struct vector_family *f, const struct vector_own *own)
+{
+    f->own = *own;
+    f->own.piece = NULL;
+    f->piece = status_alloc((size_t)own->pieces + 1, sizeof *f->piece);
+    if (f->piece)
+        memcpy(f->piece, own->piece, (size_t)own->pieces * sizeof *f->piece);
+    return f->piece != NULL;
 }
 
 N_Vector vector_create(long n, enum vector_norm norm, SUNContext context)
 {
+    return vector_create_own(n, norm, context, &(struct vector_own){ 0 });
+}
+
+N_Vector vector_create_own(long n, enum vector_norm norm, SUNContext context,
+                           const struct vector_own *own)
+{
     struct vector_family *f = new_family(n, norm);
-    N_Vector v = f ? N_VNewEmpty(context) : NULL;
+    N_Vector v = f && take_pieces(f, own) ? N_VNewEmpty(context) : NULL;
 
     if (v)
         set_operations(v);

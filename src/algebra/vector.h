@@ -26,6 +26,15 @@ struct ranks_route;
 
 #define VECTOR_NOT_FINITE 1e30
 
+/* On many ranks: entries of y that this one has, and how all ranks name an entry. */
+struct vector_own {
+    int pieces;
+    const long (*piece)[2]; /* [from, to) ascending, disjoint; copied            */
+    const void *self;
+    long (*common)(const void *self, long i); /* the name of the entry i         */
+    long (*here)(const void *self, long common);
+};
+
 /* n entries, all 0; NULL and a failure kept when there is no memory.  Clones
  * (N_VClone) share its norm; N_VDestroy ends each of them. */
 N_Vector vector_create(long n, enum vector_norm norm, SUNContext context);
@@ -45,6 +54,15 @@ bool vector_same(N_Vector v, N_Vector w); /* bit by bit? */
  * vectors are 0 (the implicit side of f); sums then pass over these in silence.
  * To be called while all of its vectors are new.  STATUS_FAILED: no memory. */
 int vector_ranges(N_Vector v, int ranges, const long (*range)[2]);
+
+/* As vector_create(), for the norm `max`: memory is there for all n entries, but of this family those
+ * in the pieces alone are ever written or asked, and others take none that the machine would have
+ * to find. */
+N_Vector vector_create_own(long n, enum vector_norm norm, SUNContext context,
+                           const struct vector_own *own);
+
+/* v becomes what x [n] is in entries that v's family has. */
+void vector_take(N_Vector v, const double *x);
 
 void vector_only_inside(N_Vector v);      /* the caller knows it is 0 outside   */
 const double *vector_inside(N_Vector v);  /* to read in the ranges alone        */
@@ -72,13 +90,17 @@ struct vector_rows {
     const struct vector_travel *travel; /* then; else NULL                     */
 };
 
-/* Rows of a block go from rank to rank, each in its place: those that leave are 0 afterwards,
- * in the past that an integrator keeps, too, so that they have no error where they are nobody's
- * business.  All ranks rearrange together, and it takes no memory. */
+/* Rows of a block go from rank to rank.  Those of a rank are the first of its block: rows that come,
+ * and some that stay, take the place of those that leave.  All ranks rearrange together, and it
+ * takes no memory. */
 struct vector_travel {
     struct ranks_route *route; /* numbers of a row at least components wide    */
-    int leaving, coming;
-    const int *out, *in;   /* rows, in the order of the route                  */
+    int leaving, coming, moving;
+    const int *out;        /* rows that leave, in the order of the route       */
+    const int *in;         /* where those stand that come, likewise            */
+    const int *was, *now;  /* of rows that stay but move                       */
+    int rows;              /* of this rank afterwards                          */
+    const int *to;         /* [n] where each row of the block is then          */
     double *room;          /* [coming] rows                                    */
 };
 int vector_rearrange(N_Vector v, int blocks, const struct vector_rows *block);
@@ -97,9 +119,16 @@ void vector_combine(int terms, const double *c, const double *const *x, long n, 
 /* x . y; partial: room for n/1024 + 1 numbers. */
 double vector_dot(long n, const double *x, const double *y, double *partial);
 
+/* The largest |x[i] weight[i]|, of the entries of all ranks, which ask together; one that is NaN is
+ * passed over. */
+double vector_most(long n, const double *x, const double *weight);
+
 void vector_copy(long n, const double *x, double *to);
 
 /* First entry that is NaN or infinite; -1 if there is none. */
 long vector_first_bad(long n, const double *x);
+
+/* The same of all ranks, which ask together. */
+long vector_bad_anywhere(long n, const double *x, const struct vector_own *own);
 
 #endif

@@ -19,10 +19,9 @@ static const struct param params[] = {
     { 0 },
 };
 
-static void accelerate(const void *self, const struct view *v, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, int n, double (*rate)[DIM])
 {
     const struct central_force *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
     const double *x = v->x[KIND_FLUID];
 
     for (int i = 0; i < n; i++)

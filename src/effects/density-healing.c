@@ -45,11 +45,10 @@ static int prepare(void *self, const struct scales *scales)
 }
 
 /* (D5) */
-static void densify(const void *self, const struct view *v, double *rate)
+static void densify(const void *self, const struct view *v, int n, double *rate)
 {
     const struct density_healing *s = self;
     const double *rho = v->rho[KIND_FLUID];
-    const int n = particles_count(v->p, KIND_FLUID);
 
     for (int i = 0; i < n; i++) {
         const double lack = s->rho0 - rho[i], x = lack > 0 ? lack : 0, x2 = x * x;

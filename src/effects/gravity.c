@@ -19,11 +19,11 @@ static int prepare(void *self, const struct scales *scales)
     return 0;
 }
 
-static void accelerate(const void *self, const struct view *v, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, int n, double (*rate)[DIM])
 {
     const struct gravity *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
 
+    (void)v;
     for (int i = 0; i < n; i++)
         for (int d = 0; d < DIM; d++)
             rate[i][d] += s->g[d];

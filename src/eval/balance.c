@@ -14,7 +14,10 @@ static const double worth = 1.05;    /* more than a cut leaves, before the next;
 
 /* Who owns what from now on, and the rows of y that go there. */
 struct balance_move {
-    int *owner;            /* [n]                                              */
+    int *owner;            /* [n] by id                                        */
+    int *from;             /* [n] row i of a kind becomes what row from[i] was */
+    int *place;            /* [n] where that row stands then                   */
+    int *was, *now;        /* [n] rows that stay and move                      */
     int *to, *row;         /* [n] scratch: of routes                           */
     int *out, *in;         /* [n] rows that leave, that come, kind by kind     */
     double *weight;        /* [n] neighbours                                   */
@@ -26,7 +29,7 @@ struct balance balance_start(void)
     const char *wish = getenv("STIFFWATER_BALANCE");
 
     return (struct balance){ .every = !wish ? 0 : strcmp(wish, "never") == 0 ? -1 : atoi(wish),
-                             .left = 1, .before = NAN, .after = NAN };
+                             .now = 1, .left = 1, .before = NAN, .after = NAN };
 }
 
 void balance_never(struct moment *m)
@@ -51,6 +54,10 @@ void balance_free(struct balance_move **move)
         free(b->travel[k].room);
     }
     free(b->owner);
+    free(b->from);
+    free(b->place);
+    free(b->was);
+    free(b->now);
     free(b->to);
     free(b->row);
     free(b->out);
@@ -62,33 +69,19 @@ void balance_free(struct balance_move **move)
 
 /* --- when ------------------------------------------------------------------------- */
 
-/* Of entries in rows: the most that a rank has, over the mean. */
-static double imbalance(const struct moment *m)
-{
-    const double mine = list_entries(m->own);
-    int64_t all = (int64_t)mine;
-    double most = mine;
-
-    ranks_most(1, &most);
-    ranks_add(1, &all);
-    return all > 0 ? most * m->share->ranks / (double)all : 1;
-}
-
 /* Is there to be a cut after this step? */
 static bool is_due(const struct moment *m)
 {
     struct balance *b = &m->share->balance;
-    double now;
 
     b->steps++;
     if (b->every < 0 || !m->own->stands || (b->every > 0 && b->steps % b->every != 0)
         || (b->every == 0 && b->builds == m->own->builds))
         return false;
     b->builds = m->own->builds;
-    now = imbalance(m);
-    if (b->every == 0 && !(now > fmax(tolerable, worth * b->left)))
+    if (b->every == 0 && !(b->now > fmax(tolerable, worth * b->left)))
         return false;
-    b->before = fmax(b->before, now); /* of a NAN and a number, the number */
+    b->before = fmax(b->before, b->now); /* of a NAN and a number, the number */
     return true;
 }
 
@@ -129,15 +122,40 @@ static int take_memory(const struct moment_share *s, struct balance_move **out)
     if (!b)
         return STATUS_FAILED;
     b->owner = status_alloc(n, sizeof *b->owner);
+    b->from = status_alloc(n, sizeof *b->from);
+    b->place = status_alloc(n, sizeof *b->place);
+    b->was = status_alloc(n, sizeof *b->was);
+    b->now = status_alloc(n, sizeof *b->now);
     b->to = status_alloc(n, sizeof *b->to);
     b->row = status_alloc(n, sizeof *b->row);
     b->out = status_alloc(n, sizeof *b->out);
     b->in = status_alloc(n, sizeof *b->in);
     b->weight = status_alloc(n, sizeof *b->weight);
-    return b->owner && b->to && b->row && b->out && b->in && b->weight ? STATUS_DONE : STATUS_FAILED;
+    return b->owner && b->from && b->place && b->was && b->now && b->to && b->row && b->out && b->in && b->weight ? STATUS_DONE : STATUS_FAILED;
 }
 
-/* Rows of kind k, counted within it, that leave and that come: by rank, ascending. */
+/* Where rows of kind k stand afterwards, counted within it, and which move. */
+static void plan_places(const struct moment *m, struct balance_move *b, int k)
+{
+    const int first = m->particles->from[k], n = particles_count(m->particles, k);
+    const int mine = moment_rows_of(m, (enum kind)k);
+    struct vector_travel *t = &b->travel[k];
+
+    t->rows = own_exchange(m, k, b->owner, b->from + first);
+    t->to = b->place + first;
+    t->was = b->was + first;
+    t->now = b->now + first;
+    for (int i = 0; i < n; i++) {
+        const int was = b->from[first + i];
+        b->place[first + was] = i;
+        if (i < t->rows && was < mine && was != i) {
+            b->was[first + t->moving] = was;
+            b->now[first + t->moving++] = i;
+        }
+    }
+}
+
+/* Rows of kind k, counted within it, that leave and that come: by rank, by id. */
 static int plan_travel(const struct moment *m, struct balance_move *b, int k)
 {
     const struct moment_share *s = m->share;
@@ -145,21 +163,22 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
     struct vector_travel *t = &b->travel[k];
     int *out = b->out + first, *in = b->in + first;
 
+    plan_places(m, b, k);
     t->out = out;
     t->in = in;
     for (int r = 0; r < s->ranks; r++)
         for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++) {
-            const int row = s->row[i], to = b->owner[row];
+            const int row = s->row[i], to = b->owner[particles_id_of(m->particles, row)];
             if (r == s->me && to != r) {
                 b->to[t->leaving] = to;
                 out[t->leaving++] = row - first;
             } else if (r != s->me && to == s->me) {
-                in[t->coming++] = row - first;
+                in[t->coming++] = b->place[row];
             }
         }
     t->room = status_alloc((size_t)t->coming + 1, DIM * sizeof *t->room);
-    TRY(ranks_agree(t->room ? STATUS_DONE : STATUS_FAILED));
-    return ranks_route_create(&t->route, DIM * sizeof(double), t->leaving, b->to, out);
+    return ranks_route_create(&t->route, t->room ? STATUS_DONE : STATUS_FAILED, DIM * sizeof(double),
+                              t->leaving, b->to, out);
 }
 
 /* How many particles of all ranks move by this cut. */
@@ -169,8 +188,9 @@ static long find_owners(const struct moment *m, const struct ranks_cut *cuts, st
     long moved = 0;
 
     for (int i = 0; i < s->n; i++) {
-        b->owner[i] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
-        moved += b->owner[i] != s->owner[i];
+        const int id = particles_id_of(m->particles, i);
+        b->owner[id] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
+        moved += b->owner[id] != s->owner[id];
     }
     return moved;
 }
@@ -210,28 +230,45 @@ int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *bloc
     return STATUS_DONE;
 }
 
+/* Owners, and places where the list was made, of the rows as they will be. */
+static void move_rows(const struct moment *m)
+{
+    const struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    const struct balance_move *b = s->move;
+    double *was = s->all;
+
+    memcpy(was, s->built, (size_t)s->n * DIM * sizeof *was);
+    for (int k = 0; k < KINDS; k++)
+        for (int i = p->from[k]; i < p->from[k + 1]; i++) {
+            const int row = b->travel[k].route ? p->from[k] + b->from[i] : i;
+            memcpy(s->built + (size_t)i * DIM, was + (size_t)row * DIM, DIM * sizeof *was);
+            s->mine[i] = b->owner[particles_id_of(p, row)] == s->me;
+        }
+}
+
 /* The list by ids stays what it was, and has rows of other owners. */
 int balance_carry_out(struct moment *m)
 {
-    static const int *const as_before[KINDS];
     struct moment_share *s = m->share;
     struct balance *b = &s->balance;
-    const int *row[KINDS];
+    const int *from[KINDS];
     int status;
 
+    for (int k = 0; k < KINDS; k++)
+        from[k] = s->move->travel[k].route ? s->move->from + m->particles->from[k] : NULL;
+    move_rows(m);
+    status = moment_rearrange(m, from);
     share_own(m, s->move->owner);
     balance_free(&s->move);
-    memcpy(row, m->particles->row, sizeof row);
-    status = share_fit_own(s);
     if (status == STATUS_DONE)
-        status = m->plan->engine->sum->list->rearrange(m->own, as_before, row);
+        status = share_fit_own(s);
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
-    TRY(ranks_agree(status));
     m->work->met_list = NULL; /* it was of the rows before */
-    TRY(share_halo(m));
+    TRY(share_halo(m, status));
     b->cuts++;
-    b->left = imbalance(m);
+    b->left = b->now;
     b->after = fmax(b->after, b->left);
     return STATUS_DONE;
 }

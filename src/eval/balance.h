@@ -17,7 +17,8 @@ struct balance {
     int every;             /* steps from cut to cut; 0: by imbalance; -1: never */
     long steps, builds;    /* seen so far; list that was looked at last        */
     long cuts, moved;      /* so far; particles that changed their rank by them */
-    double left;           /* imbalance that the last cut left; 1 before       */
+    double now;            /* imbalance of the list that stands                */
+    double left;           /* that the last cut left; 1 before                 */
     double before, after;  /* the largest before a cut, after one; NAN: none   */
 };
 
@@ -32,6 +33,11 @@ int balance_carry_out(struct moment *moment);
 
 /* So far; on one rank, no cut. */
 struct balance balance_told(const struct moment *moment);
+
+/* A number that this rank brings with each right-hand side from now on, where ranks ask each other in
+ * these (false: they do not), and the largest of all in the last one. */
+bool moment_wish(struct moment *moment, double wish);
+double moment_heard(const struct moment *moment);
 
 struct balance_move;
 void balance_free(struct balance_move **move); /* NULL is welcome */

@@ -105,21 +105,24 @@ static double rate_now(const struct blame *b)
 
 static double field_rate(const struct blame *b, const struct plan_part *part)
 {
+    const int n = particles_count(b->m->particles, KIND_FLUID);
+
     if (b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
-    memset(b->rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *b->rate);
-    part->part->as.force->accelerate(part->self, b->v, b->rate);
+    memset(b->rate, 0, (size_t)n * sizeof *b->rate);
+    part->part->as.force->accelerate(part->self, b->v, n, b->rate);
     return size_of(b->rate[b->particle]);
 }
 
 static double source_rate(const struct blame *b, const struct plan_part *part)
 {
+    const int n = particles_count(b->m->particles, KIND_FLUID);
     double *rate = b->rate[0];
 
     if (!b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
-    memset(rate, 0, (size_t)particles_count(b->m->particles, KIND_FLUID) * sizeof *rate);
-    part->part->as.source->densify(part->self, b->v, rate);
+    memset(rate, 0, (size_t)n * sizeof *rate);
+    part->part->as.source->densify(part->self, b->v, n, rate);
     return fabs(rate[b->particle]);
 }
 

@@ -49,7 +49,7 @@ int passes_list(struct evaluation *e, const struct plan_field *of)
     if (m->beside && choose_list(m, &cloud) != STATUS_DONE)
         return refuse_position(m, e->t);
     if ((m->share ? share_list(e, &cloud) : update(m->list, &cloud)) != STATUS_DONE)
-        return m->share && m->share->apart ? STATUS_FAILED : refuse_position(m, e->t);
+        return m->share && m->share->heard.apart ? STATUS_FAILED : refuse_position(m, e->t);
     return workspace_fit(m->work, m->list);
 }
 

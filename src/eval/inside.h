@@ -97,6 +97,10 @@ int workspace_fit(struct workspace *w, const struct list *l);
 /* share-full.c: STATUS_DONE where all that share this moment bring that, for what one may lack. */
 int moment_agree(const struct moment *m, int status);
 
+/* own.c: rows of a kind, from the first on, that this rank gives the rates of: all on one rank, and
+ * where rows stand by id. */
+int moment_rows_of(const struct moment *m, enum kind k);
+
 /* moment.c: another moment of the run's plan, for looking. */
 int moment_create_beside(struct moment *run, struct moment **out);
 

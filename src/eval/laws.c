@@ -14,7 +14,7 @@ int passes_ahead(struct evaluation *e, const struct plan_field *of)
         return STATUS_DONE;
     e->job.push = spread_velocities(e->m, e->ydot);
     memset(e->job.push, 0,
-           (size_t)particles_count(e->view.p, KIND_FLUID) * sizeof *e->job.push);
+           (size_t)moment_rows_of(e->m, KIND_FLUID) * sizeof *e->job.push);
     passes_add_body_forces(e);
     return STATUS_DONE;
 }
@@ -81,11 +81,12 @@ int passes_apart(struct evaluation *e, const struct plan_field *of)
 int passes_others(struct evaluation *e, const struct plan_field *of)
 {
     const struct ask ask = { .sides = e->ask->sides, .without_pressure = true };
+    const struct sum_rates to = spread_places(e->m, &ask, e->ydot);
     struct evaluation one = *e;
 
     one.ask = &ask;
     one.job = (struct rates_job){ .table = e->m->plan->table.without_pressure };
-    one.job.to.u = spread_places(e->m, &ask, e->ydot).u;
+    one.job.to = (struct sum_rates){ .u = to.u, .rows = to.rows };
     if (e->m->face)
         TRY(passes_slip(&one, of));
     TRY(passes_laws(&one, of));

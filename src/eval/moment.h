@@ -9,6 +9,7 @@
 #ifndef EVAL_MOMENT_H
 #define EVAL_MOMENT_H
 
+#include "algebra/vector.h"
 #include "base/archive.h"
 #include "plan/plan.h"
 
@@ -49,12 +50,28 @@ struct ask {
 #define ASK_HALF(RATES, AHEAD)                                                           \
     ((struct ask){ .sides = ASK_EXPLICIT, .rates = (RATES), .ahead = (AHEAD) })
 
+/* How many rows of y and of its rates a rank has. */
+enum moment_rows {
+    MOMENT_OWN,  /* its own of both, before those of others, which are 0 */
+    MOMENT_RATES, /* its own of rates alone; all of y, rows are ids      */
+    MOMENT_ALL   /* all of both, rows are ids                            */
+};
+
 /* On many ranks: each becomes the owner of a part of the particles, cut where they are at y,
  * which all ranks have alike; on one rank nothing happens.  From now on all ranks evaluate
- * together, and the rates that each gets are 0 in rows that it does not own; with `full`, or
- * where the plan wants it, each gets those of all rows.
+ * together.  Where the plan wants it, each has all rows.  With MOMENT_OWN rows of y change places.
  * STATUS_FAILED, on all. */
-int moment_share(struct moment *moment, const double *y, bool full);
+int moment_share(struct moment *moment, double *y, enum moment_rows rows);
+
+/* What this rank has of vectors of the size of y; lent until the next call. */
+struct vector_own moment_own(const struct moment *moment);
+
+/* `to` becomes y in what this rank has. */
+void moment_take(const struct moment *moment, const double *y, double *to);
+
+/* Rows of a kind of this rank's alone?  Numbers of y that a rank has. */
+bool moment_is_packed(const struct moment *moment);
+double moment_numbers(const struct moment *moment);
 
 /* Is each rank given the rates of all rows?  Bytes of what a moment is shared with; 0 on one rank. */
 bool moment_is_full(const struct moment *moment);

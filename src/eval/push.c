@@ -31,7 +31,7 @@ void passes_add_body_forces(struct evaluation *e)
             continue;
         if (!force->weight)
             add_momentum(e->view.p, -1, (const double (*)[DIM])udot, m->pull);
-        force->accelerate(one->self, &e->view, udot);
+        force->accelerate(one->self, &e->view, moment_rows_of(m, KIND_FLUID), udot);
         if (!force->weight)
             add_momentum(e->view.p, 1, (const double (*)[DIM])udot, m->pull);
     }
@@ -48,7 +48,7 @@ int passes_body_forces(struct evaluation *e, const struct plan_field *of)
 int passes_sources(struct evaluation *e, const struct plan_field *of)
 {
     const struct plan *p = e->m->plan;
-    const int n = particles_count(e->m->particles, KIND_FLUID);
+    const int n = moment_rows_of(e->m, KIND_FLUID);
     double *rate = e->ydot + layout_at(&e->m->layout, p->row.density[KIND_FLUID]);
     double *apart = e->m->work->sourced, *to = apart ? apart : rate;
 
@@ -57,7 +57,7 @@ int passes_sources(struct evaluation *e, const struct plan_field *of)
         memset(apart, 0, (size_t)n * sizeof *apart);
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->as.source)
-            p->part[i].part->as.source->densify(p->part[i].self, &e->view, to);
+            p->part[i].part->as.source->densify(p->part[i].self, &e->view, n, to);
     for (int i = 0; apart && i < n; i++)
         rate[i] += apart[i];
     return STATUS_DONE;

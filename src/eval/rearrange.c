@@ -34,8 +34,7 @@ int moment_follow(struct moment *m, const struct moment *run)
     return run->particles->own ? particles_rearrange(m->particles, from) : STATUS_DONE;
 }
 
-/* The kind whose particles a row of the layout holds, KINDS: none. */
-static int kind_of(const struct moment *m, int row)
+int moment_kind(const struct moment *m, int row)
 {
     const struct plan_rows *of = &m->plan->row;
 
@@ -53,7 +52,7 @@ static int block_of(const struct moment *m, int i, struct vector_rows *to)
     const struct layout_row *r = &m->layout.row[i];
 
     *to = (struct vector_rows){ .offset = r->offset, .n = r->n, .components = r->components };
-    return kind_of(m, i);
+    return moment_kind(m, i);
 }
 
 int moment_rows(const struct moment *m, const int *const from[KINDS],
@@ -88,9 +87,16 @@ int moment_travels(const struct moment *m, const struct vector_travel *const tra
 
 int moment_id(const struct moment *m, int row, int which)
 {
-    const int k = kind_of(m, row), *id = k < KINDS ? m->particles->id[k] : NULL;
+    const int k = moment_kind(m, row), *id = k < KINDS ? m->particles->id[k] : NULL;
 
     return id ? id[which] : which;
+}
+
+int moment_row(const struct moment *m, int row, int id)
+{
+    const int k = moment_kind(m, row), *rows = k < KINDS ? m->particles->row[k] : NULL;
+
+    return rows ? rows[id] : id;
 }
 
 void moment_by_id(const struct moment *m, const double *y, double *to)

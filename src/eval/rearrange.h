@@ -26,4 +26,11 @@ int moment_rows(const struct moment *moment, const int *const from[KINDS],
 int moment_travels(const struct moment *moment, const struct vector_travel *const travel[KINDS],
                    struct vector_rows row[MOMENT_ROWS]);
 
+/* The kind whose particles a row of the layout holds, KINDS: none. */
+int moment_kind(const struct moment *moment, int row);
+
+/* Where the particle with that id, of its kind, stands in a row of the layout; of what is no
+ * particle, the number itself. */
+int moment_row(const struct moment *moment, int row, int id);
+
 #endif

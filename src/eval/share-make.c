@@ -23,9 +23,9 @@ void share_free(struct moment_share **share)
     free(s->from);
     free(s->count);
     free(s->seen);
-    free(s->x);
-    free(s->u);
-    free(s->rho);
+    free(s->now.x);
+    free(s->now.u);
+    free(s->now.rho);
     free(s->built);
     free(s->halo);
     free(s->in);
@@ -62,13 +62,13 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     TRY(take_common(s, m));
     if (s->full)
         return STATUS_DONE;
-    s->x = status_alloc(n, DIM * sizeof *s->x);
-    s->u = status_alloc(n, DIM * sizeof *s->u);
-    s->rho = status_alloc(n, sizeof *s->rho);
+    s->now.x = status_alloc(n, DIM * sizeof *s->now.x);
+    s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
+    s->now.rho = status_alloc(n, sizeof *s->now.rho);
     s->halo = status_alloc(n, sizeof *s->halo);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->x && s->u && s->rho && s->halo && s->power && s->whole ? STATUS_DONE
+    return s->now.x && s->now.u && s->now.rho && s->halo && s->power && s->whole ? STATUS_DONE
                                                                       : STATUS_FAILED;
 }
 
@@ -97,16 +97,15 @@ static int cut(const struct moment *m, const double *y, struct ranks_cut **out)
     return ranks_cut_create(out, DIM, n, x, weight);
 }
 
-static void own_first(const struct moment *m, const double *y, const struct ranks_cut *cuts)
+static void find_owners(const struct moment *m, const double *y, const struct ranks_cut *cuts)
 {
     const struct moment_share *s = m->share;
 
     for (int i = 0; i < s->n; i++) {
         s->owner[i] = ranks_cut_owner(cuts, place_of(m, y, i));
         if (!s->full)
-            s->rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
+            s->now.rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
     }
-    share_own(m, s->owner);
 }
 
 /* As take_memory() has it, with a share of rows that travel and as many that come. */
@@ -115,11 +114,13 @@ double moment_share_bytes(const struct moment *m)
     const double common = sizeof(bool) + 2 * sizeof(int)
                           + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
     const double halo = sizeof(int) + (2 * DIM + 1) * sizeof(double);
+    const double rows = 8 * (1 + DIM) + 5 + 16 * DIM + 8; /* particles in an order of their own */
     const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
 
     if (!m->share)
         return 0;
     return m->share->n * (m->share->full ? common : common + halo + travels)
+           + (m->share->packed ? rows * m->share->n : 0)
            + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
 }
 
@@ -143,7 +144,7 @@ static void attach(struct moment *m)
     m->own->others = m;
 }
 
-int moment_share(struct moment *m, const double *y, bool full)
+int moment_share(struct moment *m, double *y, enum moment_rows rows)
 {
     struct moment_share *s;
     struct ranks_cut *cuts;
@@ -153,14 +154,18 @@ int moment_share(struct moment *m, const double *y, bool full)
     s = m->share = status_alloc(1, sizeof *s);
     if (s)
         *s = (struct moment_share){ .ranks = ranks_count(), .me = ranks_me(), .n = m->particles->n,
-                                    .full = full || wants_all(m->plan),
+                                    .full = rows == MOMENT_ALL || wants_all(m->plan),
                                     .balance = balance_start() };
     TRY(ranks_agree(s ? take_memory(s, m) : STATUS_FAILED));
     TRY(cut(m, y, &cuts));
-    own_first(m, y, cuts);
+    find_owners(m, y, cuts);
     ranks_cut_free(&cuts);
+    s->packed = !s->full && rows == MOMENT_OWN;
+    if (s->packed)
+        TRY(own_divide(m, s->owner, y));
+    share_own(m, s->owner);
     TRY(ranks_agree(s->full ? STATUS_DONE : share_fit_own(s)));
-    if (s->full)
+    if (!s->packed)
         balance_never(m);
     attach(m);
     return STATUS_DONE;

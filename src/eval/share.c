@@ -19,14 +19,14 @@ void share_own(const struct moment *m, const int *owner)
 
     for (int i = 0; i < s->n; i++) {
         s->owner[i] = owner[i];
-        s->mine[i] = owner[i] == s->me;
+        s->mine[particles_row_of(p, i)] = owner[i] == s->me;
     }
     for (int r = 0; r < s->ranks; r++) {
         for (int k = 0; k < KINDS; k++) {
             s->from[r][k] = n;
             for (int i = p->from[k]; i < p->from[k + 1]; i++)
                 if (s->owner[i] == r)
-                    s->row[n++] = i;
+                    s->row[n++] = particles_row_of(p, i);
         }
         s->from[r][KINDS] = n;
     }
@@ -68,17 +68,6 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
     gather(s, p, (int)k, (int)k + 1, c, from, to);
 }
 
-/* The kind whose particles a row of the layout holds, KINDS: none. */
-static int kind_of(const struct plan_rows *of, int row)
-{
-    if (row == of->x || row == of->u)
-        return KIND_FLUID;
-    for (int k = 0; k < KINDS; k++)
-        if (row == of->density[k])
-            return k;
-    return KINDS;
-}
-
 /* Rows of y that a rank has, between y and a message; returns what comes behind. */
 static double *copy_rows(const struct moment *m, int rank, bool pack, double *y, double *to)
 {
@@ -86,7 +75,7 @@ static double *copy_rows(const struct moment *m, int rank, bool pack, double *y,
     const struct layout *l = &m->layout;
 
     for (int i = 0; i < l->rows; i++) {
-        const int k = kind_of(&m->plan->row, i);
+        const int k = moment_kind(m, i);
         const size_t c = (size_t)l->row[i].components;
         for (int j = k < KINDS ? s->from[rank][k] : 0; k < KINDS && j < s->from[rank][k + 1]; j++, to += c) {
             double *at = y + l->row[i].offset + (size_t)(s->row[j] - m->particles->from[k]) * c;
@@ -103,7 +92,7 @@ static int numbers_of(const struct moment *m, int rank)
     int n = 0;
 
     for (int i = 0; i < l->rows; i++) {
-        const int k = kind_of(&m->plan->row, i);
+        const int k = moment_kind(m, i);
         if (k < KINDS)
             n += l->row[i].components * (m->share->from[rank][k + 1] - m->share->from[rank][k]);
     }
@@ -202,9 +191,9 @@ void share_silence(const struct moment *m, double *ydot)
     const struct layout *l = &m->layout;
 
     for (int i = 0; i < l->rows; i++) {
-        const int k = kind_of(&m->plan->row, i);
+        const int k = moment_kind(m, i);
         const size_t c = (size_t)l->row[i].components;
-        for (int j = 0; k < KINDS && j < l->row[i].n; j++)
+        for (int j = 0; k < KINDS && !own_packs(m, k) && j < l->row[i].n; j++)
             if (!s->mine[m->particles->from[k] + j])
                 memset(ydot + l->row[i].offset + (size_t)j * c, 0, c * sizeof *ydot);
     }
@@ -213,7 +202,7 @@ void share_silence(const struct moment *m, double *ydot)
 /* Rows that leave the halo keep what they had there, which may not be refused for ever. */
 static void forget_refused(const struct moment *m)
 {
-    double *rho = m->share->rho;
+    double *rho = m->share->now.rho;
 
     for (int i = 0; i < m->share->n; i++)
         if (!(rho[i] >= m->density[0] && rho[i] <= m->density[1]))
@@ -230,7 +219,7 @@ int share_agree(struct moment *m, int status)
     const bool refuses = status != STATUS_DONE;
     const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
 
-    if (!m->share->refuses)
+    if (!m->share->heard.refuses)
         return status;
     forget_refused(m);
     memcpy(said.refusal, m->refusal, sizeof said.refusal);

@@ -30,14 +30,15 @@ enum {
 struct moment_share {
     int ranks, me, n;      /* n: particles                                     */
     bool *mine;            /* [n] by row                                       */
-    int *owner;            /* [n] rank                                         */
-    int *row;              /* [n] by rank, ascending                           */
+    int *owner;            /* [n] rank, by id                                  */
+    int *row;              /* [n] by rank, of one by id                        */
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
     double *seen;          /* [own rows][SHARE_HALO] as they travel            */
-    double *x, *u, *rho;   /* [fluid][DIM] [fluid][DIM] [n] own rows and the halo now, of
-                              others some time ago                             */
+    struct {
+        double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
+    } now;                 /* own rows and the halo now, of others some time ago */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     int *halo;             /* [n] rows that come                               */
@@ -45,10 +46,19 @@ struct moment_share {
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
+    bool packed;           /* own rows stand before others, own.c              */
+    struct {
+        long piece[LAYOUT_ROWS][2]; /* of y                                    */
+        bool joins;
+    } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
-    bool refuses;          /* some rank has a density out of bounds            */
-    bool apart;            /* ranks are not at one time: refused, in the moment's words */
+    double wish;           /* what this rank brings with a right-hand side     */
+    struct {
+        bool refuses;      /* some rank has a density out of bounds            */
+        bool apart;        /* ranks are not at one time: refused, in the moment's words */
+        double wish;       /* the largest                                      */
+    } heard;               /* of all, by the last right-hand side              */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
@@ -56,9 +66,20 @@ struct moment_share {
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
 
+/* own.c: do own rows of this kind stand before those of others? */
+bool own_packs(const struct moment *m, int k);
+
+/* Rows of such kinds, in the order of owners by id [n], at first in order of ids; with
+ * y. */
+int own_divide(struct moment *m, const int *owner, double *y);
+
+/* The same of kind k later: row i becomes what row from[i] was, and as few as can be move.  Returns
+ * how many are this rank's. */
+int own_exchange(const struct moment *m, int k, const int *owner, int *from);
+
 /* share.c */
 
-/* From now on particle i belongs to rank owner[i] [n]. */
+/* From now on the particle with id i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
 /* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
@@ -73,11 +94,20 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
 
-/* What rows of the list need of other ranks, after it was made. */
-int share_halo(struct moment *m);
-
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);
+
+/* share-halo.c */
+
+/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
+ * a density of their own, they read those of others than neighbours. */
+bool share_comes(const struct moment *m, int kind);
+
+/* What rows of the list need of other ranks, after it was made with this status here: on all ranks
+ * the first that is none.  Settles how unequal work is, too. */
+int share_halo(struct moment *m, int status);
+
+/* share.c */
 
 /* All ranks refuse a density that one refuses: the first in the order of the list.  Where none has
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
@@ -90,6 +120,7 @@ struct exact_sum *share_parts(const struct evaluation *e);
 /* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
  * were left. */
 void share_forces(struct evaluation *e);
+
 /* share-full.c */
 
 /* A function of struct list: sums of all ranks, by place, to the moment `others`. */
@@ -97,7 +128,6 @@ void share_complete(void *others, unsigned kinds, int width, double *to);
 
 /* What laws gave, likewise, in one message. */
 void share_laws(struct moment *m, const struct sum_job *job);
-
 
 /* Rates of rows of other ranks are 0. */
 void share_silence(const struct moment *m, double *ydot);

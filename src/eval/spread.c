@@ -13,7 +13,7 @@ struct sum_rates spread_places(const struct moment *m, const struct ask *ask, do
 {
     const struct plan_rows *row = &m->plan->row;
     const int rho = row->density[KIND_FLUID];
-    struct sum_rates to = { 0 };
+    struct sum_rates to = { .rows = moment_rows_of(m, KIND_FLUID) };
 
     if (row->x < 0)
         return to;
@@ -30,7 +30,7 @@ static void stop_outsiders(const struct moment *m, struct sum_rates to)
     const struct list *l = m->list;
     const int n = particles_count(m->particles, KIND_FLUID);
 
-    for (int i = 0; i < n && l->start[KIND_FLUID + 1] < n; i++) {
+    for (int i = 0; i < to.rows && l->start[KIND_FLUID + 1] < n; i++) {
         if (l->slot[i] >= 0)
             continue;
         if (to.u)
@@ -48,7 +48,7 @@ double (*spread_velocities(const struct moment *m, double *ydot))[DIM]
 /* x' = u. */
 static void copy_velocities(const struct moment *m, const struct view *v, double *ydot)
 {
-    const int n = DIM * particles_count(v->p, KIND_FLUID);
+    const int n = DIM * moment_rows_of(m, KIND_FLUID);
     double *xdot = ydot + layout_at(&m->layout, m->plan->row.x);
 
 #pragma omp parallel for schedule(static) if (n > 4 * COPIED)
@@ -83,7 +83,7 @@ static void spread_densities(const struct moment *m, double *ydot)
     const double *drho = m->work->drho;
 
     for (int k = KIND_FLUID + 1; k < KINDS; k++) {
-        const int first = m->particles->from[k], n = particles_count(m->particles, k);
+        const int first = m->particles->from[k], n = moment_rows_of(m, (enum kind)k);
         double *rhodot;
         if (row->density[k] < 0)
             continue;

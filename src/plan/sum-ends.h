@@ -58,6 +58,11 @@ static inline struct sum_rates rates_of(const struct sum_job *job, int kind)
     return kind == KIND_FLUID ? job->rates : (struct sum_rates){ 0 };
 }
 
+static inline int row_of(const struct sum_rates *to, int row)
+{
+    return row < to->rows ? row : to->rows;
+}
+
 /* Asks for the places to which write_rates() will write: scattered, they would be waited
  * for.  (Left to itself, the compiler drops calls that do nothing else.) */
 LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, int owners)
@@ -66,9 +71,9 @@ LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, i
     const int *order = job->list->order + first;
 
     for (int l = 0; l < owners && to.u; l++)
-        __builtin_prefetch(to.u[order[l]], 1);
+        __builtin_prefetch(to.u[row_of(&to, order[l])], 1);
     for (int l = 0; l < owners && to.rho; l++)
-        __builtin_prefetch(to.rho + order[l], 1);
+        __builtin_prefetch(to.rho + row_of(&to, order[l]), 1);
 }
 
 /* Written out for a full group, whose number of owners is a constant. */
@@ -79,13 +84,13 @@ LANES_INLINE void write_lanes(const struct sum_job *job, int kind, int first, in
     const int *order = job->list->order + first;
 
     for (int l = 0; l < owners; l++) {
-        double *f = to.u ? to.u[order[l]] : job->f + (size_t)(first + l) * DIM;
+        double *f = to.u ? to.u[row_of(&to, order[l])] : job->f + (size_t)(first + l) * DIM;
 
         for (int d = 0; d < DIM; d++)
             f[d] = all->f[d][l];
     }
     for (int l = 0; l < owners; l++)
-        *(to.rho ? to.rho + order[l] : job->drho + first + l) = all->drho[l];
+        *(to.rho ? to.rho + row_of(&to, order[l]) : job->drho + first + l) = all->drho[l];
 }
 
 static inline void write_rates(const struct sum_job *job, int kind, int first, int owners, lanes m,

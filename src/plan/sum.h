@@ -22,6 +22,7 @@ enum {
 struct sum_rates {
     double (*u)[DIM]; /* [fluid][DIM] f/m instead of f              [m/s^2]   */
     double *rho;      /* [fluid] instead of drho              [kg/m^D/s]      */
+    int rows;         /* of owners; what others get, 0, goes to the row behind */
 };
 
 struct sum_job {

@@ -112,7 +112,7 @@ int ranks_cut_near(const struct ranks_cut *cut, const double *low, const double 
     return 1;
 }
 
-int ranks_route_create(struct ranks_route **route, size_t widest, int n, const int *to,
+int ranks_route_create(struct ranks_route **route, int status, size_t widest, int n, const int *to,
                        const int *row)
 {
     (void)widest;
@@ -120,7 +120,7 @@ int ranks_route_create(struct ranks_route **route, size_t widest, int n, const i
     (void)to;
     (void)row;
     *route = NULL;
-    return STATUS_DONE;
+    return status;
 }
 
 void ranks_route_free(struct ranks_route **route)

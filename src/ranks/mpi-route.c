@@ -1,12 +1,13 @@
 /* mpi-route.c -- routes by neighbourhood collectives: a rank hears of its partners alone.
  *
- * One Alltoall of counts makes a route, none is needed to use it. */
+ * One Alltoall of counts makes a route, and tells who has no memory for it; none is needed to use it. */
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
 
 #include "base/status.h"
 
 #include <mpi.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,17 +25,20 @@ struct ranks_route {
     char *packed;          /* [leaving] so wide                                */
 };
 
-/* The partners of a direction, by how many rows each has. */
-static int open_side(struct side *s, const int *rows)
+static bool open_side(struct side *s)
 {
-    const int ranks = ranks_count();
+    const size_t ranks = (size_t)ranks_count();
 
-    s->rank = status_alloc((size_t)ranks, sizeof(int));
-    s->count = status_alloc((size_t)ranks, sizeof(int));
-    s->first = status_alloc((size_t)ranks + 1, sizeof(int));
-    if (!s->rank || !s->count || !s->first)
-        return STATUS_FAILED;
-    for (int r = 0; r < ranks; r++) {
+    s->rank = status_alloc(ranks, sizeof(int));
+    s->count = status_alloc(ranks, sizeof(int));
+    s->first = status_alloc(ranks + 1, sizeof(int));
+    return s->rank && s->count && s->first;
+}
+
+/* The partners of a direction, by how many rows each has. */
+static void fill_side(struct side *s, const int *rows)
+{
+    for (int r = 0; r < ranks_count(); r++) {
         if (rows[r] == 0)
             continue;
         s->rank[s->n] = r;
@@ -42,7 +46,6 @@ static int open_side(struct side *s, const int *rows)
         s->first[s->n + 1] = s->first[s->n] + rows[r];
         s->n++;
     }
-    return STATUS_DONE;
 }
 
 static void close_side(struct side *s)
@@ -61,49 +64,6 @@ static void sort_rows(struct ranks_route *r, int n, const int *to, const int *ro
         r->row[next[to[i]]++] = row[i];
 }
 
-/* Counts [2][ranks]: how many go to each, how many come. */
-static int make(struct ranks_route *r, int n, const int *to, const int *row, int *rows)
-{
-    const int ranks = ranks_count();
-    int status;
-
-    for (int i = 0; i < n; i++)
-        rows[to[i]]++;
-    MPI_Alltoall(rows, 1, MPI_INT, rows + ranks, 1, MPI_INT, MPI_COMM_WORLD);
-    status = open_side(&r->out, rows);
-    if (status == STATUS_DONE)
-        status = open_side(&r->in, rows + ranks);
-    r->row = status_alloc((size_t)n + 1, sizeof *r->row);
-    r->packed = status_alloc((size_t)n + 1, r->widest);
-    status = ranks_agree(r->row && r->packed ? status : STATUS_FAILED);
-    if (status != STATUS_DONE)
-        return status;
-    sort_rows(r, n, to, row, rows);
-    MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, r->in.n, r->in.rank, r->in.count, r->out.n,
-                                   r->out.rank, r->out.count, MPI_INFO_NULL, 0, &r->comm);
-    return STATUS_DONE;
-}
-
-int ranks_route_create(struct ranks_route **route, size_t widest, int n, const int *to,
-                       const int *row)
-{
-    int *rows = status_alloc(2 * (size_t)ranks_count(), sizeof *rows);
-    int status;
-
-    *route = status_alloc(1, sizeof **route);
-    if (*route)
-        (*route)->comm = MPI_COMM_NULL;
-    status = ranks_agree(rows && *route ? STATUS_DONE : STATUS_FAILED);
-    if (status == STATUS_DONE) {
-        (*route)->widest = widest;
-        status = make(*route, n, to, row, rows);
-    }
-    free(rows);
-    if (status != STATUS_DONE)
-        ranks_route_free(route);
-    return status;
-}
-
 void ranks_route_free(struct ranks_route **route)
 {
     struct ranks_route *r = *route;
@@ -118,6 +78,58 @@ void ranks_route_free(struct ranks_route **route)
     free(r->packed);
     free(r);
     *route = NULL;
+}
+
+/* All memory, before anybody is asked; NULL: there is none. */
+static struct ranks_route *open_route(size_t widest, int n)
+{
+    struct ranks_route *r = status_alloc(1, sizeof *r);
+
+    if (!r)
+        return NULL;
+    r->comm = MPI_COMM_NULL;
+    r->widest = widest;
+    r->row = status_alloc((size_t)n + 1, sizeof *r->row);
+    r->packed = status_alloc((size_t)n + 1, widest);
+    if (!open_side(&r->out) || !open_side(&r->in) || !r->row || !r->packed)
+        ranks_route_free(&r);
+    return r;
+}
+
+/* Rows [2][ranks], how many go to each and how many come; false: some rank has no route, which it
+ * says by a number below 0. */
+static bool ask_all(const struct ranks_route *r, int n, const int *to, int *rows)
+{
+    const int ranks = ranks_count();
+    bool all = r != NULL;
+
+    for (int i = 0; i < ranks; i++)
+        rows[i] = r ? 0 : -1;
+    for (int i = 0; r && i < n; i++)
+        rows[to[i]]++;
+    MPI_Alltoall(rows, 1, MPI_INT, rows + ranks, 1, MPI_INT, MPI_COMM_WORLD);
+    for (int i = 0; i < ranks; i++)
+        all &= rows[ranks + i] >= 0;
+    return all;
+}
+
+int ranks_route_create(struct ranks_route **route, int status, size_t widest, int n, const int *to,
+                       const int *row)
+{
+    struct ranks_route *r = *route = status == STATUS_DONE ? open_route(widest, n) : NULL;
+    int rows[2 * ranks_count()];
+
+    if (!ask_all(r, n, to, rows)) {
+        status = ranks_agree(status == STATUS_DONE && !r ? STATUS_FAILED : status);
+        ranks_route_free(route);
+        return status;
+    }
+    fill_side(&r->out, rows);
+    fill_side(&r->in, rows + ranks_count());
+    sort_rows(r, n, to, row, rows);
+    MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, r->in.n, r->in.rank, r->in.count, r->out.n,
+                                   r->out.rank, r->out.count, MPI_INFO_NULL, 0, &r->comm);
+    return STATUS_DONE;
 }
 
 int ranks_route_coming(const struct ranks_route *route)

@@ -82,8 +82,10 @@ int ranks_cut_near(const struct ranks_cut *cut, const double *low, const double 
 struct ranks_route;
 
 /* Row row[i] goes to rank to[i], which is another one; n of them leave here, `widest` bytes
- * each at most (the same on all ranks).  STATUS_FAILED, on all: no memory. */
-int ranks_route_create(struct ranks_route **route, size_t widest, int n, const int *to,
+ * each at most (the same on all ranks).  status: of what this rank has done for it so far; where
+ * that is not STATUS_DONE, the others are not looked at.  On all ranks the first status that is
+ * none, with its message; STATUS_FAILED: no memory. */
+int ranks_route_create(struct ranks_route **route, int status, size_t widest, int n, const int *to,
                        const int *row);
 void ranks_route_free(struct ranks_route **route); /* NULL is welcome */
 

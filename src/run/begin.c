@@ -77,7 +77,7 @@ static int agree(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
-    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
+    TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));
     run_ranks_begin(r);
@@ -99,7 +99,7 @@ static int agree_again(struct run *r, struct archive *from)
 int run_start_again(struct run *r, struct archive *from)
 {
     TRY(ranks_agree(agree_again(r, from)));
-    TRY(moment_share(r->moment, r->y, run_ranks_full(r)));
+    TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(ranks_agree(create_method(r)));
     TRY(r->method->restart(r->self, r->past.tally.t, r->y, &r->pace));
     run_ranks_begin(r);

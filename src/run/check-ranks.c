@@ -10,13 +10,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What messages take in any case: of four scenes on 3 ranks, one in 3D, 3.3 to 4 MB were missing
- * without it in 2D and 1.3 MB too many there in 3D (Open MPI 4.1 on one machine) [bytes]. */
-static const double messages = 3.5e6;
+/* What messages and cuts take in any case: without it 5.5 to 9 MB were missing on 3 ranks in 2D, and
+ * -1 to 11 MB on 2 and 4 ranks in 3D (Open MPI 4.1 on one machine) [bytes]. */
+static const double messages = 6e6;
 
 /* What a rank says of itself. */
 struct rank {
     double pairs, program, shared; /* entries of its list; bytes */
+    double spared;                 /* numbers of y that are others' alone */
     struct ranks_traffic sends;    /* for one right-hand side */
 };
 
@@ -48,18 +49,19 @@ static int ask_once(struct run *r, struct rank *me)
     return status;
 }
 
-/* The first rank has the outputs; to look at all particles it has a list of all pairs, and so has
+/* Weights of a method are there in full.  The first rank has the outputs; to look at all particles it has a list of all pairs, and so has
  * each rank that may look at sums over sums for itself. */
 static double memory_of(const struct run *r, const struct rank *rank, double writing,
                         double all)
 {
-    const int vectors = r->method->vectors(r->method, r->plan);
+    const int vectors = r->method->room.vectors(r->method, r->plan);
     const bool first = writing > 0;
     struct plan_memory own, whole;
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
-    return rank->program + messages + writing + rank->shared + own.state + own.sums + own.particles
+    return rank->program + messages + writing + rank->shared + own.state + own.sums
+           + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
            + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
            + (first ? own.outputs : 0);
 }
@@ -103,6 +105,7 @@ int check_ranks_print(struct run *r, double program, double writing)
 {
     const int n = ranks_count();
     struct rank me = { .pairs = moment_pairs(r->moment), .program = program,
+                       .spared = moment_size(r->moment) - moment_numbers(r->moment),
                        .shared = moment_share_bytes(r->moment) }, all[n];
     int count[n];
 
@@ -114,6 +117,8 @@ int check_ranks_print(struct run *r, double program, double writing)
            me.shared == 0 ? "nothing, as there is no fluid: each computes all"
            : moment_is_full(r->moment)
                ? "sums over pairs; each has all rows, and does the rest for itself"
+           : moment_is_packed(r->moment)
+               ? "sums over pairs and rows, of y, too; neighbours of others come"
                : "sums over pairs and rows; neighbours of others come");
     print_memory(r, all, n, writing);
     print_traffic(all, n);

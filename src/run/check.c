@@ -121,7 +121,7 @@ static void print_bytes(const char *what, double bytes)
 /* `program`: bytes that it holds before there is a scene. */
 static void print_memory(const struct run *r, double program)
 {
-    const int n = plan_particles(r->plan)->n, vectors = r->method->vectors(r->method, r->plan);
+    const int n = plan_particles(r->plan)->n, vectors = r->method->room.vectors(r->method, r->plan);
     struct plan_memory m;
     char state[40];
 
@@ -192,7 +192,7 @@ static int check(struct run *r, const struct run_order *order, double program)
         status = start(r);
     status = ranks_agree(status);
     if (status == STATUS_DONE)
-        status = moment_share(r->moment, r->y, run_ranks_full(r));
+        status = moment_share(r->moment, r->y, run_ranks_rows(r));
     if (status == STATUS_DONE)
         status = run_time_rhs(r, &seconds);
     patience_done();

@@ -169,7 +169,7 @@ int checkpoint_write(struct run *r)
     r->past.spent[1] = run_clock() - r->clock_start;
     if (status == STATUS_DONE && run_ranks_writes())
         status = save(r);
-    TRY(ranks_agree(status));
+    TRY(run_ranks_agree(r, status));
     r->clock_kept = run_clock();
     r->event = plan_event(r->plan, t);
     moment_restart(r->moment);

@@ -2,6 +2,7 @@
 #ifndef RUN_INSIDE_H
 #define RUN_INSIDE_H
 
+#include "base/status.h"
 #include "eval/observe.h"
 #include "plan/survey.h"
 #include "run/outputs.h"
@@ -30,6 +31,11 @@ struct run {
     double cpu_start;        /* [s], spent by then: libraries take some       */
     double clock_stop;       /* when a signal was noticed, 0: none [s]        */
     double clock_kept;       /* of the last checkpoint, or the start [s]      */
+    struct {
+        int status;
+        bool asks;           /* in words of its own, not with right-hand sides */
+        char message[STATUS_LINE];
+    } met;                   /* by this rank alone, ranks.c                   */
     long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
     bool force;              /* as run_order has it                           */

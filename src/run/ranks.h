@@ -5,8 +5,8 @@
 
 #include "run/inside.h"
 
-/* Does this run's method, or its norm, want all rows of y on each rank?  Sums in an order do. */
-bool run_ranks_full(const struct run *r);
+/* Rows of y that each rank has: this run's method, or its norm, may want all, as sums in an order do. */
+enum moment_rows run_ranks_rows(const struct run *r);
 
 /* Once the method is there: can what it keeps follow particles that change their rank? */
 void run_ranks_begin(struct run *r);
@@ -17,7 +17,19 @@ int run_ranks_balance(struct run *r);
 /* Is this the rank that writes? */
 bool run_ranks_writes(void);
 
-/* The signal that came, to any rank; all ask together. */
-int run_ranks_stopped(void);
+/* Before a step: a signal that came to any rank, and what a rank alone has met, go along with right-hand
+ * sides and end the run of all after a step; where these do not ask all, that is asked after it. */
+void run_ranks_wish(struct run *r);
+int run_ranks_stopped(const struct run *r); /* the signal */
+
+/* After a step: what this rank alone has met, which it keeps until all have heard of it; the status
+ * itself where all ask each other after each step. */
+int run_ranks_met(struct run *r, int status);
+
+/* Then: has a rank met something?  status: what all alike have, or else are to be asked about. */
+int run_ranks_heard(struct run *r, int status);
+
+/* As ranks_agree(), with what this rank has met before. */
+int run_ranks_agree(struct run *r, int status);
 
 #endif

@@ -46,7 +46,7 @@ static bool is_impatient(struct run *r)
 
 static int write_one(struct run *r, int i, double t, const double *y)
 {
-    return ranks_agree(run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE);
+    return run_ranks_agree(r, run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE);
 }
 
 /* Every output that is due in (.., t]; at t itself the state is exact. */
@@ -80,13 +80,17 @@ static int step_on(struct run *r, struct method_step *step)
     return stopped(r, "all files are complete up to there");
 }
 
-/* After a step: what each rank does for itself.  A step without memory found another way. */
+/* After a step: what each rank does for itself, of which the others hear; what a run looks at all
+ * ranks see alike, but for want of memory.  A step without memory found another way. */
 static int look(struct run *r, const struct method_step *step, const double *y)
 {
-    if (run_ranks_writes())
-        TRY(outputs_step(r->outputs, r->moment, step, y));
-    TRY(run_watch(r, step->t, y));
-    return status_is_starved() ? STATUS_FAILED : STATUS_DONE;
+    int status;
+
+    TRY(run_ranks_met(r, run_ranks_writes() ? outputs_step(r->outputs, r->moment, step, y) : STATUS_DONE));
+    status = run_watch(r, step->t, y);
+    if (!status_is_starved())
+        return status;
+    return run_ranks_met(r, status == STATUS_DONE ? STATUS_FAILED : status);
 }
 
 static int one_step(struct run *r, struct progress *progress)
@@ -94,6 +98,7 @@ static int one_step(struct run *r, struct progress *progress)
     struct method_step step;
     const double *y;
 
+    run_ranks_wish(r);
     TRY(step_on(r, &step));
     y = run_state(r);
     step.rejected += r->rejected;
@@ -104,7 +109,7 @@ static int one_step(struct run *r, struct progress *progress)
     r->past.tally.rejected = step.rejected;
     run_keep_extremes(r, step.t, y);
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    return ranks_agree(look(r, &step, y));
+    return run_ranks_heard(r, look(r, &step, y));
 }
 
 static int keep_when_due(struct run *r)
@@ -148,10 +153,10 @@ static int go(struct run *r, struct progress *progress)
         TRY(run_next_segment(r));
         TRY(keep_when_due(r));
         TRY(run_ranks_balance(r));
-        if (run_ranks_stopped() && r->past.tally.t < r->until)
+        if (run_ranks_stopped(r) && r->past.tally.t < r->until)
             return stopped(r, "all files are complete up to there");
     }
-    return STATUS_DONE;
+    return run_ranks_agree(r, STATUS_DONE);
 }
 
 /* The last row of a run that ended early: where it ended. */

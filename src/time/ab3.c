@@ -176,12 +176,8 @@ static double bound(const struct paced *x, struct limit *of)
 static double haste(struct paced *frame)
 {
     const struct ab3 *x = (const struct ab3 *)frame;
-    const double *weight = vector_data(frame->weight);
-    double most = 0;
 
-    for (long i = 0; i < frame->n; i++)
-        most = fmax(most, fabs(x->f[0][i] * weight[i]));
-    return most;
+    return vector_most(frame->n, x->f[0], vector_read(frame->weight));
 }
 
 /* --- memory, and what it says of itself ----------------------------------------- */
@@ -227,7 +223,7 @@ const struct paced_kind ab3_kind = {
                          "right-hand side a step",
                           "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, "
                           "section III.5" },
-                .order = 3, .serves = serves, .table = table, .vectors = vectors, PACED_METHOD },
+                .order = 3, .serves = serves, .table = table, .room = { vectors }, PACED_METHOD },
     .size = sizeof(struct ab3),
     .control = { { 0.28, -0.23, 0 }, 0.5, 2, 1.3 },
     .take_memory = take_memory,

@@ -25,7 +25,7 @@ static int weights(N_Vector y, N_Vector weight, void *self)
     (void)y;
     if (a->error.weighted == weight)
         return 0;
-    vector_copy(a->n, a->error.weight, vector_overwrite(weight));
+    vector_take(weight, a->error.weight);
     a->error.weighted = weight;
     return 0;
 }

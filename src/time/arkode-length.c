@@ -91,18 +91,15 @@ int arkode_stable(N_Vector y, sunrealtype t, sunrealtype *h, void *self)
     return 0;
 }
 
-/* Without a bound: a step along f that changes y by as much as an error may. */
+/* Without a bound: a step along f that changes y by as much as an error may, on whichever rank. */
 static int cautious(struct arkode *a, double t_stop, double *h)
 {
     const struct arkode_node *now = &a->node[0];
-    double most = 0;
-    const double *f;
+    double most;
 
     if (arkode_rates(a) != STATUS_DONE)
         return failure_start(a->row->method.name, now->t, a->refusal);
-    f = vector_read(now->f);
-    for (long i = 0; i < a->n; i++)
-        most = fmax(most, fabs(f[i] * a->error.weight[i]));
+    most = vector_most(a->n, vector_read(now->f), a->error.weight);
     *h = most > 0 ? fmin(1 / most, t_stop - now->t) : (t_stop - now->t) / 100;
     return STATUS_DONE;
 }

@@ -27,8 +27,10 @@ static int take(struct arkode *a, N_Vector *v)
 
 int arkode_take_vectors(struct arkode *a)
 {
+    const struct vector_own own = moment_own(a->moment);
+
     a->nodes = a->row->order > 4 ? ARKODE_NODES : 2;
-    a->node[0].y = vector_create(a->n, a->def.norm, a->context);
+    a->node[0].y = vector_create_own(a->n, a->def.norm, a->context, &own);
     if (!a->node[0].y)
         return STATUS_FAILED;
     TRY(vector_ranges(a->node[0].y, a->stiff.ranges, (const long (*)[2])a->stiff.range));

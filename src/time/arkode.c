@@ -145,7 +145,7 @@ int arkode_restart(void *self, double t, const double *y, const struct method_pa
 {
     struct arkode *a = self;
 
-    vector_copy(a->n, y, vector_overwrite(a->node[0].y));
+    vector_take(a->node[0].y, y);
     a->node[0].t = t;
     a->node[0].has_f = false;
     a->stiff.has_start = false;

@@ -28,7 +28,7 @@ static int weights(N_Vector y, N_Vector weight, void *self)
     struct cvode *c = self;
 
     (void)y;
-    vector_copy(c->n, vector_data(c->weight), vector_data(weight));
+    vector_take(weight, vector_read(c->weight));
     return 0;
 }
 
@@ -40,7 +40,7 @@ static int precondition(sunrealtype t, N_Vector y, N_Vector f, N_Vector r, N_Vec
     struct cvode *c = self;
 
     (void)y, (void)f, (void)delta, (void)left;
-    vector_copy(c->n, vector_data(r), vector_data(z));
+    vector_take(z, vector_read(r));
     if (moment_solve(c->rates.moment, t, gamma, vector_data(r), vector_data(z)) == STATUS_DONE)
         return 0;
     status_clear();
@@ -121,7 +121,9 @@ static int set_up(struct cvode *c)
 
 static int take_memory(struct cvode *c)
 {
-    c->y = vector_create(c->n, c->def.norm, c->context);
+    const struct vector_own own = moment_own(c->rates.moment);
+
+    c->y = vector_create_own(c->n, c->def.norm, c->context, &own);
     if (!c->y)
         return STATUS_FAILED;
     c->weight = N_VClone(c->y);

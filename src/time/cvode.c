@@ -139,6 +139,7 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
 {
     struct cvode *c = self;
     const double t_old = c->t;
+    struct vector_own own;
     struct limit touch;
     sunrealtype t;
     int flag;
@@ -158,10 +159,11 @@ int cvode_step(void *self, double t_stop, struct method_step *out)
     flag = CVode(c->cvode, t_stop, c->spare, &t, CV_ONE_STEP);
     if (flag < 0)
         return collapse(c, flag);
-    bad = vector_first_bad(c->n, vector_data(c->spare));
+    own = moment_own(c->rates.moment);
+    bad = vector_bad_anywhere(c->n, vector_read(c->spare), &own);
     if (bad >= 0)
         return failure_not_finite(name(c), t, moment_entry(c->rates.moment, bad));
-    vector_copy(c->n, vector_data(c->spare), vector_data(c->y));
+    vector_take(c->y, vector_read(c->spare));
     c->t = t;
     c->h = t - t_old;
     if (!c->floored)
@@ -195,7 +197,7 @@ int cvode_restart(void *self, double t, const double *y, const struct method_pac
 
     (void)pace;
     c->rejected += repeated(c);
-    vector_copy(c->n, y, vector_data(c->y));
+    vector_take(c->y, y);
     c->t = t;
     c->h = 0;
     c->launched = false;

@@ -82,7 +82,7 @@ const struct paced_kind dv_kind = {
                 .told = { "staggered Verlet, velocities and densities in turn, order 2 (1 in the "
                          "dissipative terms), with error control, bodies implicit",
                           "Verlet, Phys. Rev. 159 (1967) 98-103" },
-                .order = 2, .serves = serves, .table = table, .vectors = vectors, PACED_METHOD },
+                .order = 2, .serves = serves, .table = table, .room = { vectors }, PACED_METHOD },
     .size = sizeof(struct dv),
     .control = { { 0.28, -0.23, 0 }, 1, 10, 1.3 },
     .take_memory = take_memory,

@@ -15,7 +15,7 @@ int fixed_restart(void *self, double t, const double *y, const struct method_pac
     struct fixed *x = self;
 
     (void)pace;
-    vector_copy(x->n, y, x->y);
+    moment_take(x->moment, y, x->y);
     x->t = x->t_old = t;
     x->has_f = x->stepped = false;
     return STATUS_DONE;

@@ -13,6 +13,7 @@
 
 #include "algebra/vector.h"
 #include "base/status.h"
+#include "ranks/ranks.h"
 #include <math.h>
 #include <string.h>
 
@@ -35,10 +36,16 @@ int fixed_euler_advance(struct fixed *x, double h)
     return STATUS_DONE;
 }
 
+/* What a rank found among its own rows. */
+struct largest {
+    double square;
+    int id;
+};
+
 double fixed_largest(const struct fixed *x, int r, const double *y, int *where)
 {
     const struct layout_row *row = &moment_layout(x->moment)->row[r];
-    double most = 0;
+    struct largest most = { 0, *where };
 
     for (int i = 0; i < row->n; i++) {
         const int id = moment_id(x->moment, r, i);
@@ -47,12 +54,12 @@ double fixed_largest(const struct fixed *x, int r, const double *y, int *where)
             const double c = y[row->offset + (long)i * row->components + d];
             square += c * c;
         }
-        if (square > most || (square == most && most > 0 && id < *where)) {
-            most = square;
-            *where = id;
-        }
+        if (square > most.square || (square == most.square && square > 0 && id < most.id))
+            most = (struct largest){ square, id };
     }
-    return sqrt(most);
+    ranks_first(-most.square, most.id, &most, sizeof most);
+    *where = most.id;
+    return sqrt(most.square);
 }
 
 double fixed_shorter(struct fixed *x, double h, double other, int where, const char *name)

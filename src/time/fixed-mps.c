@@ -32,7 +32,7 @@ const struct fixed_kind fixed_mps = {
                           "Koshizuka, Oka, Nucl. Sci. Eng. 123 (1996) 421-434" },
                 .adaptive = false, .order = 1, .serves = serves, .create = fixed_create,
                 .step = fixed_step, .at = at, .state = fixed_state, .restart = fixed_restart,
-                .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors,
+                .table = fixed_table, .free = fixed_free, .room = { fixed_vectors },
                 .rearrange = fixed_rearrange },
     .number = 0.2,
     .even = true,

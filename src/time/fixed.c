@@ -140,8 +140,10 @@ static void begin(struct fixed *x)
 
 static int attempt(struct fixed *x, double h)
 {
+    const struct vector_own own = moment_own(x->moment);
+
     TRY(x->kind->advance(x, h));
-    return vector_first_bad(x->n, x->y) < 0 ? STATUS_DONE : STATUS_FAILED;
+    return vector_bad_anywhere(x->n, x->y, &own) < 0 ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Halves the step while there is no answer. */

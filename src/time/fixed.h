@@ -117,7 +117,7 @@ int fixed_solved_advance(struct fixed *x, double h);
     { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = false, .order = ORDER,        \
       .serves = SERVES, .create = fixed_create, .step = fixed_step,                      \
       .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
-      .table = fixed_table, .free = fixed_free, .vectors = fixed_vectors,                \
+      .table = fixed_table, .free = fixed_free, .room = { fixed_vectors },               \
       .rearrange = fixed_rearrange }
 
 #endif

@@ -31,8 +31,10 @@ static const gsl_odeiv2_control_type levels = { .name = "weights of a plan", .er
 
 static int take_vectors(struct gslode *x)
 {
+    const struct vector_own own = moment_own(x->rates.moment);
+
     TRY(sundials_open(&x->context));
-    x->weight = vector_create(x->n, x->def.norm, x->context);
+    x->weight = vector_create_own(x->n, x->def.norm, x->context, &own);
     if (!x->weight)
         return STATUS_FAILED;
     x->error = N_VClone(x->weight);
@@ -157,7 +159,7 @@ static int vectors(const struct method *m, const struct plan *plan)
                 .order = ORDER, .serves = serves, .create = gslode_create,               \
                 .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
-                .table = table, .free = gslode_free, .vectors = vectors,                 \
+                .table = table, .free = gslode_free, .room = { vectors },                \
                 .rearrange = rearrange }
 
 const struct gslode_row gslode_rkf45 = {

@@ -66,9 +66,7 @@ static int collapse(const struct gslode *x, double h)
 /* Without a rate: a step along f that changes y by as much as an error may. */
 static double first_step(const struct gslode *x, double left)
 {
-    const struct gslode_node *now = &x->node[0];
-    const double *w = vector_data(x->weight);
-    double rate, most = 0;
+    double rate, most;
 
     if (x->def.seconds > 0)
         return x->def.seconds;
@@ -79,8 +77,7 @@ static double first_step(const struct gslode *x, double left)
     rate = fastest(x).rate;
     if (rate > 0)
         return fmin(x->row->first / rate, left);
-    for (long i = 0; i < x->n; i++)
-        most = fmax(most, fabs(now->f[i] * w[i]));
+    most = vector_most(x->n, x->node[0].f, vector_read(x->weight));
     return most > 0 ? fmin(1 / most, left) : left / 100;
 }
 
@@ -103,6 +100,7 @@ static int begin(struct gslode *x, double t_stop)
 static double attempt(struct gslode *x, double h, struct gslode_node *to)
 {
     const struct gslode_node *now = &x->node[0];
+    const struct vector_own own = moment_own(x->rates.moment);
     double *error = vector_data(x->error);
     long bad;
 
@@ -110,9 +108,9 @@ static double attempt(struct gslode *x, double h, struct gslode_node *to)
     if (gsl_odeiv2_step_apply(x->stepper, now->t, h, to->y, error, now->f, to->f, &x->system)
         != GSL_SUCCESS)
         return NAN;
-    bad = vector_first_bad(x->n, to->y);
+    bad = vector_bad_anywhere(x->n, to->y, &own);
     if (bad < 0)
-        bad = vector_first_bad(x->n, error);
+        bad = vector_bad_anywhere(x->n, error, &own);
     if (bad >= 0) {
         x->entry = bad;
         return NAN;
@@ -245,7 +243,7 @@ int gslode_restart(void *self, double t, const double *y, const struct method_pa
 {
     struct gslode *x = self;
 
-    vector_copy(x->n, y, x->node[0].y);
+    moment_take(x->rates.moment, y, x->node[0].y);
     x->node[0].t = t;
     x->known = 1;
     x->h = 0;

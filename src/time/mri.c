@@ -100,7 +100,7 @@ static int advance(struct fixed *x, double h)
 
     sundials_forget();
     m->h = h;
-    vector_copy(x->n, x->y_old, vector_data(m->start));
+    vector_take(m->start, x->y_old);
     if (MRIStepReInit(m->steps, slow, NULL, x->t_old, m->start) != 0
         || SUNDIALS_MRI(SetFixedStep)(m->steps, h) != 0)
         return refuse("to start");
@@ -151,8 +151,10 @@ static int set_up_steps(struct mri *m)
 
 static int set_up(struct mri *m, const struct method_def *def)
 {
+    const struct vector_own own = moment_own(m->frame->moment);
+
     TRY(sundials_open(&m->context));
-    m->start = vector_create(m->frame->n, VECTOR_NORM_MAX, m->context);
+    m->start = vector_create_own(m->frame->n, VECTOR_NORM_MAX, m->context, &own);
     m->end = m->start ? N_VClone(m->start) : NULL;
     if (!m->end)
         return STATUS_FAILED;
@@ -267,7 +269,7 @@ static int vectors(const struct method *m, const struct plan *plan)
     { .method = { .name = NAME,                                                           \
                   .told = { ABOUT, "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" }, \
                   .adaptive = false, .order = 3, .serves = SERVES, .create = create,       \
-                  .step = step, .at = at, .vectors = vectors, .state = state,              \
+                  .step = step, .at = at, .room = { vectors }, .state = state,             \
                   .restart = restart, .rearrange = rearrange, .table = table,              \
                   .free = release },                                                       \
       .number = 0.2, .sides = ASK_EXPLICIT, .length = length, .advance = advance }

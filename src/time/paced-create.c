@@ -17,10 +17,12 @@ int paced_numbers(struct paced *x, double **to)
 
 static int take_memory(struct paced *x)
 {
+    const struct vector_own own = moment_own(x->moment);
+
     TRY(paced_numbers(x, &x->y));
     TRY(paced_numbers(x, &x->y_old));
     TRY(sundials_open(&x->context));
-    x->error = vector_create(x->n, x->def.norm, x->context);
+    x->error = vector_create_own(x->n, x->def.norm, x->context, &own);
     x->weight = x->error ? N_VClone(x->error) : NULL;
     if (!x->weight)
         return STATUS_FAILED;
@@ -53,7 +55,7 @@ int paced_restart(void *self, double t, const double *y, const struct method_pac
 {
     struct paced *x = self;
 
-    vector_copy(x->n, y, x->y);
+    moment_take(x->moment, y, x->y);
     x->t = x->t_old = t;
     x->ready = x->stepped = false;
     x->carried = pace ? pace->h : 0;

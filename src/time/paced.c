@@ -60,6 +60,7 @@ static void swap_states(struct paced *x)
 /* Error of a step from y_old; NAN when there is no answer.  A constant step has none. */
 static double attempt(struct paced *x, double h)
 {
+    struct vector_own own;
     long bad;
 
     x->choice.refusal[0] = '\0';
@@ -67,7 +68,8 @@ static double attempt(struct paced *x, double h)
         keep_refusal(x);
         return NAN;
     }
-    bad = vector_first_bad(x->n, x->y);
+    own = moment_own(x->moment);
+    bad = vector_bad_anywhere(x->n, x->y, &own);
     if (bad < 0)
         return x->def.seconds > 0 ? 0 : x->kind->error(x, h);
     x->choice.entry = bad;

@@ -14,6 +14,7 @@ static int refuse(struct rates *r, const char *before, const char *why, const ch
 
 int rates_ask(struct rates *r, double t, const double *y, double *f)
 {
+    const struct vector_own own = moment_own(r->moment);
     const long n = moment_size(r->moment);
     long bad;
 
@@ -21,7 +22,7 @@ int rates_ask(struct rates *r, double t, const double *y, double *f)
         const char *said = status_message(); /* of memory */
         return refuse(r, "", said[0] ? said : moment_refusal(r->moment), "");
     }
-    bad = vector_first_bad(n, f);
+    bad = vector_bad_anywhere(n, f, &own);
     if (bad >= 0)
         return refuse(r, "the rate of ", moment_entry(r->moment, bad), " is not finite");
     r->refusal[0] = '\0';

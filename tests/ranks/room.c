@@ -2,6 +2,7 @@
 #include "ranks/ranks.h"
 
 #include "algebra/exact-sum.h"
+#include "algebra/vector.h"
 #include "base/status.h"
 #include "claims.h"
 
@@ -112,6 +113,22 @@ static void the_largest_is_known_to_all(void)
 
     ranks_most(2, x);
     claim(x[0] == last && x[1] == 0, "the largest of two numbers each");
+}
+
+/* What a first step without a bound goes by: each rank has rates in its own entries alone, and the
+ * last rank the largest. */
+static void the_haste_of_all_is_known_to_all(void)
+{
+    enum { ENTRIES = 5 };
+    double rate[ENTRIES] = { 0 }, weight[ENTRIES] = { 1, 1, 1, 2, 1 };
+    const int me = ranks_me(), last = ranks_count() - 1;
+
+    rate[me == last ? 3 : 1] = -1 - me;
+    claim(vector_most(ENTRIES, rate, weight) == 2.0 * (1 + last), "the largest weighted rate");
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == -1, "rates that are numbers on all ranks");
+    if (me == last)
+        rate[2] = INFINITY;
+    claim(vector_bad_anywhere(ENTRIES, rate, &(struct vector_own){ 0 }) == 2, "a rate of one rank that is no number");
 }
 
 /* Ranks from `first` on bring a failure. */
@@ -299,7 +316,7 @@ static void rows_arrive_in_order(void)
                 row[n++] = i;
             }
     }
-    if (ranks_route_create(&route, sizeof *all, n, to, row) != STATUS_DONE)
+    if (ranks_route_create(&route, STATUS_DONE, sizeof *all, n, to, row) != STATUS_DONE)
         n = -1;
     ranks_route_go(route, sizeof *all, all, in);
     for (int r = 0; r < ranks_count(); r++)
@@ -314,13 +331,25 @@ static void rows_arrive_in_order(void)
 static void a_route_may_be_empty(void)
 {
     struct ranks_route *route;
-    const int status = ranks_route_create(&route, sizeof(double), 0, NULL, NULL);
+    const int status = ranks_route_create(&route, STATUS_DONE, sizeof(double), 0, NULL, NULL);
     double none = 7;
 
     ranks_route_go(route, sizeof none, &none, &none);
     claim(status == STATUS_DONE && ranks_route_coming(route) == 0 && none == 7
           && ranks_route_partners(route) == 0, "nothing goes where nothing is sent");
     ranks_route_free(&route);
+}
+
+static void a_route_fails_for_all(void)
+{
+    const int last = ranks_count() - 1, mine = ranks_me() == last
+        ? status_fail(STATUS_IO, "the last has no room") : STATUS_DONE;
+    struct ranks_route *route;
+    const int status = ranks_route_create(&route, mine, sizeof(double), 0, NULL, NULL);
+
+    claim(status == STATUS_IO && !route && strstr(status_message(), "the last has no room"),
+          "a rank that cannot have a route is heard by all");
+    status_clear();
 }
 
 /* Each rank names its points to all whose boxes they are near: who gets what is known here. */
@@ -349,7 +378,7 @@ static void halos_are_complete(const struct ranks_cut *cut, int dim)
                 row[n++] = i;
             }
     }
-    good &= ranks_route_create(&route, sizeof *all, n, to, row) == STATUS_DONE;
+    good &= ranks_route_create(&route, STATUS_DONE, sizeof *all, n, to, row) == STATUS_DONE;
     ranks_route_go(route, sizeof *all, all, in);
     for (int r = 0; r < ranks_count(); r++)
         for (int i = 0; i < POINTS; i++) {
@@ -395,6 +424,7 @@ int main(int argc, char **argv)
           && ranks_me() >= 0 && ranks_me() < ranks_count(), "they are as many as were asked for");
     sums_have_no_order();
     the_largest_is_known_to_all();
+    the_haste_of_all_is_known_to_all();
     who_is_first_is_heard();
     all_get_all();
     for (int first = 0; first <= ranks_count(); first++)
@@ -402,6 +432,7 @@ int main(int argc, char **argv)
     a_refusal_without_a_message_is_agreed_on_too();
     rows_arrive_in_order();
     a_route_may_be_empty();
+    a_route_fails_for_all();
     try_cuts(2);
     try_cuts(3);
     status = claims_end();

@@ -397,6 +397,7 @@ void sum_writes_rates_in_place(void **state)
         placed.drho = test_malloc((size_t)c->n * sizeof(double));
         placed.rates.u = test_malloc((size_t)n * sizeof *placed.rates.u);
         placed.rates.rho = test_malloc((size_t)n * sizeof *placed.rates.rho);
+        placed.rates.rows = n;
         add_up(&placed, l);
         for (int s = 0; s < l->listed; s++) {
             const int i = l->order[s];
