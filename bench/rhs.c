@@ -170,7 +170,7 @@ static void count(const struct water *w, double *useful, double *entries)
     for (int g = 0; g < list->groups; g++)
         for (int s = list->segment_from[g]; s < list->segment_from[g + 1]; s++)
             for (int k = 0; k < list->segment[s].rows * list->lanes; k++) {
-                const int a = list->group_slot[g] + k % list->lanes, b = list->segment[s].j[k];
+                const int a = list->group_slot[g] + k % list->lanes, b = list_place(list->segment[s].j[k]);
                 const double *ra = record + (size_t)a * RECORD, *rb = record + (size_t)b * RECORD;
                 double r2 = 0;
 

@@ -2,6 +2,7 @@
  * the same pass. */
 #include "algebra/vector-private.h"
 
+#include "base/threads.h"
 #include "ranks/ranks.h"
 
 #include <float.h>
@@ -196,16 +197,13 @@ static double share(const struct vector_content *v, const struct vector_store *w
                           vector_in_order(f, weight->data, b, w), vector_block_size(f->n, b));
 }
 
-/* v and, where it is not NULL, another one that reads the same stores: what is put
- * off is done block by block, so that a block is read once for both. */
-static void measure(struct vector_content *v, struct vector_content *other,
-                    const struct vector_store *weight)
+static void measure_blocks(struct vector_content *v, struct vector_content *other,
+                           const struct vector_store *weight, bool later)
 {
     const struct vector_family *f = v->family;
     const long count = vector_blocks(f->n);
-    const bool later = v->outside == VECTOR_LATER;
 
-#pragma omp parallel for schedule(static) if (f->n > VECTOR_LONG)
+#pragma omp for schedule(static) nowait
     for (long b = 0; b < count; b++) {
         if (later)
             vector_sum_block(v, b);
@@ -215,6 +213,18 @@ static void measure(struct vector_content *v, struct vector_content *other,
             f->partial[count + b] = share(other, weight, b);
         }
     }
+}
+
+/* v and, where it is not NULL, another one that reads the same stores: what is put
+ * off is done block by block, so that a block is read once for both. */
+static void measure(struct vector_content *v, struct vector_content *other,
+                    const struct vector_store *weight)
+{
+    const struct vector_family *f = v->family;
+    const long count = vector_blocks(f->n);
+    const bool later = v->outside == VECTOR_LATER;
+
+    THREADS(f->n > VECTOR_LONG, measure_blocks(v, other, weight, later));
     if (later)
         vector_summed(v);
     conclude(v, weight, f->partial);

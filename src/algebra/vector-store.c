@@ -2,6 +2,8 @@
  * and perhaps not yet summed. */
 #include "algebra/vector-private.h"
 
+#include "base/threads.h"
+
 #include "ranks/ranks.h"
 
 #include <stdint.h>
@@ -69,13 +71,16 @@ void vector_summed(struct vector_content *c)
     c->outside = VECTOR_HERE;
 }
 
+static void sum_blocks(struct vector_content *c)
+{
+#pragma omp for schedule(static) nowait
+    for (long b = 0; b < vector_blocks(c->family->n); b++)
+        vector_sum_block(c, b);
+}
+
 static void sum_up(struct vector_content *c)
 {
-    const long n = c->family->n;
-
-#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
-    for (long b = 0; b < vector_blocks(n); b++)
-        vector_sum_block(c, b);
+    THREADS(c->family->n > VECTOR_LONG, sum_blocks(c));
     vector_summed(c);
 }
 

@@ -44,4 +44,18 @@ static inline void threads_meet(void)
     }
 }
 
+/* `call` on all threads where the work is worth it.  A region is a call of the library even
+ * for one thread, and a right-hand side has a dozen: where the program has one, the call is made
+ * at once. */
+#define THREADS(worth, call)                                                               \
+    do {                                                                                   \
+        if (threads_most() == 1) {                                                         \
+            call;                                                                          \
+        } else {                                                                           \
+            const int threads_worth = (worth);                                             \
+            _Pragma("omp parallel if (threads_worth)")                                     \
+            call;                                                                          \
+        }                                                                                  \
+    } while (0)
+
 #endif

@@ -8,34 +8,85 @@
 #include "effects/laminar-viscosity.h"
 #include "effects/pressure-force.h"
 #include "kernels/wendland-c2.h"
+#ifdef SINGLE
+#include "space/single-row.h"
+#endif
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { MOST = 4 }; /* laws in one loop: more do not fit into the registers */
 
-/* Row k of b with the gradients that gather_kernel() would have left there. */
-LANES_INLINE struct row with_gradient(const struct wendland_c2 *c, const struct block *b, int k)
-{
-    struct row row = pairs_row(b, k);
+#ifdef SINGLE
+/* From the list, one after the other: to form a row takes less time than to store it and read
+ * it.  In double precision it does not. */
+typedef pairs_straight loop;
+#define PARAMETERS const struct pairs_table *table, const struct pairs_source *of, int n,  \
+                   struct sum *sum
+#define RUN(...)                                                                           \
+    if (single_alike(of->all))                                                             \
+        run(table, of, true, n, sum, __VA_ARGS__);                                         \
+    else                                                                                   \
+        run(table, of, false, n, sum, __VA_ARGS__)
 
-    row.gw = wendland_c2_gradient(c, b->r[k], b->mm[k]);
+LANES_INLINE const struct side *owners(const struct pairs_source *of)
+{
+    return &of->own->a;
+}
+
+LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_source *of,
+                               bool alike, int k)
+{
+    struct whole_row row;
+
+    single_row(of, alike, k, &row);
+    row.pair.gw = wendland_c2_gradient(c, row.r, row.mm);
+    row.pair.gw_r2 = wendland_c2_softened(c, row.pair.gw, row.pair.r2);
+    return row.pair;
+}
+#else
+typedef pairs_laws loop;
+#define PARAMETERS const struct pairs_table *table, const struct side *a, struct block *b, \
+                   struct sum *sum
+#define RUN(...) run(table, &(struct pairs_source){ a, b }, false, b->n, sum, __VA_ARGS__)
+
+struct pairs_source {
+    const struct side *a;
+    const struct block *b;
+};
+
+LANES_INLINE const struct side *owners(const struct pairs_source *of)
+{
+    return of->a;
+}
+
+/* Row k with the gradients that gather_kernel() would have left there. */
+LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_source *of,
+                               bool alike, int k)
+{
+    struct row row = pairs_row(of->b, k);
+
+    (void)alike;
+    row.gw = wendland_c2_gradient(c, of->b->r[k], of->b->mm[k]);
     row.gw_r2 = wendland_c2_softened(c, row.gw, row.r2);
     return row;
 }
+#endif
 
-/* The laws are constants, NULL behind the last. */
-LANES_INLINE void run(const struct pairs_table *table, const struct side *a,
-                      const struct block *b, struct sum *sum, pairs_row_law *first,
-                      pairs_row_law *second, pairs_row_law *third, pairs_row_law *fourth)
+/* The laws are constants, NULL behind the last; so is `alike`. */
+LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source *of, bool alike,
+                      int n, struct sum *sum, pairs_row_law *first, pairs_row_law *second,
+                      pairs_row_law *third, pairs_row_law *fourth)
 {
     const struct pairs_work *w = table->work;
+    const struct side *a = owners(of);
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
     /* registers, not memory */
     struct sum one = sum[w[0].slot], two = second ? sum[w[1].slot] : one;
     struct sum three = third ? sum[w[2].slot] : one, four = fourth ? sum[w[3].slot] : one;
 
-    for (int k = 0; k < b->n; k++) {
-        const struct row row = with_gradient(&c, b, k);
+    for (int k = 0; k < n; k++) {
+        const struct row row = row_of(&c, of, alike, k);
 
         first(w[0].self, a, &row, &one);
         if (second)
@@ -54,11 +105,10 @@ LANES_INLINE void run(const struct pairs_table *table, const struct side *a,
         sum[w[3].slot] = four;
 }
 
-#define LOOP(name, first, second, third, fourth)                                           \
-    static void name(const struct pairs_table *table, const struct side *a,                \
-                     struct block *b, struct sum *sum)                                     \
+#define LOOP(name, ...)                                                                    \
+    static void name(PARAMETERS)                                                           \
     {                                                                                      \
-        run(table, a, b, sum, first, second, third, fourth);                               \
+        RUN(__VA_ARGS__);                                                                  \
     }
 
 LOOP(rate_pressure, density_rate_row, pressure_force_row, NULL, NULL)
@@ -87,7 +137,7 @@ extern const struct part LANE_NAME(effects_continuity), LANE_NAME(effects_pressu
 
 static const struct {
     const struct part *part[MOST + 1]; /* parts with these laws, in table order, NULL-ended */
-    pairs_laws *laws;
+    loop *laws;
 } fused[] = {
     { { RATE, PRESSURE }, rate_pressure },
     { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial },
@@ -113,10 +163,19 @@ static bool same(const struct pairs_table *table, const struct part *const *part
     return n == table->n && table->work[0].kernel->kernel == &kernel_wendland_c2;
 }
 
-pairs_laws *fused_laws(const struct pairs_table *table)
+static loop *find(const struct pairs_table *table)
 {
     for (size_t i = 0; i < sizeof fused / sizeof *fused; i++)
         if (same(table, fused[i].part))
             return fused[i].laws;
     return NULL;
+}
+
+#ifdef SINGLE
+pairs_straight *fused_straight(const struct pairs_table *table)
+#else
+pairs_laws *fused_laws(const struct pairs_table *table)
+#endif
+{
+    return find(table);
 }

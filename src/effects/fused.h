@@ -10,8 +10,13 @@
 #include "space/pairs.h"
 
 /* One loop for all laws of this table, or NULL: there is none for these laws in this
- * order and with this kernel. */
+ * order and with this kernel.  In single precision it takes rows from the list. */
+#ifdef SINGLE
+#define fused_straight LANE_NAME(fused_straight)
+pairs_straight *fused_straight(const struct pairs_table *table);
+#else
 #define fused_laws LANE_NAME(fused_laws)
 pairs_laws *fused_laws(const struct pairs_table *table);
+#endif
 
 #endif

@@ -93,7 +93,7 @@ static void count_neighbours(const struct list *l, double *weight)
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++)
             for (int i = 0; i < l->segment[k].rows * l->lanes; i++)
-                if (l->segment[k].j[i] < l->listed)
+                if (list_place(l->segment[k].j[i]) < l->listed)
                     weight[l->order[l->group_slot[g] + i % l->lanes]]++;
 }
 

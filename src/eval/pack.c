@@ -3,6 +3,7 @@
 #include "eval/share.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "space/record-pack.h"
 
 #include <math.h>
@@ -188,19 +189,25 @@ static int pack_one(const struct moment *m, const struct view *v, const struct c
     return pack_chunk(m, v, k, from, from + CHUNK < end ? from + CHUNK : end);
 }
 
+static void pack_all(const struct moment *m, const struct view *v, const struct chunks *chunks,
+                     atomic_int *bad)
+{
+#pragma omp for schedule(static) nowait
+    for (int c = 0; c < chunks->n; c++) {
+        const int at = pack_one(m, v, chunks, c);
+        for (int old = *bad; at >= 0 && at < old;) /* keep the smallest place */
+            if (atomic_compare_exchange_weak(bad, &old, at))
+                break;
+    }
+}
+
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 {
     const struct list *l = m->list;
     const struct chunks chunks = cut(l, kinds);
     atomic_int bad = l->listed;
 
-#pragma omp parallel for schedule(static) if (chunks.n > 4)
-    for (int c = 0; c < chunks.n; c++) {
-        const int at = pack_one(m, v, &chunks, c);
-        for (int old = bad; at >= 0 && at < old;) /* keep the smallest place */
-            if (atomic_compare_exchange_weak(&bad, &old, at))
-                break;
-    }
+    THREADS(chunks.n > 4, pack_all(m, v, &chunks, &bad));
     for (int k = 0; k < KINDS && l->offset; k++)
         if (kinds & KIND_BIT(k))
             copy_images(m, v, k);

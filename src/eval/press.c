@@ -11,7 +11,7 @@ static void mark(const struct moment *m, int group, const struct list_segment *s
     const struct particles *p = m->particles;
 
     for (int lane = 0; s->rows > 0 && lane < m->list->lanes; lane++)
-        if (s->j[lane] != m->list->listed) {
+        if (list_place(s->j[lane]) != m->list->listed) {
             const int row = m->list->order[m->list->group_slot[group] + lane];
             m->work->met[particles_id_of(p, row) - p->from[KIND_WALL]] = true;
         }

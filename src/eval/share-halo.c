@@ -26,9 +26,11 @@ static void mark_needed(const struct moment *m, bool *needed)
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
             const struct list_segment *of = &l->segment[k];
-            for (int i = 0; share_comes(m, of->partner) && i < of->rows * l->lanes; i++)
-                if (of->j[i] < l->listed && !s->mine[l->order[of->j[i]]])
-                    needed[l->order[of->j[i]]] = true;
+            for (int i = 0; share_comes(m, of->partner) && i < of->rows * l->lanes; i++) {
+                const int j = list_place(of->j[i]);
+                if (j < l->listed && !s->mine[l->order[j]])
+                    needed[l->order[j]] = true;
+            }
         }
 }
 

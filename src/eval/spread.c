@@ -2,6 +2,7 @@
 #include "eval/passes.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 
 #include <string.h>
 
@@ -51,7 +52,7 @@ static void copy_velocities(const struct moment *m, const struct view *v, double
     const int n = DIM * moment_rows_of(m, KIND_FLUID);
     double *xdot = ydot + layout_at(&m->layout, m->plan->row.x);
 
-#pragma omp parallel for schedule(static) if (n > 4 * COPIED)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < n; i += COPIED)
         memcpy(xdot + i, v->u[KIND_FLUID] + i,
                (size_t)(n - i < COPIED ? n - i : COPIED) * sizeof *xdot);
@@ -109,7 +110,8 @@ int passes_fluid(struct evaluation *e, const struct plan_field *of)
     (void)of;
     stop_outsiders(e->m, e->job.to);
     if (e->ask->rates == 0)
-        copy_velocities(e->m, &e->view, e->ydot);
+        THREADS(DIM * particles_count(e->view.p, KIND_FLUID) > 4 * COPIED,
+                copy_velocities(e->m, &e->view, e->ydot));
     if (e->ask->rates != ASK_DENSITIES && e->m->face)
         spread_forces(e->m, e->ydot);
     if (e->ask->rates != ASK_VELOCITIES)

@@ -3,8 +3,9 @@
 
 #include "effects/fused.h"
 #include "space/gather.h"
-#include "space/single-rows.h"
+#include "space/single-row.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* The groups at hand. */
@@ -28,9 +29,8 @@ static void laws_in_turn(const struct pairs_table *table, const struct side *a,
 
 static void arrange(struct pairs_table *table, bool fuse)
 {
-    pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
-
-    table->laws = fused ? fused : laws_in_turn;
+    table->laws = laws_in_turn;
+    table->straight = fuse ? fused_straight(table) : NULL;
 }
 
 static struct walk start(const struct list *list, int g, bool both)
@@ -42,7 +42,7 @@ static struct walk start(const struct list *list, int g, bool both)
         w.last[h] = list->segment + list->segment_from[g + h + 1];
     }
     for (int l = 0; l < SINGLE_HALF; l++)
-        w.nowhere[l] = list->listed;
+        w.nowhere[l] = list_entry(list->listed);
     return w;
 }
 
@@ -86,29 +86,47 @@ static int least(int a, int b)
     return a < b ? a : b;
 }
 
+/* How many rows come next that both halves have, or one, and dummies beside it; at most
+ * `most`. */
+static int come(const struct walk *w, struct single_places *from, const int *rows, int most)
+{
+    for (int h = 0; h < 2; h++) {
+        if (rows[h] > 0) {
+            most = least(most, rows[h]);
+        } else {
+            from->j[h] = w->nowhere;
+            from->step[h] = 0;
+        }
+    }
+    return most;
+}
+
+/* n rows are done. */
+static void leave(struct single_places *from, int *rows, int n)
+{
+    for (int h = 0; h < 2; h++) {
+        from->j[h] += from->step[h] * (size_t)n;
+        rows[h] -= n;
+    }
+}
+
+static bool left(const int *rows)
+{
+    return rows[0] > 0 || rows[1] > 0;
+}
+
 /* The next rows of both halves, at most as many as there is room for. */
 static void fill(const struct walk *w, const struct single_records *all,
                  struct single_places *from, int *rows, const struct single_side *own,
                  unsigned needs, struct block *b)
 {
     b->n = 0;
-    while (b->n < PAIRS_ROWS && (rows[0] > 0 || rows[1] > 0)) {
-        int n = PAIRS_ROWS - b->n;
+    while (b->n < PAIRS_ROWS && left(rows)) {
+        const int n = come(w, from, rows, PAIRS_ROWS - b->n);
 
-        for (int h = 0; h < 2; h++) {
-            if (rows[h] > 0) {
-                n = least(n, rows[h]);
-            } else {
-                from->j[h] = w->nowhere;
-                from->step[h] = 0;
-            }
-        }
         single_rows_fill(all, from, n, own, needs, b, b->n);
         b->n += n;
-        for (int h = 0; h < 2; h++) {
-            from->j[h] += from->step[h] * (size_t)n;
-            rows[h] -= n;
-        }
+        leave(from, rows, n);
     }
 }
 
@@ -132,7 +150,12 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
 
         if (table->n == 0) /* the list also serves summed densities */
             continue;
-        while (rows[0] > 0 || rows[1] > 0) {
+        while (table->straight && left(rows)) {
+            const int n = come(&w, &from, rows, INT_MAX);
+            table->straight(table, &(struct pairs_source){ &all, from, &own }, n, part);
+            leave(&from, rows, n);
+        }
+        while (left(rows)) {
             fill(&w, &all, &from, rows, &own, table->needs, &b);
             table->laws(table, &own.a, &b, part);
         }

@@ -23,6 +23,7 @@ static void arrange(struct pairs_table *table, bool fuse)
     pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
 
     table->laws = fused ? fused : laws_in_turn;
+    table->straight = NULL;
 }
 
 LANES_INLINE struct sum sum_of(const void *sums, int s)

@@ -56,9 +56,7 @@ static bool look(const struct run_order *order, const struct plan_survey *s, int
         const double n = plan_particles(r.plan)->n, all = s->fluid + s->solid;
         moment_limit(r.moment, 0, r.y, false, limit);
         run_cost_print(r.until, coarser * limit[0].rate, seconds * all / n);
-        printf(",
-  from %.0f particles at a spacing of %g m, whose right-hand sides take %.3g ms
-", n,
+        printf(",\n  from %.0f particles at a spacing of %g m, whose right-hand sides take %.3g ms\n", n,
                coarser * s->dx, 1e3 * seconds);
         fine = run_disk_print(&r, all, s->dx) == STATUS_DONE;
     }

@@ -67,7 +67,7 @@ static size_t gather(const struct near *s, const struct list *l, int g, int lane
 
     for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++)
         for (int row = 0; row < l->segment[k].rows; row++) {
-            const int j = l->segment[k].j[(size_t)row * (size_t)l->lanes + (size_t)lane];
+            const int j = list_place(l->segment[k].j[(size_t)row * (size_t)l->lanes + (size_t)lane]);
             if (j == l->listed || !(near_step(s, i, j, step) < reach * reach))
                 continue;
             if (to)

@@ -2,6 +2,7 @@
 #include "space/drift.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "base/waiting.h"
 #include "space/list-private.h"
 
@@ -84,14 +85,20 @@ void drift_place(const struct list *list, int slot, const double *x, double *to)
         to[d] += list->offset[slot][d];
 }
 
-/* Which block each place is in. */
-static void find_blocks(const struct list *list, const struct cloud *cloud, struct drift *drift)
+/* Of places of particles. */
+static void find_own(const struct list *list, struct drift *drift)
 {
     const double *stand = list->own->stand;
 
-#pragma omp parallel for schedule(static) if (waiting_repays(list->n))
+#pragma omp for schedule(static) nowait
     for (int s = 0; s < list->start[KINDS]; s++)
         drift->block[s] = block_of(drift, stand + (size_t)list->order[s] * DIM);
+}
+
+/* Which block each place is in. */
+static void find_blocks(const struct list *list, const struct cloud *cloud, struct drift *drift)
+{
+    THREADS(waiting_repays(list->n), find_own(list, drift));
     for (int kind = 0; kind < KINDS; kind++)
         for (int s = list->image[kind]; s < list->image[kind + 1]; s++) {
             const int i = list->order[s] - list->def.from[kind];

@@ -3,6 +3,7 @@
 
 #include "base/threads.h"
 #include "base/waiting.h"
+#include "space/coords.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -19,6 +20,8 @@ struct crowd {
     int n;
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
 };
+
+static const double nothing[3] = { 0 }, far_off[3] = { INFINITY, INFINITY, INFINITY };
 
 /* Positions of the particles in rows one after the other: rows of a kind mostly follow rows
  * of the same. */
@@ -39,66 +42,68 @@ static inline const double *position(struct positions *of, int row)
     return of->cloud->x[of->kind] + (size_t)(row - from[of->kind]) * DIM;
 }
 
-/* Of some particles: least and largest displacement [m]. */
+/* Of some particles: least and largest displacement, and the sum of all [m]. */
 struct reach {
-    double least[DIM], most[DIM];
-    bool good; /* none is nowhere, nor too far */
+    coords least, most, sum;
 };
 
-static inline void take_one(struct reach *r, const double *x, const double *was, double most2)
+static inline void take_one(struct reach *r, const double *x, const double *was)
 {
-    double far = 0;
+    const coords moved = less(coords_at(x), coords_at(was));
 
-    for (int d = 0; d < DIM; d++) {
-        const double moved = x[d] - was[d];
-        r->least[d] = moved < r->least[d] ? moved : r->least[d];
-        r->most[d] = moved > r->most[d] ? moved : r->most[d];
-        far += moved * moved;
-    }
-    r->good &= far <= most2;
+    r->least = lesser(moved, r->least);
+    r->most = larger(moved, r->most);
+    r->sum = plus(r->sum, moved);
+}
+
+/* None that went too far, or nowhere: seldom asked. */
+static bool all_near(const struct list *list, const struct cloud *cloud, int block)
+{
+    const struct drift *drift = &list->own->drift;
+    const double limit = DRIFT_FARTHEST * list->def.skin;
+    struct positions all = { list, cloud, 0 };
+    bool good = true;
+
+    for (int m = drift->end[block] - drift->count[block]; m < drift->end[block]; m++)
+        good &= length2(less(coords_at(position(&all, drift->row[m])), coords_at(drift->was[m])))
+                <= limit * limit;
+    return good;
 }
 
 /* The range of displacements in a block; false when a particle went too far, or nowhere.
- * Images go where their originals do. */
+ * Images go where their originals do.  Only where a displacement made of the largest of all
+ * along each axis is too far, or the sum of all is no number, need each be asked. */
 static bool find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
-    const double limit = DRIFT_FARTHEST * list->def.skin, most2 = limit * limit;
+    const double limit = DRIFT_FARTHEST * list->def.skin;
     const int end = drift->end[block], from = end - drift->count[block];
     const int *row = drift->row;
     const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
     struct positions others = { list, cloud, 0 };
-    struct reach r = { .good = true };
+    const coords none = coords_at(nothing), far = coords_at(far_off);
+    struct reach r = { far, less(none, far), none };
     int m = from;
 
-    for (int d = 0; d < DIM; d++) {
-        r.least[d] = INFINITY;
-        r.most[d] = -INFINITY;
-    }
     for (; m < from + drift->first[block]; m++)
-        take_one(&r, x + (size_t)row[m] * DIM, was[m], most2);
+        take_one(&r, x + (size_t)row[m] * DIM, was[m]);
     for (; m < end; m++)
-        take_one(&r, position(&others, row[m]), was[m], most2);
-    for (int d = 0; d < DIM; d++) {
-        range[2 * d] = r.least[d];
-        range[2 * d + 1] = r.most[d];
-    }
-    return r.good;
+        take_one(&r, position(&others, row[m]), was[m]);
+    coords_put(r.least, range);
+    coords_put(r.most, range + DIM);
+    return (length2(larger(less(none, r.least), r.most)) <= limit * limit && length2(r.sum) >= 0)
+           || all_near(list, cloud, block);
 }
 
-/* The largest displacement of a particle of one block against one of the other,
+/* The largest displacement of one within the first range against one within the other,
  * squared [m^2]. */
-static double apart(const double *a, const double *b)
+static inline double apart(const double *a, const double *b)
 {
-    double far = 0;
+    const coords one = less(coords_at(a + DIM), coords_at(b));
+    const coords other = less(coords_at(b + DIM), coords_at(a));
 
-    for (int d = 0; d < DIM; d++) {
-        const double one = a[2 * d + 1] - b[2 * d], other = b[2 * d + 1] - a[2 * d];
-        const double most = one > other ? one : other;
-        far += most * most;
-    }
-    return far;
+    return length2(larger(one, other));
 }
 
 /* Offsets to a block and to one of each two opposite blocks that touch it. */
@@ -116,19 +121,6 @@ static int touching(const struct drift *drift, int *offset)
     return n;
 }
 
-/* The largest displacement against one of a block with this range, squared [m^2]. */
-static inline double apart_of(const double *moved, const double *range)
-{
-    double far = 0;
-
-    for (int d = 0; d < DIM; d++) {
-        const double one = moved[d] - range[2 * d], other = range[2 * d + 1] - moved[d];
-        const double most = one > other ? one : other;
-        far += most * most;
-    }
-    return far;
-}
-
 /* Those of a block that moved against one of a block with this range by the margin, but for
  * roundings: no pair of others can be missing.  False when the block has too many. */
 static bool meet(const struct list *list, const struct cloud *cloud, int block,
@@ -144,11 +136,12 @@ static bool meet(const struct list *list, const struct cloud *cloud, int block,
         return false;
     for (int m = end - drift->count[block]; m < end; m++) {
         const double *x = position(&all, drift->row[m]);
-        double moved[DIM];
+        const coords moved = less(coords_at(x), coords_at(drift->was[m]));
+        double its[2 * DIM]; /* a range of one */
 
-        for (int d = 0; d < DIM; d++)
-            moved[d] = x[d] - drift->was[m][d];
-        if (apart_of(moved, range) < limit)
+        coords_put(moved, its);
+        coords_put(moved, its + DIM);
+        if (apart(its, range) < limit)
             continue;
         drift_place(list, drift->member[m], x, crowd->now[crowd->n]);
         drift_place(list, drift->member[m], drift->was[m], crowd->was[crowd->n++]);
@@ -178,51 +171,64 @@ static bool pair_missing(const struct list *list, const struct crowd *a, const s
     return missing;
 }
 
+/* What the threads look at together. */
+struct search {
+    const struct list *list;
+    const struct cloud *cloud;
+    int offset[14]; /* half of 27, and the block itself */
+    int offsets;
+    atomic_long patience;
+    atomic_bool harmless;
+};
+
 /* No pair missing between a block and those that touch it; looks at pairs one by
  * one as long as patience lasts. */
-static bool complete(const struct list *list, const struct cloud *cloud, int block, int offsets,
-                     const int *offset, atomic_long *patience)
+static bool complete(struct search *s, int block)
 {
+    const struct list *list = s->list;
     const struct drift *drift = &list->own->drift;
     const double limit = list->def.skin * list->def.skin;
     const double *range = drift->range + (size_t)block * 2 * DIM;
     struct crowd here, there;
 
-    for (int o = 0; o < offsets; o++) {
-        const int other = block + offset[o];
+    for (int o = 0; o < s->offsets; o++) {
+        const int other = block + s->offset[o];
         const double *others = drift->range + (size_t)other * 2 * DIM;
 
         if (drift->count[other] == 0 || apart(range, others) <= limit)
             continue;
-        if (!meet(list, cloud, block, others, &here) || !meet(list, cloud, other, range, &there))
+        if (!meet(list, s->cloud, block, others, &here)
+            || !meet(list, s->cloud, other, range, &there))
             return false;
         const long pairs = (long)drift->count[block] * drift->count[other];
-        if (atomic_fetch_sub(patience, pairs) < pairs || pair_missing(list, &here, &there))
+        if (atomic_fetch_sub(&s->patience, pairs) < pairs || pair_missing(list, &here, &there))
             return false;
     }
     return true;
 }
 
+static void look(struct search *s)
+{
+    const struct drift *drift = &s->list->own->drift;
+
+#pragma omp for schedule(static, SHARE) nowait
+    for (int k = 0; k < drift->useds; k++)
+        if (!find_range(s->list, s->cloud, drift->used[k]))
+            s->harmless = false;
+    threads_meet();
+#pragma omp for schedule(static, SHARE) nowait
+    for (int k = 0; k < drift->useds; k++)
+        if (s->harmless && !complete(s, drift->used[k]))
+            s->harmless = false;
+}
+
 /* Nothing depends on who finds it: patience is a sum, and one that finds harm is enough. */
 bool drift_harmless(const struct list *list, const struct cloud *cloud)
 {
-    const struct drift *drift = &list->own->drift;
-    int offset[14]; /* half of 27, and the block itself */
-    const int offsets = touching(drift, offset);
-    atomic_long patience = (long)PATIENCE * list->listed;
-    atomic_bool harmless = true;
+    struct search s = { .list = list, .cloud = cloud, .patience = (long)PATIENCE * list->listed,
+                        .harmless = true };
 
-#pragma omp parallel if (waiting_repays(list->listed))
-    {
-#pragma omp for schedule(static, SHARE) nowait
-        for (int k = 0; k < drift->useds; k++)
-            if (!find_range(list, cloud, drift->used[k]))
-                harmless = false;
-        threads_meet();
-#pragma omp for schedule(static, SHARE) nowait
-        for (int k = 0; k < drift->useds; k++)
-            if (harmless && !complete(list, cloud, drift->used[k], offsets, offset, &patience))
-                harmless = false;
-    }
-    return harmless;
+    s.offsets = touching(&list->own->drift, s.offset);
+    THREADS(waiting_repays(list->listed), look(&s));
+    return s.harmless;
 }

@@ -32,7 +32,7 @@ struct drift {
                               unless they are images                         */
     int *used;             /* [useds] blocks that are not empty              */
     int useds;
-    double *range;         /* [blocks][DIM][2] least and largest displacement [m] */
+    double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
     size_t block_room, member_room, row_room, was_room, end_room, count_room, first_room,
         used_room, range_room;

@@ -7,6 +7,7 @@
 #define SPACE_FETCH_H
 
 #include "base/lanes.h"
+#include "space/list.h"
 
 #include <string.h>
 #if LANES > 2
@@ -87,14 +88,14 @@ LANES_INLINE int fetch_stride(int width)
     return width == 1 ? 1 : width == 2 ? 2 : 4;
 }
 
-/* value[j[l]] of all lanes, value [][fetch_stride(width)], 16-byte aligned; width (1, 2 or 3)
+/* Values at the entries j of a row of the list, value [places][fetch_stride(width)], 16-byte aligned; width (1, 2 or 3)
  * is a constant. */
 LANES_INLINE void fetch_values(const double *value, const int *j, int width, lanes *v)
 {
     const double *of[LANES];
 
     for (int l = 0; l < LANES; l++)
-        of[l] = value + (size_t)(unsigned)j[l] * (size_t)fetch_stride(width);
+        of[l] = list_at(value, j[l], fetch_stride(width));
     if (width == 1) {
         lanes one = { 0 };
 

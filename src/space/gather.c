@@ -2,6 +2,7 @@
 #include "space/gather.h"
 
 #include "space/fetch.h"
+#include "space/list.h"
 #include "space/record.h"
 
 #include <stdbool.h>
@@ -20,13 +21,13 @@ LANES_INLINE void fetch_records(const double *const of[LANES], struct side *s)
 #endif
 }
 
-/* Those of LANES places. */
+/* Those that a row of the list names. */
 LANES_INLINE void whole(const double *record, const int *j, struct side *s)
 {
     const double *of[LANES];
 
     for (int l = 0; l < LANES; l++)
-        of[l] = record + (size_t)(unsigned)j[l] * RECORD;
+        of[l] = list_at(record, j[l], RECORD);
     fetch_records(of, s);
 }
 
@@ -118,10 +119,10 @@ void gather_side(const double *record, int first, int end, int dummy, struct sid
         return;
     }
     for (int l = 0; l < LANES; l++)
-        j[l] = first + l < end ? first + l : dummy;
+        j[l] = list_entry(first + l < end ? first + l : dummy);
     whole(record, j, a);
     for (int l = 0; l < LANES; l++)
         for (int d = 0; d < DIM; d++)
-            if (j[l] == dummy)
+            if (first + l >= end)
                 a->x[d][l] = -a->x[d][l];
 }

@@ -7,7 +7,7 @@
 #include "space/pairs.h"
 
 /* Fills n <= PAIRS_ROWS rows of b but for what kernels give; j is [n][LANES]
- * places. */
+ * entries of rows of the list. */
 typedef void gather_rows(const double *record, const int *j, int n, const struct side *a,
                          struct block *b);
 

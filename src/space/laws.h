@@ -51,12 +51,19 @@ struct pairs_table;
 typedef void pairs_laws(const struct pairs_table *table, const struct side *a, struct block *b,
                         struct sum *sum);
 
+/* The same on the next n rows of the list, which go through the laws one by one: none is
+ * stored. */
+struct pairs_source; /* single-row.h */
+typedef void pairs_straight(const struct pairs_table *table, const struct pairs_source *from,
+                            int n, struct sum *sum);
+
 /* Everything that acts on owners of one kind from partners of one kind, in the
  * order in which sums are added; laws that share a kernel stand together. */
 struct pairs_table {
     int n;
     unsigned needs; /* NEED_ bits of all of them                             */
     pairs_laws *laws; /* how they are run: plan/sum.h arranges it            */
+    pairs_straight *straight; /* likewise; NULL: there is no such loop     */
     struct pairs_work work[PAIRS_LAWS];
 };
 

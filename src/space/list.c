@@ -53,23 +53,32 @@ static void check_range(const struct list *list, const double *x, int from, int 
             look_closer(list, i, x, c);
 }
 
+/* Part t of `of`. */
+static struct check check_part(const struct list *list, const struct cloud *cloud, long t, long of)
+{
+    struct check c = { false, false, list->n };
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        const long first = list->def.from[kind], n = list->def.from[kind + 1] - first;
+        const int from = (int)(first + n * t / of), to = (int)(first + n * (t + 1) / of);
+
+        check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
+    }
+    return c;
+}
+
 static struct check check(const struct list *list, const struct cloud *cloud)
 {
     bool moved = false, back = false;
     int bad = list->n;
 
+    if (threads_most() == 1)
+        return check_part(list, cloud, 0, 1);
 #pragma omp parallel if (waiting_repays(list->n)) reduction(|| : moved, back) \
     reduction(min : bad)
     {
-        struct check c = { false, false, list->n };
-        const long t = threads_me(), of = threads_all();
+        const struct check c = check_part(list, cloud, threads_me(), threads_all());
 
-        for (int kind = 0; kind < KINDS; kind++) {
-            const long first = list->def.from[kind], n = list->def.from[kind + 1] - first;
-            const int from = (int)(first + n * t / of), to = (int)(first + n * (t + 1) / of);
-
-            check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
-        }
         moved = c.moved;
         back = c.back;
         bad = c.bad;
@@ -77,17 +86,18 @@ static struct check check(const struct list *list, const struct cloud *cloud)
     return (struct check){ moved, back, bad };
 }
 
-static bool outdated(const struct list *list, const struct cloud *cloud, const struct check *c)
+static bool outdated(const struct list *list, const struct cloud *cloud, const struct check *c,
+                     bool harmed)
 {
-    return !list->stands || c->back || (c->moved && !drift_harmless(list, cloud));
+    return !list->stands || c->back
+           || (c->moved && (harmed || !drift_harmless(list, cloud)));
 }
 
 /* As long as blocks answer, no particle need be asked: they cannot where one is nowhere, and
  * do not know of those left out. */
-static bool fresh_by_blocks(const struct list *list, const struct cloud *cloud)
+static bool blocks_first(const struct list *list)
 {
-    return list->stands && list->own->drift.far && list->start[KINDS] == list->n
-           && drift_harmless(list, cloud);
+    return list->stands && list->own->drift.far && list->start[KINDS] == list->n;
 }
 
 bool list_stale(const struct list *list, const struct cloud *cloud)
@@ -95,7 +105,7 @@ bool list_stale(const struct list *list, const struct cloud *cloud)
     if (!list->stands)
         return true;
     const struct check c = check(list, cloud);
-    return c.bad < list->n || outdated(list, cloud, &c);
+    return c.bad < list->n || outdated(list, cloud, &c, false);
 }
 
 void list_forget(struct list *list)
@@ -215,25 +225,27 @@ static int sort(struct list *list, const struct cloud *cloud)
     return STATUS_DONE;
 }
 
+/* All rows; the list had `before` groups. */
+static void find_rows(struct list *list, list_rows *rows, int before)
+{
+    const int t = threads_me(), of = threads_all();
+    struct list_store *store = list->own->store;
+
+#pragma omp single nowait
+    share_groups(list, before, of);
+    threads_meet();
+    rows(list, &store[t], store[t].from, t + 1 < of ? store[t + 1].from : list->groups);
+}
+
 int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     const int before = list->groups;
-    struct list_private *own = list->own;
 
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
     make_groups(list);
     TRY(make_stores(list, threads_most()));
-#pragma omp parallel if (list->listed > WORTH_BUILDING)
-    {
-        const int t = threads_me(), of = threads_all();
-
-#pragma omp single nowait
-        share_groups(list, before, of);
-        threads_meet();
-        rows(list, &own->store[t], own->store[t].from,
-             t + 1 < of ? own->store[t + 1].from : list->groups);
-    }
+    THREADS(list->listed > WORTH_BUILDING, find_rows(list, rows, before));
     TRY(join(list));
     list->builds++;
     list->stands = true;
@@ -269,7 +281,8 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
     list->bad = -1;
     if (!list->stands)
         leave_out(list);
-    if (fresh_by_blocks(list, cloud))
+    const bool asked = blocks_first(list);
+    if (asked && drift_harmless(list, cloud))
         return STATUS_DONE;
     const struct check c = check(list, cloud);
 
@@ -278,7 +291,7 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
         return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
                            "was too large, or a force is not finite",
                            note_bad(list, cloud, c.bad));
-    return outdated(list, cloud, &c) ? list_rebuild(list, cloud, rows) : STATUS_DONE;
+    return outdated(list, cloud, &c, asked) ? list_rebuild(list, cloud, rows) : STATUS_DONE;
 }
 
 double list_entries(const struct list *list)

@@ -2,7 +2,7 @@
  *
  *     TRY(engine->create(&list, &def));
  *     TRY(engine->update(list, &cloud));    before every sum: cheap when fresh
- *     for groups g, for segments s of g: rows of places s->j
+ *     for groups g, for segments s of g: rows of entries s->j, list_place() of each
  *     engine->free(&list);
  *
  * The list sorts all particles by kind and cell ("places"), holds for each group of
@@ -46,8 +46,28 @@ struct list_def {
 struct list_segment {
     int partner;  /* enum kind                                               */
     int rows;
-    const int *j; /* [rows][lanes] places; `listed` where a lane has no more */
+    const int *j; /* [rows][lanes] entries; that of `listed` where a lane has no more */
 };
+
+/* Rows hold places times the bytes of a double, so that a processor forms the address of a
+ * record by its scale alone: a shift for each neighbour would be a seventh of gathering. */
+enum { LIST_STEP = sizeof(double) };
+
+static inline int list_entry(int place)
+{
+    return (int)((unsigned)place * LIST_STEP);
+}
+
+static inline int list_place(int entry)
+{
+    return (int)((unsigned)entry / LIST_STEP);
+}
+
+/* Where numbers of an entry begin, `width` doubles of each place one after the other. */
+static inline const double *list_at(const double *numbers, int entry, int width)
+{
+    return (const double *)((const char *)numbers + (size_t)(unsigned)entry * (size_t)width);
+}
 
 struct list {
     struct list_def def;

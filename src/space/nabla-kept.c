@@ -42,7 +42,7 @@ static int fill_up(struct rows *to, int dummy)
         rows = to->n[l] > rows ? to->n[l] : rows;
     for (int l = 0; l < LANES; l++)
         for (int k = to->n[l]; k < rows; k++) {
-            to->j[k * LANES + l] = dummy;
+            to->j[k * LANES + l] = list_entry(dummy);
             for (int d = 0; d < DIM; d++)
                 to->slope[(k * DIM + d) * LANES + l] = 0;
         }

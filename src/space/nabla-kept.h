@@ -17,7 +17,7 @@
 struct nabla_kept {
     const struct list *list; /* that of the job                                */
     int *rows;               /* [groups of the list] of each group             */
-    int *j;                  /* [pairs] slots, [lanes] a row                   */
+    int *j;                  /* [pairs] entries, [lanes] a row                   */
     double *slope;           /* [pairs][DIM] m_i m_j gradW_ij, [DIM][lanes] a row */
 };
 

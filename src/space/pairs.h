@@ -57,6 +57,12 @@ LANES_INLINE struct row pairs_row(const struct block *b, int k)
     return row;
 }
 
+/* What a row of a block holds, but for what kernels give. */
+struct whole_row {
+    struct row pair;      /* gw and gw_r2 are not filled                     */
+    lanes r, mm, m;
+};
+
 /* What one law adds up for its owners. */
 struct sum {
     lanes f[DIM]; /* force                                         [N, 2D: N/m] */

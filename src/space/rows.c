@@ -17,9 +17,12 @@ static inline quad four(const int *near)
     return *(const quad *)near;
 }
 
+/* As entries. */
 static inline void store(int *to, row neighbours)
 {
-    memcpy(to, &neighbours, sizeof neighbours);
+    const row entries = neighbours * LIST_STEP;
+
+    memcpy(to, &entries, sizeof entries);
 }
 
 /* Four neighbours of each lane to four rows. */
@@ -73,8 +76,8 @@ static inline void transpose(int *const near[LANES], int k, int *to)
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
     const quad a = four(near[0] + k), b = four(near[1] + k);
-    const quad low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-    const quad high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const quad low = __builtin_shufflevector(a, b, 0, 4, 1, 5) * LIST_STEP;
+    const quad high = __builtin_shufflevector(a, b, 2, 6, 3, 7) * LIST_STEP;
 
     memcpy(to, &low, sizeof low);
     memcpy(to + 4, &high, sizeof high);

@@ -1,6 +1,7 @@
 /* single-pack.c -- from records in double precision to such of pairs in single precision. */
 #include "space/single-pack.h"
 
+#include "base/threads.h"
 #include "space/record.h"
 
 #include <math.h>
@@ -76,13 +77,18 @@ static void pack_places(const double *r, double per, double far, size_t floats, 
         pack_short(r + (size_t)s * RECORD, per, far, record + (size_t)s * 8);
 }
 
-void single_pack(const struct list *list, const double *from, double mass, float *record)
+static void pack_all(const struct list *list, const double *from, double mass, float *record)
 {
     const int n = list->listed + 1;
     const size_t floats = (size_t)single_floats(mass);
     const double per = 1 / single_count(list), far = edge(&list->def);
 
-#pragma omp parallel for schedule(static) if (n > 4 * CHUNK)
+#pragma omp for schedule(static) nowait
     for (int begin = 0; begin < n; begin += CHUNK)
         pack_places(from, per, far, floats, begin, begin + CHUNK < n ? begin + CHUNK : n, record);
+}
+
+void single_pack(const struct list *list, const double *from, double mass, float *record)
+{
+    THREADS(list->listed + 1 > 4 * CHUNK, pack_all(list, from, mass, record));
 }

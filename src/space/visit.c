@@ -81,20 +81,22 @@ static void run(const struct list *list, unsigned kinds, int chunk, visit_chunk 
     function(job, chunk, from, from + (left < VISIT_GROUPS ? left : VISIT_GROUPS), b);
 }
 
+static void run_share(const struct list *list, unsigned kinds, const int *cost,
+                      visit_chunk *function, const void *job)
+{
+    const int t = threads_me(), of = threads_all();
+    const int to = share(list, kinds, cost, t + 1, of);
+    struct block b;
+
+    for (int c = share(list, kinds, cost, t, of); c < to; c++)
+        run(list, kinds, c, function, job, &b);
+}
+
 void visit_shares(const struct list *list, unsigned kinds, const int *cost,
                   visit_chunk *function, const void *job)
 {
-    const int chunks = visit_count(list, kinds);
-
-#pragma omp parallel if (chunks > WORTH_THREADS / VISIT_CHUNK)
-    {
-        const int t = threads_me(), of = threads_all();
-        const int to = share(list, kinds, cost, t + 1, of);
-        struct block b;
-
-        for (int c = share(list, kinds, cost, t, of); c < to; c++)
-            run(list, kinds, c, function, job, &b);
-    }
+    THREADS(visit_count(list, kinds) > WORTH_THREADS / VISIT_CHUNK,
+            run_share(list, kinds, cost, function, job));
 }
 
 void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,

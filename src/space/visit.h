@@ -12,7 +12,7 @@
  *     visit_write(&v, width, sums, to);
  *
  * A client with numbers of its own for each row, in the order of the list, finds those of
- * the rows at hand from visit_row(&v) on; slots of neighbours are in v.j.  A client that
+ * the rows at hand from visit_row(&v) on; entries of neighbours are in v.j.  A client that
  * needs no geometry calls no visit_rows(): v.j and v.segment->rows are those of the
  * whole segment.
  *
@@ -56,7 +56,7 @@ struct visit {
     int first, end;                     /* their first slot; of their kind, the slot
                                            after the last                       */
     const struct list_segment *segment; /* at hand                              */
-    const int *j;                       /* [rows at hand][LANES] slots          */
+    const int *j;                       /* [rows at hand][LANES] entries          */
     const struct list_segment *next, *last;
     size_t row, after;                  /* rows of the list before this segment, before
                                            the next                             */
@@ -130,7 +130,7 @@ LANES_INLINE void visit_own(const struct visit *v, int dummy, const double *valu
     int j[LANES];
 
     for (int l = 0; l < LANES; l++)
-        j[l] = v->first + l < v->end ? v->first + l : dummy;
+        j[l] = list_entry(v->first + l < v->end ? v->first + l : dummy);
     fetch_values(value, j, width, own);
 }
 

@@ -105,38 +105,44 @@ static void push_slice(const struct pressing *of, int slice)
         of->io->p2[row[i]] = sum[i - from] / m[row[i]];
 }
 
+/* All that is asked for. */
+static void press_slices(const struct pressing *of, const struct contact_slices *slices)
+{
+    const int *n = slices->n, *const *slice = (const int *const *)slices->slice;
+    const int solids = of->p->n - of->p->from[KIND_WALL];
+    const struct part_pressed *io = of->io;
+    const double rho0 = of->c->eos.rho0;
+
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < n[CONTACT_R]; k++)
+        read_slice(of, slice[CONTACT_R][k]);
+    threads_meet();
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < solids; i++) { /* where no water is */
+        io->shown[i] = rho0;
+        io->p2[i] = 0;
+        if (io->mean)
+            io->mean[i] = rho0;
+    }
+    threads_meet();
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
+        press_chunk(of, slice[CONTACT_PI] + k,
+                    n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
+    threads_meet();
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < n[CONTACT_Q]; k++)
+        push_slice(of, slice[CONTACT_Q][k]);
+}
+
 static void press(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io)
 {
     const struct contact_press_self *c = self;
     const struct contact_slices *slices = contact_press_look(c, w, p, io->all);
-    const int *n = slices->n, *const *slice = (const int *const *)slices->slice;
     const struct pressing of = { c, w, p, io };
-    const int solids = p->n - p->from[KIND_WALL];
 
-#pragma omp parallel if (waiting_repays((long)n[CONTACT_R] * WORTH))
-    {
-#pragma omp for schedule(static) nowait
-        for (int k = 0; k < n[CONTACT_R]; k++)
-            read_slice(&of, slice[CONTACT_R][k]);
-        threads_meet();
-#pragma omp for schedule(static) nowait
-        for (int i = 0; i < solids; i++) { /* where no water is */
-            io->shown[i] = c->eos.rho0;
-            io->p2[i] = 0;
-            if (io->mean)
-                io->mean[i] = c->eos.rho0;
-        }
-        threads_meet();
-#pragma omp for schedule(static) nowait
-        for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
-            press_chunk(&of, slice[CONTACT_PI] + k,
-                        n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
-        threads_meet();
-#pragma omp for schedule(static) nowait
-        for (int k = 0; k < n[CONTACT_Q]; k++)
-            push_slice(&of, slice[CONTACT_Q][k]);
-    }
+    THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices));
 }
 
 static const struct part_press contact_press = {

@@ -112,6 +112,36 @@ static void one_loop_gives_the_same_bits(void **state)
         check_width(wide[l]);
 }
 
+/* There the loop takes rows from the list, instead of a block of them. */
+static void single_precision_gives_the_same_bits(void **state)
+{
+    (void)state;
+    for (int l = 0; l < WIDTHS; l++)
+        for (int which = 0; which < PHYSICS; which++) {
+            struct tank t;
+            char text[400];
+            int n = 0;
+
+            setenv("STIFFWATER_LANES", wide[l], 1);
+            snprintf(text, sizeof text, "precision = \"single\"; %s", physics[which]);
+            make(&t, text);
+            double *fused = everything(&t);
+            for (int i = 0; i < TABLES; i++) {
+                n += tables(&t, i)->straight != NULL;
+                t.plan->engine->sum->arrange(tables(&t, i), false);
+                assert_null(tables(&t, i)->straight);
+            }
+            double *in_turn = everything(&t);
+            check(n > 0, "%s, lanes %s: no loop in single precision", text, wide[l]);
+            check(memcmp(fused, in_turn, HALVES * (t.n + DIM) * sizeof *fused) == 0,
+                  "%s, lanes %s: other bits in one loop in single precision", text, wide[l]);
+            test_free(fused);
+            test_free(in_turn);
+            tank_free(&t);
+        }
+    unsetenv("STIFFWATER_LANES");
+}
+
 /* A law that is not the usual one of its part, a law between, or another kernel. */
 static void what_no_loop_is_written_for_runs_in_turn(void **state)
 {
@@ -141,6 +171,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_loop_gives_the_same_bits),
+        cmocka_unit_test(single_precision_gives_the_same_bits),
         cmocka_unit_test(what_no_loop_is_written_for_runs_in_turn),
     };
 

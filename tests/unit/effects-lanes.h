@@ -47,7 +47,7 @@ void LANE_NAME(effects_ask)(const struct pair_law *law, const struct pair_partic
         set_record(record + (i + 1) * RECORD, &b[i]);
     set_record(record + (n + 1) * RECORD, &far);
     for (int i = 0; i < (n + padding) * LANES; i++)
-        j[i] = i % LANES == 0 && i / LANES < n ? 1 + i / LANES : n + 1;
+        j[i] = list_entry(i % LANES == 0 && i / LANES < n ? 1 + i / LANES : n + 1);
     memset(&block, 0xff, sizeof block); /* all bits set are a NaN */
     block.n = n + padding;
     gather_side(record, 0, 1, n + 1, &side);

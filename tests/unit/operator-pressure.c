@@ -50,7 +50,7 @@ static void sum_owner(const struct pressure *p, int k, int l, int width, const d
 
     for (int q = list->segment_from[k]; q < list->segment_from[k + 1]; q++)
         for (int row = 0; row < list->segment[q].rows; row++) {
-            const int j = list->segment[q].j[row * list->lanes + l];
+            const int j = list_place(list->segment[q].j[row * list->lanes + l]);
             if (j == list->listed)
                 continue;
             pressure_gradient(p, i, j, g);
@@ -159,7 +159,7 @@ static void set_diagonal(struct pressure *p)
             double all[DIM] = { 0 }, sum = 0;
             for (int q = l->segment_from[k]; q < l->segment_from[k + 1]; q++)
                 for (int row = 0; row < l->segment[q].rows; row++) {
-                    const int j = l->segment[q].j[row * l->lanes + lane];
+                    const int j = list_place(l->segment[q].j[row * l->lanes + lane]);
                     if (j == l->listed)
                         continue;
                     pressure_gradient(p, i, j, g);

@@ -66,7 +66,7 @@ static void mark(const struct list *list, const struct space_cloud *c, double ra
             const int first = list->group_slot[g];
 
             for (int k = 0; k < part->rows * list->lanes; k++) {
-                const int j = part->j[k], owner = first + k % list->lanes;
+                const int j = list_place(part->j[k]), owner = first + k % list->lanes;
                 if (j == list->listed)
                     continue;
                 check((j >= list->start[part->partner] && j < list->start[part->partner + 1])

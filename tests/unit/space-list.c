@@ -31,7 +31,7 @@ static void mark(const struct list *list, const struct space_cloud *c, char *lis
                 int last = -1;
 
                 for (int k = 0; k < part->rows; k++) {
-                    const int j = part->j[k * list->lanes + l];
+                    const int j = list_place(part->j[k * list->lanes + l]);
 
                     check(j > last || j == list->listed, "places ascend, padding last");
                     check(j == list->listed || owner < end, "these rows have no owner");

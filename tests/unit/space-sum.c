@@ -307,18 +307,18 @@ static struct list prune(const struct list *list, const struct space_cloud *c, i
 
             segment[s].j = j;
             for (int k = 0; k < segment[s].rows * width; k++)
-                j[k] = list->listed;
+                j[k] = list_entry(list->listed);
             for (int l = 0; l < width; l++) {
                 int n = 0;
 
                 for (int k = 0; k < segment[s].rows; k++) {
-                    const int b = list->segment[s].j[k * width + l];
+                    const int b = list_place(list->segment[s].j[k * width + l]);
 
                     if (b == list->listed
                         || space_distance2(c, list->order[list->group_slot[g] + l], list->order[b])
                                > c->def.support * c->def.support)
                         continue;
-                    j[n++ * width + l] = b;
+                    j[n++ * width + l] = list_entry(b);
                 }
                 rows = n > rows ? n : rows;
             }
