@@ -6,6 +6,7 @@
 #include "effects-pair.h"
 
 #include "space/gather.h"
+#include "space/list.h"
 #include "space/record.h"
 
 #include <math.h>
