@@ -279,19 +279,35 @@ else
 fi
 
 # --- ends that come early ------------------------------------------------------------------------
-begun=$(date +%s)
-timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 3 "$top_builddir/stiffwater-2d-mpi" run \
-    "$scenes/dam-break.scene" until=5 output.checkpoint=0.02 -q -o "$out/killed" >"$out/said" 2>&1 &
-pid=$!
-while [ ! -e "$out/killed/checkpoint.h5" ] && [ $(($(date +%s) - begun)) -lt 20 ]; do sleep 0.2; done
+# under DIRECTORY: a run on 3 ranks that has kept a checkpoint; mpirun is $pid, the last rank $victim
+under() {
+    begun=$(date +%s)
+    timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 3 "$top_builddir/stiffwater-2d-mpi" run \
+        "$scenes/dam-break.scene" until=5 output.checkpoint=0.02 -q -o "$1" >"$out/said" 2>&1 &
+    pid=$!
+    while [ ! -e "$1/checkpoint.h5" ] && [ $(($(date +%s) - begun)) -lt 20 ]; do sleep 0.2; done
+    victim=$(pgrep -P $(pgrep -P $pid) | tail -n 1)
+}
+# whole DIRECTORY
+whole() {
+    torn=$(torn "$1")
+    if [ -z "$torn" ]; then good "and files are whole"; else wrong "torn: $torn"; fi
+}
+under "$out/killed"
 sleep 1
 begun=$(date +%s)
-kill -9 "$(pgrep -P $(pgrep -P $pid) | tail -n 1)" || true
+kill -9 "$victim" || true
 code=0
 wait $pid || code=$?
 claim "a killed rank ends the run, in s" "$code != 0 && $(date +%s) - $begun <= 10"
-torn=$(torn "$out/killed")
-if [ -z "$torn" ]; then good "and files are whole"; else wrong "torn: $torn"; fi
+whole "$out/killed"
+under "$out/stopped"
+kill -TERM "$victim" || true
+code=0
+wait $pid || code=$?
+claim "a rank that is told to stop stops all" "$code == 3 && $(grep -c 'stopped by signal 15 at' "$out/said") == 1"
+claim "and the run says so" "$(grep -c '"status": "stopped"' "$out/stopped/run.json") == 1"
+whole "$out/stopped"
 
 # Memory that the last rank alone lacks, from reading the scene to the last step: all end with one
 # status, and nothing waits for ever.

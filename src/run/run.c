@@ -24,9 +24,9 @@ static const double patience = 2; /* [s] that a signal waits for the outputs of 
 
 static const char *const limiters[] = { "error", "stability", "output" };
 
-static int stopped(const struct run *r, const char *files)
+static int stopped(const struct run *r, int number, const char *files)
 {
-    status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", stop_asked(),
+    status_fail(STATUS_STOPPED, "stopped by signal %d at t = %g s of %g s; %s", number,
                 r->past.tally.t, r->until, files);
     if (r->past.checkpoints.written > 0)
         status_advise((struct status_advice){
@@ -60,7 +60,7 @@ static int write_due(struct run *r, double t)
                                         && *k * every[i] <= r->until + slack; ++*k) {
             const double due = fmin(*k * every[i], t);
             if (is_impatient(r))
-                return stopped(r, "outputs that were due in the last step are missing");
+                return stopped(r, stop_asked(), "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
             TRY(write_one(r, i, due, due < t ? moment_whole(r->moment, r->y) : run_state(r)));
@@ -77,7 +77,7 @@ static int step_on(struct run *r, struct method_step *step)
     if (status != STATUS_FAILED || !stop_urgent() || status_is_starved())
         return status;
     status_clear();
-    return stopped(r, "all files are complete up to there");
+    return stopped(r, stop_asked(), "all files are complete up to there");
 }
 
 /* After a step: what each rank does for itself, of which the others hear; what a run looks at all
@@ -148,13 +148,16 @@ static int go(struct run *r, struct progress *progress)
         moment_quit(r->moment, stop_urgent);
     TRY(begin(r));
     while (r->past.tally.t < r->until) {
+        int number;
+
         TRY(one_step(r, progress));
         TRY(write_due(r, r->past.tally.t));
         TRY(run_next_segment(r));
         TRY(keep_when_due(r));
         TRY(run_ranks_balance(r));
-        if (run_ranks_stopped(r) && r->past.tally.t < r->until)
-            return stopped(r, "all files are complete up to there");
+        number = run_ranks_stopped(r);
+        if (number && r->past.tally.t < r->until)
+            return stopped(r, number, "all files are complete up to there");
     }
     return run_ranks_agree(r, STATUS_DONE);
 }
