@@ -288,11 +288,6 @@ under() {
     while [ ! -e "$1/checkpoint.h5" ] && [ $(($(date +%s) - begun)) -lt 20 ]; do sleep 0.2; done
     victim=$(pgrep -P $(pgrep -P $pid) | tail -n 1)
 }
-# whole DIRECTORY
-whole() {
-    torn=$(torn "$1")
-    if [ -z "$torn" ]; then good "and files are whole"; else wrong "torn: $torn"; fi
-}
 under "$out/killed"
 sleep 1
 begun=$(date +%s)
@@ -300,14 +295,14 @@ kill -9 "$victim" || true
 code=0
 wait $pid || code=$?
 claim "a killed rank ends the run, in s" "$code != 0 && $(date +%s) - $begun <= 10"
-whole "$out/killed"
+whole killed
 under "$out/stopped"
 kill -TERM "$victim" || true
 code=0
 wait $pid || code=$?
 claim "a rank that is told to stop stops all" "$code == 3 && $(grep -c 'stopped by signal 15 at' "$out/said") == 1"
 claim "and the run says so" "$(grep -c '"status": "stopped"' "$out/stopped/run.json") == 1"
-whole "$out/stopped"
+whole stopped
 
 # Memory that the last rank alone lacks, from reading the scene to the last step: all end with one
 # status, and nothing waits for ever.
