@@ -5,6 +5,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 void vector_take(N_Vector v, const double *x)
 {
@@ -29,6 +30,21 @@ long vector_own_leading(const struct vector_family *f, const double *x, const do
             }
     }
     return first < 0 ? f->n - 1 : first;
+}
+
+bool vector_same(N_Vector v, N_Vector w)
+{
+    const double *x = vector_read(v), *y = vector_read(w);
+    const struct vector_family *f = vector_content(v)->family;
+    double differs = 0;
+    long from = 0, end;
+
+    if (x == y) /* which copies share is the same on all ranks */
+        return true;
+    for (; vector_piece(f, &from, f->n, &end) && differs == 0; from = end)
+        differs = memcmp(x + from, y + from, (size_t)(end - from) * sizeof *x) != 0;
+    ranks_most(1, &differs);
+    return differs == 0;
 }
 
 /* --- what is no number ---------------------------------------------------------------------- */

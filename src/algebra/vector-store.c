@@ -4,8 +4,6 @@
 
 #include "base/threads.h"
 
-#include "ranks/ranks.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -204,21 +202,6 @@ const double *vector_read(N_Vector v)
 {
     vector_settle(vector_content(v));
     return vector_content(v)->store->data;
-}
-
-bool vector_same(N_Vector v, N_Vector w)
-{
-    const double *x = vector_read(v), *y = vector_read(w);
-    const struct vector_family *f = vector_content(v)->family;
-    double differs = 0;
-    long from = 0, end;
-
-    if (x == y) /* which copies share is the same on all ranks */
-        return true;
-    for (; vector_piece(f, &from, f->n, &end) && differs == 0; from = end)
-        differs = memcmp(x + from, y + from, (size_t)(end - from) * sizeof *x) != 0;
-    ranks_most(1, &differs);
-    return differs == 0;
 }
 
 double *vector_overwrite(N_Vector v)
