@@ -109,8 +109,10 @@ static int request(struct moment *m, int status, int n)
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     struct ranks_route *questions = NULL;
 
-    free(s->in);
-    s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
+    if (status == STATUS_DONE) { /* else the halo that stands is heard on */
+        free(s->in);
+        s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
+    }
     if (status == STATUS_DONE && !(mine && to && row && s->in))
         status = STATUS_FAILED;
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
