@@ -121,7 +121,7 @@ static bool take_pieces(struct vector_family *f, const struct vector_own *own)
     f->own = *own;
     f->own.piece = NULL;
     f->piece = status_alloc((size_t)own->pieces + 1, sizeof *f->piece);
-    if (f->piece)
+    if (f->piece && own->pieces > 0)
         memcpy(f->piece, own->piece, (size_t)own->pieces * sizeof *f->piece);
     return f->piece != NULL;
 }

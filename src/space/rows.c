@@ -11,16 +11,18 @@ enum { AHEAD = 512, LINE = 64 / sizeof(int) };
 
 typedef int quad __attribute__((vector_size(16), may_alias));
 typedef int row __attribute__((vector_size(4 * LANES)));
+/* As entries; behind the last neighbour stands anything, which may not overflow. */
+typedef unsigned quad_entries __attribute__((vector_size(16)));
+typedef unsigned row_entries __attribute__((vector_size(4 * LANES)));
 
 static inline quad four(const int *near)
 {
     return *(const quad *)near;
 }
 
-/* As entries. */
 static inline void store(int *to, row neighbours)
 {
-    const row entries = neighbours * LIST_STEP;
+    const row_entries entries = (row_entries)neighbours * (unsigned)LIST_STEP;
 
     memcpy(to, &entries, sizeof entries);
 }
@@ -76,8 +78,10 @@ static inline void transpose(int *const near[LANES], int k, int *to)
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
     const quad a = four(near[0] + k), b = four(near[1] + k);
-    const quad low = __builtin_shufflevector(a, b, 0, 4, 1, 5) * LIST_STEP;
-    const quad high = __builtin_shufflevector(a, b, 2, 6, 3, 7) * LIST_STEP;
+    const quad_entries low
+        = (quad_entries)__builtin_shufflevector(a, b, 0, 4, 1, 5) * (unsigned)LIST_STEP;
+    const quad_entries high
+        = (quad_entries)__builtin_shufflevector(a, b, 2, 6, 3, 7) * (unsigned)LIST_STEP;
 
     memcpy(to, &low, sizeof low);
     memcpy(to + 4, &high, sizeof high);
