@@ -51,7 +51,8 @@ axes = "stand = p eq '' ? places : p; told_here = p ne '' || row_records <= 16; 
     unset y2tics; unset key; \
     set yrange [*:*]; set xtics autofreq format (largest[w] / least[w] < 50 ? '%g' : '10^{%T}'); \
     if (largest[w] / least[w] < 50) { set xtics (); \
-        do for [e = -6:12] { do for [d in '1 2 5'] { set xtics add (d * 10.0**e) } } }"
+        do for [e = -6:12] { do for [d in (largest[w] / least[w] < 5 ? '1 1.5 2 3 4 5 6 7 8 9' : '1 2 5')] { \
+            set xtics add (d * 10.0**e) } } }"
 both_panels = "do for [side = 0:1] { w = side + 1; eval axes; \
     set ylabel side ? '' : axis[q] offset 1, 0; \
     set xlabel n < rows ? '' : name_of[w]; eval panel }"
