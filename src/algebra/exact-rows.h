@@ -41,6 +41,18 @@ LANES_INLINE void exact_rows_add(struct exact_rows *rows, lanes x)
     rows->row[rows->n++] = x;
 }
 
+/* Where several are filled side by side, one count serves all: row k of them, and in the end
+ * that there are n. */
+LANES_INLINE void exact_rows_put(struct exact_rows *rows, int k, lanes x)
+{
+    rows->row[k] = x;
+}
+
+LANES_INLINE void exact_rows_count(struct exact_rows *rows, int n)
+{
+    rows->n = n;
+}
+
 /* Sums stay in registers: kept in memory from row to row they would be waited for. */
 LANES_INLINE struct exact_rows_parts exact_rows_cut(const struct exact_rows *rows,
                                                     const struct exact_cut *cut)

@@ -7,7 +7,7 @@
 #include "space/record.h"
 #include "space/single-pack.h"
 
-#if LANES == 8
+#if LANES > 2
 #include <immintrin.h>
 #endif
 #include <stdlib.h>
@@ -20,6 +20,8 @@ LANES_INLINE lanes widened(const float *from)
 {
 #if LANES == 8 /* the compiler goes by halves */
     return (lanes)_mm512_cvtps_pd(_mm256_loadu_ps(from));
+#elif LANES == 4
+    return (lanes)_mm256_cvtps_pd(_mm_loadu_ps(from));
 #else
     typedef float half __attribute__((vector_size(LANES * sizeof(float))));
     half x;
@@ -41,6 +43,26 @@ LANES_INLINE struct sum sum_of(const void *sums, int s)
     return sum;
 }
 
+/* What the ends of a group need of its owners, now and without what comes later. */
+LANES_INLINE void own_now(const struct sum_job *job, const struct visit *v, struct side *a)
+{
+    const double *of[LANES];
+    lanes none;
+
+    for (int l = 0; l < LANES; l++)
+        of[l] = job->record
+                + (size_t)(v->first + l < v->end ? v->first + l : job->list->listed) * RECORD;
+    fetch_two(of, RECORD_V, &a->v[0], &a->v[1]);
+#if DIM == 2
+    fetch_two(of, RECORD_RHO, &none, &a->p2);
+#else
+    fetch_two(of, RECORD_VZ, &a->v[2], &a->p2);
+#endif
+    a->m = lanes_all(job->mass);
+    if (job->mass == 0)
+        fetch_two(of, RECORD_M, &a->m, &none);
+}
+
 static void end_group(const struct sum_job *job, int g, const float *sum,
                       struct chunk_power *book)
 {
@@ -52,7 +74,10 @@ static void end_group(const struct sum_job *job, int g, const float *sum,
         clear_slots(job, v.kind, v.first, owners);
         return;
     }
-    gather_side(job->record, v.first, v.end, job->list->listed, &a);
+    if (job->later != 0)
+        gather_side(job->record, v.first, v.end, job->list->listed, &a);
+    else
+        own_now(job, &v, &a);
     finish_group(job, v.kind, v.first, owners, &a, sum_of, sum, book);
 }
 
@@ -72,16 +97,19 @@ static void sum_groups(const struct sum_pass *pass, int from, int to, struct blo
                        struct chunk_power *book)
 {
     const struct sum_job *job = pass->job;
+    const int *segments = job->list->segment_from;
     float sum[SUM_SLOTS * (DIM + 1) * 2 * LANES] __attribute__((aligned(64)));
 
     (void)b;
     for (int g = from; g < to; g += 2) {
-        const bool both = g + 1 < to;
+        const int n = g + 1 < to ? 2 : 1;
 
-        for (int h = 0; h < 1 + both; h++)
-            expect(job, g + h);
-        single->groups(job, pass->record, g, both, sum);
-        for (int h = 0; h < 1 + both; h++)
+        if (segments[g] < segments[g + n]) { /* else both have no neighbours */
+            for (int h = 0; h < n; h++)
+                expect(job, g + h);
+            single->groups(job, pass->record, g, n == 2, sum);
+        }
+        for (int h = 0; h < n; h++)
             end_group(job, g + h, sum + h * LANES, book);
     }
 }

@@ -24,11 +24,12 @@ static void sum_chunk(const void *of, int chunk, int from, int to, struct block 
     struct chunk_power book;
 
     (void)chunk;
-    for (int s = 0; s < slots; s++)
-        exact_rows_open(&book.rows[s]);
+    book.n = 0;
     work->groups(pass, from, to, b, &book);
-    for (int s = 0; s < slots; s++)
+    for (int s = 0; s < slots; s++) {
+        exact_rows_count(&book.rows[s], book.n);
         exact_rows_close(&book.rows[s], &cut[s], &pass->power[mine + (size_t)s]);
+    }
 }
 
 /* Kinds that own nothing have rates of exactly 0. */

@@ -61,6 +61,35 @@ LANES_INLINE void fetch_two(const double *const of[LANES], int at, lanes *first,
 #endif
 }
 
+/* Two numbers to each of LANES particles. */
+LANES_INLINE void fetch_put_two(lanes first, lanes second, double *const to[LANES])
+{
+#if LANES == 8
+    const __m512d e = _mm512_unpacklo_pd((__m512d)first, (__m512d)second);
+    const __m512d o = _mm512_unpackhi_pd((__m512d)first, (__m512d)second);
+    _mm_storeu_pd(to[0], _mm512_castpd512_pd128(e));
+    _mm_storeu_pd(to[1], _mm512_castpd512_pd128(o));
+    _mm_storeu_pd(to[2], _mm512_extractf64x2_pd(e, 1));
+    _mm_storeu_pd(to[3], _mm512_extractf64x2_pd(o, 1));
+    _mm_storeu_pd(to[4], _mm512_extractf64x2_pd(e, 2));
+    _mm_storeu_pd(to[5], _mm512_extractf64x2_pd(o, 2));
+    _mm_storeu_pd(to[6], _mm512_extractf64x2_pd(e, 3));
+    _mm_storeu_pd(to[7], _mm512_extractf64x2_pd(o, 3));
+#elif LANES == 4
+    const __m256d e = _mm256_unpacklo_pd((__m256d)first, (__m256d)second);
+    const __m256d o = _mm256_unpackhi_pd((__m256d)first, (__m256d)second);
+    _mm_storeu_pd(to[0], _mm256_castpd256_pd128(e));
+    _mm_storeu_pd(to[1], _mm256_castpd256_pd128(o));
+    _mm_storeu_pd(to[2], _mm256_extractf128_pd(e, 1));
+    _mm_storeu_pd(to[3], _mm256_extractf128_pd(o, 1));
+#else
+    for (int l = 0; l < LANES; l++) {
+        to[l][0] = first[l];
+        to[l][1] = second[l];
+    }
+#endif
+}
+
 /* Four that stand together. */
 LANES_INLINE void fetch_four(const double *const of[LANES], int at, lanes *first,
                              lanes *second, lanes *third, lanes *fourth)
