@@ -49,12 +49,18 @@ static int explain_thing(const char *name)
 {
     char *const there[] = { "stiffwater", "explain", (char *)name, NULL };
     const int status = catalogue_explain(name, stdout);
+    const char *near;
 
     if (status != STATUS_BAD_SCENE)
         return status;
-    if (catalogue_explain_key(name, stdout)) {
+    if (catalogue_explain_key(name, stdout) || catalogue_explain_named(name, stdout, &near)) {
         status_clear();
         return STATUS_DONE;
+    }
+    if (near) {
+        status_clear();
+        return status_fail(STATUS_BAD_SCENE, "explain %s: no such key; did you mean %.*s.%s?", name,
+                           (int)strcspn(name, "."), name, near);
     }
     return DIM == 2 ? cli_exec(3, (char **)there) : status;
 }

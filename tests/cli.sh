@@ -98,6 +98,22 @@ for value in compound hull elastica max; do # values of keys, some of them in 3D
     expect 0 explain $value
     says "one of:" " $value"
 done
+for table in contact fluid wall probe panel beam body; do # NAME stands for that of any object
+    for any in NAME any-thing; do
+        expect 0 explain $table.$any
+        says "$table.NAME" "      "
+        [ "$(wc -l <said)" -ge 8 ] || complain "explain $table.$any says too little"
+    done
+done
+expect 0 explain contact
+says "contact.NAME" friction Crespo
+expect 0 explain contact.NAME
+says friction restitution
+expect 0 explain effects.NAME
+says continuity
+expect 2 explain fluid.dyee
+says 'did you mean fluid.dye'
+expect 2 explain eos.NAME
 expect 2 explain eos.gammma
 expect 2 explain effects.pressure.gamma
 expect 2 explain .
@@ -216,7 +232,12 @@ done
 # A signal before the first file: there is nothing to save.
 "$STIFFWATER" run "$top_srcdir/data/scenes/dam-break-3d.scene" -q spacing=0.00925 -o early >said 2>&1 &
 pid=$!
-sleep 0.5
+waited=0
+# on a busy machine it takes its time to load; bit 14 of what it catches is SIGTERM
+until grep -q '^SigCgt:.*[4-7c-f]...$' /proc/$pid/status || [ $waited = 200 ]; do
+    sleep 0.05
+    waited=$((waited + 1))
+done
 kill -s TERM $pid
 wait $pid
 found=$?

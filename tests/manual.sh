@@ -44,7 +44,7 @@ stands()
     scene) tag=$2 ;;
     kernel | domain | reference | disturbance | eos | output | mps) tag=$1.$2 ;;
     rigid) tag=body.NAME.$2 ;;
-    fluid | wall | probe | panel | beam) tag=$1.NAME.$2 ;;
+    fluid | wall | probe | panel | contact | beam) tag=$1.NAME.$2 ;;
     *) tag="(effects\\.$1|eos|walls)\\.$2" ;;
     esac
     grep -q -E -e "^\\\\fB$tag " "$out/page" || complain "the man page lacks $2 of $1"

@@ -132,8 +132,23 @@ struct contacts_stand contacts_list_stand(const struct contacts *c, const struct
     return s;
 }
 
-static int check_start(const struct contacts *c)
+/* " (FILE:LINE)" of a solid in the scene; "" of a side of the domain. */
+static const char *place_of(const struct contacts *c, const struct contacts_scene *s,
+                            const struct solid *solid, char text[280])
 {
+    const int part = c->part_of[solid - c->solid];
+    const char *where = part < s->bodies             ? s->body[part].where
+                        : part < s->bodies + s->walls ? s->wall[part - s->bodies].where
+                                                      : NULL;
+
+    snprintf(text, 280, where ? " (%.256s)" : "", where);
+    return text;
+}
+
+static int check_start(const struct contacts *c, const struct contacts_scene *scene)
+{
+    char first[280], second[280];
+
     for (int i = 0; i < c->pairs; i++) {
         const struct contacts_pair *p = &c->pair[i];
         const struct contacts_stand s = contacts_list_stand(c, &p->a->start, &p->b->start);
@@ -144,10 +159,11 @@ static int check_start(const struct contacts *c)
             continue;
         if (depth < HUGE_VAL)
             snprintf(deep, sizeof deep, "%g m", depth);
-        return status_fail(STATUS_BAD_SCENE, "%s and %s overlap at t = 0: they are %s inside each "
-                           "other, and at most %g m may be, as overlap is energy from nowhere; move "
-                           "them apart, so that their faces touch or less", p->a->path, p->b->path,
-                           deep, most);
+        return status_fail(STATUS_BAD_SCENE, "%s%s and %s%s overlap at t = 0: they are %s inside "
+                           "each other, and at most %g m may be, as overlap is energy from nowhere; "
+                           "move them apart, so that their faces touch or less", p->a->path,
+                           place_of(c, scene, p->a, first), p->b->path,
+                           place_of(c, scene, p->b, second), deep, most);
     }
     return STATUS_DONE;
 }
@@ -164,7 +180,7 @@ static int build(struct contacts *c, const struct contacts_scene *s)
     TRY(list_beams(c, s));
     TRY(list_lifts(c, s, c->movers));
     TRY(contacts_table_check(c));
-    return check_start(c);
+    return check_start(c, s);
 }
 
 int contacts_list_create(const struct contacts_scene *scene, struct contacts **out)

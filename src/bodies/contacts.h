@@ -19,6 +19,7 @@ struct contacts_body { /* a body, where its skin stands, and what pushes it     
     const struct body_kind *kind;
     const struct body *body;
     const char *path;         /* "body.NAME" or "beam.NAME"; for create()          */
+    const char *where;        /* its file and line, or NULL; likewise              */
     int points;               /* of its skin; without one 0                        */
     const double (*x)[DIM];   /* [points] [m]                                      */
     const double (*u)[DIM];   /* [points] [m/s]                                    */
@@ -30,6 +31,7 @@ struct contacts_body { /* a body, where its skin stands, and what pushes it     
 
 struct contacts_wall {
     const char *path;          /* "wall.NAME"                                      */
+    const char *where;         /* its file and line, or NULL; for create()         */
     const struct shape *shape; /* at t = 0                                         */
     struct solid_place by;     /* it is carried along with, as solid_carry() says; for meet() */
 };

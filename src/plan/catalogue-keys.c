@@ -5,14 +5,20 @@
 #include "plan/catalogue-rows.h"
 #include "plan/catalogue.h"
 #include "pressure/pressure.h"
+#include "scene/scene.h"
 
 #include <string.h>
+
+enum { NAMES = 256 };
 
 /* What was asked for, taken apart at its dots. */
 struct asked {
     char group[64], member[64]; /* "" where it is not said */
     const char *key;
     bool values;                /* it is a value of keys, not a key */
+    bool all;                   /* rather all keys of the group */
+    const char *told;           /* whose row was told last */
+    const char **names;         /* [NAMES] of all keys, instead of telling them, or NULL */
     FILE *to;                   /* NULL: only the unit matters */
     int found;
     const char *unit;           /* of all that were found, "": they differ */
@@ -42,7 +48,7 @@ static bool means(const char *asked, const char *group)
 static bool fits(const struct asked *a, const struct param *r)
 {
     if (!a->values)
-        return strcmp(r->key, a->key) == 0;
+        return a->all || strcmp(r->key, a->key) == 0;
     for (const char *const *word = r->words; word && *word; word++)
         if (strcmp(*word, a->key) == 0)
             return true;
@@ -51,12 +57,16 @@ static bool fits(const struct asked *a, const struct param *r)
 
 static void tell(struct asked *a, const char *group, const char *whose, const struct param *r)
 {
+    if (a->names && a->found < NAMES - 1)
+        a->names[a->found] = r->key;
     if (!a->to) {
         a->unit = a->found == 0 || strcmp(a->unit, r->unit) == 0 ? r->unit : "";
         return;
     }
-    fprintf(a->to, "%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
-            *whose ? ", " : "", whose);
+    if (!a->all || a->told != whose)
+        fprintf(a->to, "%s%s%s%s\n", strcmp(group, "scene") == 0 ? "top level of a scene" : group,
+                a->all ? ".NAME" : "", *whose ? ", " : "", whose);
+    a->told = whose;
     catalogue_row(r, a->to);
 }
 
@@ -127,6 +137,37 @@ bool catalogue_explain_key(const char *name, FILE *to)
         return true;
     a.values = !strchr(name, '.');
     return a.values && look_everywhere(&a);
+}
+
+/* Groups at the top level that hold objects with names of their own. */
+static bool has_names(const char *group)
+{
+    static const char *const objects[] = { "fluid", "wall", "probe", "panel", "contact", NULL };
+
+    for (int i = 0; objects[i]; i++)
+        if (strcmp(objects[i], group) == 0)
+            return true;
+    for (int i = 0; bodies_table[i]; i++)
+        if (strcmp(bodies_table[i]->identity.group, group) == 0)
+            return true;
+    return false;
+}
+
+bool catalogue_explain_named(const char *name, FILE *to, const char **near)
+{
+    const char *names[NAMES];
+    struct asked a = { .all = true, .names = names, .unit = "" };
+
+    *near = NULL;
+    if (!take_apart(&a, name) || *a.member || !has_names(a.group) || !look_everywhere(&a))
+        return false;
+    names[a.found < NAMES ? a.found : NAMES - 1] = NULL;
+    *near = scene_nearest(a.key, names);
+    if (*near)
+        return false;
+    a.names = NULL;
+    a.to = to;
+    return look_everywhere(&a);
 }
 
 const char *catalogue_unit(const char *name)

@@ -246,13 +246,17 @@ int catalogue_explain(const char *name, FILE *to)
 {
     const char *names[NAMES];
     const char *near;
+    bool wall;
 
     catalogue_prepare(engine_pick());
+    if (strcmp(name, "effects.NAME") == 0)
+        name = "effects";
     if (strncmp(name, "effects.", 8) == 0 && !strchr(name + 8, '.'))
         name += 8;
+    wall = explain_part(engine_pick()->walls, name, to); /* `contact` is a group, too */
     if (explain_part(engine_pick()->effects, name, to) || explain_part(pressure_table, name, to)
-        || explain_part(engine_pick()->walls, name, to) || explain_body(name, to)
-        || catalogue_explain_group(name, to) || kernels_explain(engine_pick(), name, to)
+        || explain_body(name, to) || catalogue_explain_group(name, to) || wall
+        || kernels_explain(engine_pick(), name, to)
         || explain_shape(name, to) || explain_table(name, to))
         return STATUS_DONE;
     all_names(names);

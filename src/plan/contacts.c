@@ -30,9 +30,10 @@ static int create_contacts(struct plan *p, struct contacts_body *body, struct co
 
     for (int i = 0; i < p->bodies; i++)
         body[i] = (struct contacts_body){ .kind = p->body[i].kind, .body = p->body[i].body,
-                                          .path = p->body[i].path, .points = p->body[i].skin };
+                                          .path = p->body[i].path, .where = p->in.body[i].where,
+                                          .points = p->body[i].skin };
     for (int i = 0; i < p->in.wall_count; i++)
-        wall[i] = (struct contacts_wall){ .path = p->in.wall[i].path,
+        wall[i] = (struct contacts_wall){ .path = p->in.wall[i].path, .where = p->in.wall[i].where,
                                           .shape = &p->in.wall[i].set.shape };
     for (int i = 0; i < p->in.pairs.n; i++)
         rule[i] = rule_of(&p->in.pairs.of[i]);

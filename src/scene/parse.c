@@ -32,26 +32,36 @@ int scene_parse_quotable(const char *s)
     return n;
 }
 
+const char *scene_parse_quote(const struct scene_parse *parse, int n, const char *s)
+{
+    const char *quote = parse->included ? "WORD" : scene_pool_print(parse->pool, "%.*s", n, s);
+
+    return quote ? quote : "";
+}
+
 int scene_parse_lacks_value(const struct scene_lex *l)
 {
+    const char *key = scene_parse_quote(l->parse, 40, l->parse->key);
+
     return status_fail(STATUS_BAD_SCENE, "%s: %s has no value; write %s = VALUE;",
-                       scene_place_text(l->at), l->parse->key, l->parse->key);
+                       scene_place_text(l->at), key, key);
 }
 
 int scene_parse_expect_value(const struct scene_lex *l, char token)
 {
     struct scene_parse *parse = l->parse;
-    const int n = scene_parse_quotable(l->s);
+    const char *word;
 
     if (scene_parse_awaits_value(parse) || (token == 't' && parse->last == 't'))
         return STATUS_DONE;
     if (scene_parse_in_list(parse) && strchr("(,", parse->last))
         return STATUS_DONE;
+    word = scene_parse_quote(parse, scene_parse_quotable(l->s), l->s);
     if (scene_parse_in_list(parse))
-        return status_fail(STATUS_BAD_SCENE, "%s: a comma is missing before %.*s",
-                           scene_place_text(l->at), n, l->s);
-    return status_fail(STATUS_BAD_SCENE, "%s: %.*s stands where a name is expected; settings "
-                       "are written NAME = VALUE;", scene_place_text(l->at), n, l->s);
+        return status_fail(STATUS_BAD_SCENE, "%s: a comma is missing before %s",
+                           scene_place_text(l->at), word);
+    return status_fail(STATUS_BAD_SCENE, "%s: %s stands where a name is expected; settings "
+                       "are written NAME = VALUE;", scene_place_text(l->at), word);
 }
 
 struct scene_node *scene_parse_value(const struct scene_lex *l, enum scene_kind kind)

@@ -34,6 +34,7 @@ struct scene_parse { /* begins as 0 but for pool, keep and level[0].node, the ro
     char *bytes;                 /* [n] of that text, in keep                  */
     int n, room;
     struct scene_place at;       /* the line read last                         */
+    bool included;               /* it stands in an included file              */
     struct scene_place comment;  /* where an open comment started              */
     bool in_comment;
 };
@@ -58,6 +59,9 @@ struct scene_lex { /* a line on its way */
 bool scene_parse_in_list(const struct scene_parse *parse);
 bool scene_parse_awaits_value(const struct scene_parse *parse); /* stands behind an = */
 int scene_parse_quotable(const char *s);                        /* length to quote in a message */
+/* The first n letters of s for a message; WORD instead where they are from an included file, which
+ * may be no scene but a file with secrets. */
+const char *scene_parse_quote(const struct scene_parse *parse, int n, const char *s);
 int scene_parse_lacks_value(const struct scene_lex *l);
 /* Refuses a value that stands where none is expected. */
 int scene_parse_expect_value(const struct scene_lex *l, char token);

@@ -139,6 +139,7 @@ static int add_lines(struct scene_parse *parse, const struct source *source, cha
         if (end)
             *end++ = '\0';
         number++;
+        parse->included = source && source->outer;
         if (source && !parse->in_comment && is_include(line))
             TRY(include(parse, source, number, line));
         else

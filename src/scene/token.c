@@ -88,7 +88,8 @@ int scene_token_text(struct scene_lex *l)
             end++;
         if (!*end)
             return status_fail(STATUS_BAD_SCENE, "%s: a text has no closing quote on its line: "
-                               "%.40s", scene_place_text(l->at), l->s);
+                               "%s", scene_place_text(l->at),
+                               scene_parse_quote(l->parse, 40, l->s));
     }
     if (l->parse->last != 't')
         TRY(open_text(l));
@@ -127,9 +128,9 @@ int scene_token_number(struct scene_lex *l)
     number = strtod(token, &end);
     end += strspn(end, "L"); /* how libconfig marks long integers */
     if (*end || n >= (int)sizeof token)
-        return status_fail(STATUS_BAD_SCENE, "%s: %.40s is not a number (values are SI without "
+        return status_fail(STATUS_BAD_SCENE, "%s: %s is not a number (values are SI without "
                            "a unit, names start with a letter, there is no arithmetic)",
-                           scene_place_text(l->at), token);
+                           scene_place_text(l->at), scene_parse_quote(l->parse, 40, token));
     node = scene_parse_value(l, SCENE_NUMBER);
     if (!node)
         return STATUS_FAILED;
@@ -183,8 +184,8 @@ static bool is_flag(const char *s, int n)
 static int lex_key(struct scene_lex *l, int n)
 {
     if (is_flag(l->s, n))
-        return status_fail(STATUS_BAD_SCENE, "%s: %.*s is a value and cannot be a name",
-                           scene_place_text(l->at), n, l->s);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s is a value and cannot be a name",
+                           scene_place_text(l->at), scene_parse_quote(l->parse, n, l->s));
     l->parse->key = scene_pool_print(l->parse->pool, "%.*s", n, l->s);
     if (!l->parse->key)
         return STATUS_FAILED;
@@ -210,21 +211,23 @@ static int lex_word(struct scene_lex *l, int n, const char *next)
 {
     const char *where = scene_place_text(l->at);
     const int all = scene_parse_quotable(l->s);
+    const char *word = scene_parse_quote(l->parse, all, l->s);
 
     if (*next == '=' && scene_parse_awaits_value(l->parse))
         return scene_parse_lacks_value(l);
     TRY(scene_parse_expect_value(l, 'v'));
     if (*next == '=')
-        return status_fail(STATUS_BAD_SCENE, "%s: %.*s = ... stands in a list, which holds values "
-                           "only; settings with names stand in { }", where, n, l->s);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s = ... stands in a list, which holds values "
+                           "only; settings with names stand in { }", where,
+                           scene_parse_quote(l->parse, n, l->s));
     if (all == n && is_flag(l->s, n))
         return lex_flag(l, n);
     if (is_word(l->s, n, "yes") || is_word(l->s, n, "no") || is_word(l->s, n, "on") ||
         is_word(l->s, n, "off"))
-        return status_fail(STATUS_BAD_SCENE, "%s: %.*s means nothing here; write true or false",
-                           where, n, l->s);
-    return status_fail(STATUS_BAD_SCENE, "%s: %.*s has no quotes; a text is written \"%.*s\"",
-                       where, all, l->s, all, l->s);
+        return status_fail(STATUS_BAD_SCENE, "%s: %s means nothing here; write true or false",
+                           where, scene_parse_quote(l->parse, n, l->s));
+    return status_fail(STATUS_BAD_SCENE, "%s: %s has no quotes; a text is written \"%s\"",
+                       where, word, word);
 }
 
 /* What stands behind numbers on paper, up to a power or a bar. */
@@ -243,6 +246,28 @@ static bool is_unit(const char *s)
     return false;
 }
 
+/* A name that nothing is set to. */
+static int lone_name(const struct scene_lex *l, int n, bool dotted)
+{
+    const struct scene_parse *parse = l->parse;
+    const char *where = scene_place_text(l->at);
+    const char *all = scene_parse_quote(parse, scene_parse_quotable(l->s), l->s);
+    const char *key = parse->key ? scene_parse_quote(parse, 40, parse->key) : "";
+
+    if (dotted)
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: dots are for the command line; in a file "
+                           "groups stand inside each other, as %s = { ... }", where, all,
+                           scene_parse_quote(parse, n, l->s));
+    if (parse->last == 'v' && is_unit(l->s))
+        return status_fail(STATUS_BAD_SCENE, "%s: %s: units are not written; %s is a number in "
+                           "the SI unit that `stiffwater explain %s` tells", where, all,
+                           key, key);
+    return status_fail(STATUS_BAD_SCENE, "%s: %s has no = after it; settings are written "
+                       "NAME = VALUE;%s", where, all,
+                       parse->included ? " (is it a scene? Words of an included file are not told)"
+                                       : "");
+}
+
 int scene_token_name(struct scene_lex *l)
 {
     const int n = name_length(l->s);
@@ -256,15 +281,5 @@ int scene_token_name(struct scene_lex *l)
     }
     if (*next == '=' || *next == ':')
         return lex_key(l, n);
-    if (*next == '.')
-        return status_fail(STATUS_BAD_SCENE, "%s: %.*s: dots are for the command line; in a file "
-                           "groups stand inside each other, as %.*s = { ... }",
-                           scene_place_text(l->at), scene_parse_quotable(l->s), l->s, n, l->s);
-    if (l->parse->last == 'v' && is_unit(l->s))
-        return status_fail(STATUS_BAD_SCENE, "%s: %.*s: units are not written; %s is a number in "
-                           "the SI unit that `stiffwater explain %s` tells",
-                           scene_place_text(l->at), scene_parse_quotable(l->s), l->s,
-                           l->parse->key, l->parse->key);
-    return status_fail(STATUS_BAD_SCENE, "%s: %.*s has no = after it; settings are written "
-                       "NAME = VALUE;", scene_place_text(l->at), scene_parse_quotable(l->s), l->s);
+    return lone_name(l, n, *next == '.');
 }

@@ -364,17 +364,32 @@ static void refused(const char *scene, const char *words)
     tank_free(&t);
 }
 
+/* Both are told with their lines in the file that the tank writes. */
+static void overlap(const char *scene, const char *first, const char *second, const char *words)
+{
+    const char *path = P_tmpdir "/tank-XXXXXX";
+    char expected[200];
+    struct tank t;
+
+    assert_int_equal(tank_try(&t, scene), STATUS_BAD_SCENE);
+    snprintf(expected, sizeof expected, "%s (%.*s", first, (int)strlen(path) - 6, path);
+    check(strstr(status_message(), expected) != NULL, "not \"%s\" but: %s", expected, status_message());
+    snprintf(expected, sizeof expected, "%s) overlap at t = 0: %s", second, words);
+    check(strstr(status_message(), expected) != NULL, "not \"%s\" but: %s", expected, status_message());
+    tank_free(&t);
+}
+
 static void overlap_at_the_start_is_refused(void **state)
 {
     (void)state;
-    refused(PLACE HEAVY "body = {" BLOCK("a", "0.0", "0.0", "1.0", "")
-            BLOCK("b", "0.0", "0.0", "1.148", "") "};",
-            "body.a and body.b overlap at t = 0: they are 0.002 m inside each other");
-    refused(PLACE HEAVY "body = {" BLOCK("a", "0.0", "0.0", "1.0", "")
-            BLOCK("b", "0.0", "0.0", "1.05", "angle = " TURN("45.0") ";") "};",
-            "body.a and body.b overlap at t = 0: they are far inside each other");
-    refused(PLACE HEAVY SLOPE("") "body = {" BLOCK("a", "0.0", "0.0", "1.25", "") "};",
-            "body.a and wall.slope overlap at t = 0");
+    overlap(PLACE HEAVY "body = {\n" BLOCK("a", "0.0", "0.0", "1.0", "")
+            "\n" BLOCK("b", "0.0", "0.0", "1.148", "") "};",
+            "body.a", ":3", "they are 0.002 m inside each other");
+    overlap(PLACE HEAVY "body = {\n" BLOCK("a", "0.0", "0.0", "1.0", "")
+            "\n" BLOCK("b", "0.0", "0.0", "1.05", "angle = " TURN("45.0") ";") "};",
+            "body.a", ":3", "they are far inside each other");
+    overlap(PLACE HEAVY SLOPE("") "\n body = {\n" BLOCK("a", "0.0", "0.0", "1.25", "") "};",
+            "body.a", ":1", "they are");
 }
 
 static void rules_that_say_nothing_are_refused(void **state)

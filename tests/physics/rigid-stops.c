@@ -262,7 +262,7 @@ static void overlap_at_the_start_is_refused(void **state)
     (void)state;
     assert_int_equal(tank_try(&t, PLACE "gravity = " VECTOR("0.0", "0.0", "-9.81") ";"
                               BOX("0.07", "")), STATUS_BAD_SCENE);
-    assert_non_null(strstr(status_message(), "body.it and the bottom of the domain overlap at t = 0: they are 0.005 m inside"));
+    assert_non_null(strstr(status_message(), ") and the bottom of the domain overlap at t = 0: they are 0.005 m inside"));
     tank_free(&t);
 }
 

@@ -569,6 +569,26 @@ static void includes_that_cannot_be_are_refused(void **state)
     refused("@include \"a.cfg\"\n*/", NULL, "a.cfg:1: the comment that starts here never ends");
 }
 
+/* Whoever writes a scene may name any file that the reader of its errors may not see. */
+static void words_of_an_included_file_are_not_told(void **state)
+{
+    static const char *const files[] = {
+        "secret:0:0\nroot = 3\n", "a = secret\n", "a = 1secret\n", "a = \"secret", "a = [1 secret]",
+        "a = [secret = 3]", "secret.b = 3", "secret 3", "1secret = 3", "a = 1 secret", "secret =\nb = 2",
+        "c = 1\npassword = secret\n", "secret = \nsecret.b", "c = [secret\n",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        write_file("no-scene", files[i]);
+        refused("\n@include \"no-scene\"\n", NULL, "no-scene:");
+        assert_null(strstr(status_message(), "secret"));
+    }
+    write_file("no-scene", "until = 1\n");
+    refused("@include \"no-scene\"\ntitle = dam", NULL, "t.scene:2: dam has no quotes");
+    unlink(in_directory("no-scene"));
+}
+
 /* --- the command line ----------------------------------------------------------------- */
 
 static void overrides_set_values_of_every_kind(void **state)
@@ -880,6 +900,7 @@ int main(void)
         cmocka_unit_test(values_are_taken_away),
         cmocka_unit_test(includes_are_looked_for_beside_the_file_that_asks),
         cmocka_unit_test(includes_that_cannot_be_are_refused),
+        cmocka_unit_test(words_of_an_included_file_are_not_told),
         cmocka_unit_test(overrides_set_values_of_every_kind),
         cmocka_unit_test(what_does_not_parse_is_a_text),
         cmocka_unit_test(a_name_left_out_means_all_of_that_kind),
