@@ -34,7 +34,7 @@ set title title noenhanced
 set xrange [0:until]
 set xlabel 'time [s]'
 set ylabel 'deflection [mm]'
-set key top right samplen 2.5
+set key above samplen 2.5
 plot 0 lc rgb grey lw 1 notitle, \
     for [k = 1:words(beams)] table using 1:(1e3 * column(place(k, 'tip'))) skip 2 \
         with lines lw 2.5 lc rgb pick(k) title label(k, 'tip'), \

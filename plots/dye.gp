@@ -1,5 +1,4 @@
-# dye.gp -- six moments of the flow, the water dyed in two colours (as figures 14 and 17 of
-# Toth 2012 show theirs)
+# dye.gp -- six moments of the flow, in the colours of the water's dye
 # needs: snapshots.csv figures/constants.gp
 load 'style.gp'
 load 'panels.gp'

@@ -17,7 +17,7 @@ c_spacing = 0
 do for [k = 1:sweeps] { if (space && word(names, first_swept - 1 + k) eq 'spacing') { c_spacing = first_swept - 1 + k } }
 told(i) = c_spacing > 0 ? strcol(c_spacing) : strstrt(strcol(1), '@') ? \
     strcol(1)[strstrt(strcol(1), '@'):*] : strcol(2) eq 'nan' ? '' : strcol(2)
-says_points = c_spacing > 0 ? 'at points: '.say(c_spacing) : 'at points: tol'
+says_points = c_spacing > 0 ? 'points: '.say(c_spacing) : 'points: tol'
 cost(w) = w == 1 ? column(4) : passes(0)
 array name_of[2] = ['CPU time [s]', say_passes]
 array least[2]
@@ -28,6 +28,38 @@ do for [w = 1:2] {
     largest[w] = cost_max * 1.2
 }
 
+# Where the label of each point stands: beside it, above or below, where no coloured point and no other
+# label is; where all four are taken it has none.  All in pixels of the panel.
+runs = int(row_records)
+array point_x[runs]
+array point_y[runs]
+array said[runs]
+array corner[runs]                     # 1 to 4, 0: none
+array label_x[runs]
+array label_y[runs]
+side_of(c, at, long) = at + (c <= 2 ? 9 : -9 - long)
+height_of(c, at) = at + (c % 2 == 1 ? 2 : -16)
+long(i) = 7.5 * strlen(said[i])
+see(i, v, e, s, told) = (said[i] = s, corner[i] = told ? -1 : 0, point_x[i] = v > 0 && e > 0 ? v : 0, \
+    point_y[i] = e, low = point_x[i] > 0 && e < low ? e : low, top = point_x[i] > 0 && e > top ? e : top, 0)
+far = 1e9
+find_point(i) = point_x[i] > 0 && corner[i] < 0 \
+    ? (point_x[i] = log(point_x[i] / least[w]) / log(largest[w] / least[w]) * panel_wide, \
+       point_y[i] = (log10(point_y[i]) - floor(log10(low))) / (ceil(log10(top)) - floor(log10(low)) + 1e-9) \
+       * (high - foot)) : (corner[i] = 0, point_x[i] = far, point_y[i] = far)
+taken(x, y, long) = (x < 0 || x + long > panel_wide) + sum [j = 1:runs] (point_x[j] > x - 5 && point_x[j] < x + long + 5 && point_y[j] > y - 5 \
+    && point_y[j] < y + 19 || corner[j] > 0 && label_x[j] < x + long && label_x[j] + long(j) > x \
+    && abs(label_y[j] - y) < 14)
+take(i, c, x, y) = corner[i] == -1 && taken(x, y, long(i)) == 0 \
+    ? (corner[i] = c, label_x[i] = x, label_y[i] = y, c) : 0
+place_labels = "low = 1e300; top = 0; stats table using (see(int($0) + 1, cost(w), \
+    p eq '' || place(0) eq p ? good(q) : NaN, told(0), \
+    told_here && mine_of_hull(0))) skip 2 nooutput; \
+    do for [i = 1:runs] { last = find_point(i) }; \
+    do for [i = 1:runs] { do for [c = 1:4] { \
+        last = take(i, c, side_of(c, point_x[i], long(i)), height_of(c, point_y[i])) } }"
+mine_of_hull(i) = words(lines) <= 8 || is_one_of(line_of(case(0)), hull)
+
 # A panel of quantity q, cost in column w, at place p ('' for all), with the n-th of `rows' rows.
 wide = 1700.0
 key_wide = 330
@@ -37,12 +69,18 @@ panel = "set lmargin at screen (gap + side * (panel_wide + gap)) / wide; \
     set rmargin at screen (gap + side * (panel_wide + gap) + panel_wide) / wide; \
     set tmargin at screen 1 - (head + (n - 1) * high) / tall; \
     set bmargin at screen 1 - (head + n * high - foot) / tall; \
-    set xrange [least[w]:largest[w]]; \
+    set xrange [least[w]:largest[w]]; eval place_labels; \
     plot for [at in stand] for [i = 1:words(lines)] table using (mine(i, at) ? cost(w) : NaN):(good(q)) skip 2 \
         with linespoints lw 2.2 ps 1.4 pt mark(member(i)) dt dash(member(i)) lc rgb look(i) \
         notitle, \
-    for [i = 1:words(lines)] table using (told_here && mine(i, p) && is_hull(i) ? cost(w) : NaN):(good(q)):(told(0)) \
+    for [i = 1:words(lines)] table using (corner[int($0) + 1] == 1 && mine(i, p) ? cost(w) : NaN):(good(q)):(told(0)) \
         skip 2 with labels left offset 0.7, 0.45 font ',11' tc rgb look(i) noenhanced notitle, \
+    for [i = 1:words(lines)] table using (corner[int($0) + 1] == 2 && mine(i, p) ? cost(w) : NaN):(good(q)):(told(0)) \
+        skip 2 with labels left offset 0.7, -0.45 font ',11' tc rgb look(i) noenhanced notitle, \
+    for [i = 1:words(lines)] table using (corner[int($0) + 1] == 3 && mine(i, p) ? cost(w) : NaN):(good(q)):(told(0)) \
+        skip 2 with labels right offset -0.7, 0.45 font ',11' tc rgb look(i) noenhanced notitle, \
+    for [i = 1:words(lines)] table using (corner[int($0) + 1] == 4 && mine(i, p) ? cost(w) : NaN):(good(q)):(told(0)) \
+        skip 2 with labels right offset -0.7, -0.45 font ',11' tc rgb look(i) noenhanced notitle, \
     for [i = 1:words(lines)] table using (mine(i, p) ? cost(w) : NaN):(at_edge(q)):(sign(0)) \
         skip 2 axes x1y2 with points pt variable ps 1.6 lw 2.5 lc rgb look(i) notitle; \
     unset label 9"
@@ -59,7 +97,6 @@ both_panels = "do for [side = 0:1] { w = side + 1; eval axes; \
 
 # Where there are more than eight lines those on the lower hull have colours: a run of theirs in any
 # panel that is drawn, against any cost, has none beside it that is cheaper and more exact.
-runs = int(row_records)
 array run_cost[runs]
 array run_error[runs]
 array run_line[runs]
@@ -73,7 +110,7 @@ find_hull = "hull = ''; do for [k_hull in drawn] { q = k_hull + 0; do for [w = 1
 
 # What stands beside and below the panels: the key, and why runs are missing.
 has_places = 0
-legend = "set lmargin at screen (wide - key_wide - 10) / wide; set rmargin at screen 0.999; \
+legend = "set lmargin at screen (wide - key_wide + 5) / wide; set rmargin at screen 0.999; \
     set tmargin at screen 1 - head / tall; set bmargin at screen 0.01; eval empty; \
     set key inside left top vertical maxcols 1 Left reverse samplen 3 spacing 1.15 width -2 \
         noenhanced; \

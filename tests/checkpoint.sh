@@ -122,6 +122,10 @@ if command -v python3 >/dev/null; then
     change method "$(value whole method)" "$(value whole method | tr a-y b-z)"
     refuses method
     says "method: the checkpoint's method" 'another build of this version'
+    like paceless # as builds wrote them before a checkpoint told the pace of its run
+    change paceless pace pacf
+    refuses paceless
+    says 'the checkpoint has no pace' 'another build of this version' 'go on with that one'
 fi
 expect 2 resume whole -q tol=0.1
 says tol=0.1 'only until=T'
