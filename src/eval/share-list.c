@@ -67,8 +67,8 @@ static void read_own(struct moment_share *s, const struct view *v)
     for (int k = 0; k < KINDS; k++)
         for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
             const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
-            double *to = s->seen + (size_t)(i - s->from[s->me][0]) * SHARE_HALO;
-            to[2 * DIM] = s->now.rho[row] = v->rho[k][at];
+            double *to = s->seen + share_seen(s, i);
+            to[share_width(k) - 1] = s->now.rho[row] = v->rho[k][at];
             if (k != KIND_FLUID)
                 continue;
             memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
@@ -81,17 +81,17 @@ static void read_own(struct moment_share *s, const struct view *v)
 /* Solids are where they are on all ranks, and have a density alone. */
 static void hear_halo(struct moment_share *s, const struct view *v)
 {
-    const int n = ranks_route_coming(s->route);
+    const double *from = s->halo.in;
 
-    ranks_route_go(s->route, SHARE_HALO * sizeof *s->seen, s->seen, s->in);
-    for (int i = 0; i < n; i++) {
-        const size_t row = (size_t)s->halo[i];
-        const double *from = s->in + (size_t)i * SHARE_HALO;
-        s->now.rho[row] = from[2 * DIM];
-        if (s->halo[i] >= v->p->from[KIND_FLUID + 1])
-            continue;
-        memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
-        memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
+    ranks_route_go(s->route, sizeof *s->seen, s->seen, s->halo.in);
+    for (int i = 0; i < s->halo.n; i++) {
+        const size_t row = (size_t)s->halo.row[i];
+        if (s->halo.row[i] < v->p->from[KIND_FLUID + 1]) {
+            memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
+            memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
+            from += 2 * DIM;
+        }
+        s->now.rho[row] = *from++;
     }
 }
 

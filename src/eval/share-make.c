@@ -27,8 +27,10 @@ void share_free(struct moment_share **share)
     free(s->now.u);
     free(s->now.rho);
     free(s->built);
-    free(s->halo);
-    free(s->in);
+    free(s->halo.row);
+    free(s->halo.in);
+    free(s->wet.row);
+    free(s->wet.from);
     free(s->pack);
     free(s->all);
     free(s->whole);
@@ -65,11 +67,12 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->now.x = status_alloc(n, DIM * sizeof *s->now.x);
     s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
     s->now.rho = status_alloc(n, sizeof *s->now.rho);
-    s->halo = status_alloc(n, sizeof *s->halo);
+    s->wet.row = status_alloc((size_t)(s->n - m->particles->from[KIND_WALL]) + 1, sizeof *s->wet.row);
+    s->wet.from = status_alloc((size_t)s->ranks + 1, sizeof *s->wet.from);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->now.x && s->now.u && s->now.rho && s->halo && s->power && s->whole ? STATUS_DONE
-                                                                      : STATUS_FAILED;
+    return s->now.x && s->now.u && s->now.rho && s->wet.row && s->wet.from && s->power && s->whole
+               ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Where a particle is at the start. */
@@ -113,7 +116,7 @@ double moment_share_bytes(const struct moment *m)
 {
     const double common = sizeof(bool) + 2 * sizeof(int)
                           + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
-    const double halo = sizeof(int) + (2 * DIM + 1) * sizeof(double);
+    const double halo = (2 * DIM + 1) * sizeof(double);
     const double rows = 8 * (1 + DIM) + 5 + 16 * DIM + 8; /* particles in an order of their own */
     const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
 

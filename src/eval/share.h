@@ -23,7 +23,7 @@ struct ranks_route;
 struct sum_job;
 
 enum {
-    SHARE_HALO = 2 * DIM + 1, /* numbers of a particle: place, velocity, density */
+    SHARE_HALO = 2 * DIM + 1, /* numbers of fluid: place, velocity, density; of solids a density */
     SHARE_WIDEST = SHARE_HALO /* of a row of any message                       */
 };
 
@@ -35,14 +35,21 @@ struct moment_share {
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
-    double *seen;          /* [own rows][SHARE_HALO] as they travel            */
+    double *seen;          /* [numbers of own rows] as they travel: kind by kind */
     struct {
         double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
     } now;                 /* own rows and the halo now, of others some time ago */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
-    int *halo;             /* [n] rows that come                               */
-    double *in;            /* [rows that come][SHARE_HALO]                     */
+    struct share_halo {
+        int n, *row;       /* [n] that come, by owner                          */
+        double *in;        /* [numbers that come]                              */
+        double leaving;    /* numbers that passes read of rows that leave, by the plan */
+    } halo;
+    struct {
+        int *row, *from;   /* [from[ranks]] solids with neighbours in the list, those of
+                              rank r row[from[r]] ..                           */
+    } wet;
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
@@ -82,6 +89,20 @@ int own_exchange(const struct moment *m, int k, const int *owner, int *from);
 /* From now on the particle with id i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
+/* Numbers of a row of this kind as it travels; where those of this rank's own row i stand in seen. */
+static inline int share_width(int kind)
+{
+    return kind == KIND_FLUID ? SHARE_HALO : 1;
+}
+
+static inline int share_seen(const struct moment_share *s, int i)
+{
+    const int *from = s->from[s->me], n = from[KIND_FLUID + 1] - from[KIND_FLUID];
+
+    i -= from[KIND_FLUID];
+    return i < n ? i * SHARE_HALO : n * SHARE_HALO + i - n;
+}
+
 /* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
 int share_fit_own(struct moment_share *s);
 
@@ -103,9 +124,28 @@ int share_remake(const struct moment *run, struct list *list);
  * a density of their own, they read those of others than neighbours. */
 bool share_comes(const struct moment *m, int kind);
 
+/* Numbers that the plan's passes read of a neighbour of this kind and that come from its owner. */
+int share_reads(const struct moment *m, int kind);
+
 /* What rows of the list need of other ranks, after it was made with this status here: on all ranks
  * the first that is none.  Settles how unequal work is, too. */
 int share_halo(struct moment *m, int status);
+
+/* share-solids.c */
+
+/* Ids of own solids that have a neighbour in the list; how many. */
+int share_wet(const struct moment *m, int *id);
+
+/* All hear of those of all ranks, count [ranks], and send the forces of these alone from now on. */
+void share_hear_wet(struct moment *m, const int *count, const int *id);
+
+/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
+ * as powers are read before forces on solids are heard, or these are not asked for. */
+struct exact_sum *share_parts(const struct evaluation *e);
+
+/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
+ * were left. */
+void share_forces(struct evaluation *e);
 
 /* share.c */
 
@@ -113,13 +153,10 @@ int share_halo(struct moment *m, int status);
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
-/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
- * as no forces on solids follow that these could travel with. */
-struct exact_sum *share_parts(const struct evaluation *e);
+/* share-looks.c */
 
-/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
- * were left. */
-void share_forces(struct evaluation *e);
+/* Limits [n] that parts have found in own rows become those of all rows. */
+void share_limits(const struct moment *m, int n, struct limit *limit);
 
 /* share-full.c */
 

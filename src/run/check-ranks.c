@@ -19,6 +19,7 @@ struct rank {
     double pairs, program, shared; /* entries of its list; bytes */
     double spared;                 /* numbers of y that are others' alone */
     struct ranks_traffic sends;    /* for one right-hand side */
+    double read;                   /* numbers that passes read of what it sends to partners */
 };
 
 static struct ranks_traffic since(const struct ranks_traffic *was)
@@ -44,6 +45,7 @@ static int ask_once(struct run *r, struct rank *me)
         const struct ranks_traffic was = ranks_traffic();
         status = moment_eval(r->moment, ASK_ALL, 0, r->y, ydot);
         me->sends = since(&was);
+        me->read = moment_share_read(r->moment);
     }
     free(ydot);
     return status;
@@ -87,18 +89,21 @@ static void print_memory(const struct run *r, const struct rank *rank, int n, do
 static void print_traffic(const struct rank *rank, int n)
 {
     const struct ranks_traffic *first = &rank[0].sends;
-    double letters = 0, sent = 0, gathered = 0;
+    double letters = 0, sent = 0, gathered = 0, read = 0;
 
     for (int i = 0; i < n; i++) {
         letters = fmax(letters, rank[i].sends.messages);
+        read = rank[i].sends.sent_bytes > sent ? rank[i].read : read;
         sent = fmax(sent, rank[i].sends.sent_bytes);
         gathered = fmax(gathered, rank[i].sends.gathered_bytes);
     }
     printf("a right-hand side, while a list stands, sends\n"
            "  %6.0f questions to all, of %.3g kB together\n"
            "  %6.0f times own rows to all, of at most %.3g kB a rank together\n"
-           "  %6.0f messages to partners at most, of at most %.3g kB a rank together\n",
-           first->asked, first->asked_bytes / 1e3, first->gathers, gathered / 1e3, letters, sent / 1e3);
+           "  %6.0f messages to partners at most, of at most %.3g kB a rank together: %.0f numbers that "
+           "passes read\n",
+           first->asked, first->asked_bytes / 1e3, first->gathers, gathered / 1e3, letters, sent / 1e3,
+           read);
 }
 
 int check_ranks_print(struct run *r, double program, double writing)
