@@ -77,6 +77,9 @@ double moment_numbers(const struct moment *moment);
 bool moment_is_full(const struct moment *moment);
 double moment_share_bytes(const struct moment *moment);
 
+/* Bytes that sums over pairs do without, as the list has a part of the particles. */
+double moment_share_spared(const struct moment *moment);
+
 /* Numbers that passes declare to read of neighbours (house.md), of this rank's rows that go to others in
  * a right-hand side; 0 where all rows are known to all. */
 double moment_share_read(const struct moment *moment);

@@ -103,6 +103,7 @@ const double *moment_whole(struct moment *m, const double *y)
 
     if (!s || s->full)
         return y;
+    share_built(m);
     memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = numbers_of(m, r);
@@ -146,14 +147,14 @@ int share_agree(struct moment *m, int status)
     } said;
     const int id = m->culprit[MOMENT_DENSITY_OUT].particle;
     const bool refuses = status != STATUS_DONE;
-    const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
+    const double place = refuses ? list_order(m->own, particles_row_of(m->particles, id)) : HUGE_VAL;
 
     if (!m->share->heard.refuses)
         return status;
     forget_refused(m);
     memcpy(said.refusal, m->refusal, sizeof said.refusal);
     memcpy(said.culprit, m->culprit, sizeof said.culprit);
-    if (ranks_first(refuses ? 0 : HUGE_VAL, place, &said, sizeof said) < 0)
+    if (ranks_first(place, id, &said, sizeof said) < 0)
         return STATUS_DONE;
     memcpy(m->refusal, said.refusal, sizeof said.refusal);
     memcpy(m->culprit, said.culprit, sizeof said.culprit);

@@ -3,8 +3,8 @@
  * All ranks hold y and the particles in full, but each answers for its own rows: it owns them,
  * finds their neighbours and gives their rates; in rates, rows of others are 0.  What pairs
  * read of neighbours that others own comes with each evaluation (the halo), what solids press
- * with and are pressed with from all to all.  The list of pairs has all particles in the places
- * that it has on one rank, made of positions that all ranks have then, so no sum changes a bit.
+ * with and are pressed with from all to all.  The list of pairs has own rows and those near them in the
+ * order that they have on one rank, and is made anew when it is there, so no sum changes a bit.
  *
  * Where something wants numbers of all particles (`full`), all ranks have the whole of y and of
  * its rates, share sums over pairs alone, and each does all else for itself: those sums come from
@@ -16,6 +16,8 @@
 
 #include "eval/balance.h"
 #include "eval/passes.h"
+#include "space/drift.h"
+#include "space/list.h"
 
 struct balance_move;
 struct ranks_route;
@@ -60,12 +62,17 @@ struct moment_share {
     } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
-    double wish;           /* what this rank brings with a right-hand side     */
     struct {
         bool refuses;      /* some rank has a density out of bounds            */
         bool apart;        /* ranks are not at one time: refused, in the moment's words */
-        double wish;       /* the largest                                      */
+        double brings, wish; /* what this rank brings with each, the largest of all */
     } heard;               /* of all, by the last right-hand side              */
+    struct {
+        struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
+        int n, *row;       /* [n] rows that come                               */
+        struct list_whole whole;
+        long made, known;  /* so far; when `built` was last known of all rows   */
+    } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
@@ -110,10 +117,28 @@ int share_fit_own(struct moment_share *s);
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
+/* share-near.c */
+
+/* Before a list is made of own rows at cloud: what it has of others, their places in x, which cloud has.
+ * On all ranks the first failure. */
+int share_near(struct moment *m, const struct cloud *cloud, double *x);
+
+/* Some particle has moved further than half the margin: would one rank make the list anew? */
+bool share_harms(struct moment *m, const struct cloud *cloud, double *x);
+
+/* All ranks together: `built` of all rows. */
+void share_built(struct moment *m);
+
 /* share-list.c */
+
+/* A list anew at these places, of which others' come to x. */
+int share_make(struct moment *m, const struct cloud *cloud, double *x);
 
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
+
+/* Where the list was made. */
+void share_cloud(const struct moment *m, struct cloud *cloud);
 
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);

@@ -18,6 +18,7 @@ static const double messages = 6e6;
 struct rank {
     double pairs, program, shared; /* entries of its list; bytes */
     double spared;                 /* numbers of y that are others' alone */
+    double absent;                 /* bytes of sums for particles that are not in its list */
     struct ranks_traffic sends;    /* for one right-hand side */
     double read;                   /* numbers that passes read of what it sends to partners */
 };
@@ -63,7 +64,7 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
     return rank->program + messages + writing + rank->shared + own.state + own.sums
-           + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
+           - (first ? 0 : rank->absent) + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
            + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
            + (first ? own.outputs : 0);
 }
@@ -111,6 +112,7 @@ int check_ranks_print(struct run *r, double program, double writing)
     const int n = ranks_count();
     struct rank me = { .pairs = moment_pairs(r->moment), .program = program,
                        .spared = moment_size(r->moment) - moment_numbers(r->moment),
+                       .absent = moment_share_spared(r->moment),
                        .shared = moment_share_bytes(r->moment) }, all[n];
     int count[n];
 

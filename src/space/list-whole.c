@@ -2,10 +2,19 @@
  * the order and the patience of one that has them all. */
 #include "space/list-private.h"
 
+#include "base/status.h"
+
 #include <math.h>
 #include <string.h>
 
 static const double rounding = 1e-6;
+
+int list_nowhere(struct list *list, int row, int id)
+{
+    list->bad = row;
+    return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
+                       "was too large, or a force is not finite", id);
+}
 
 static struct list_bounds none(void)
 {
