@@ -137,14 +137,3 @@ bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
     }
     return harm || pairs > drift_patience(m->own);
 }
-
-/* Where the list was made, of rows that were not near, too: for a moment that looks, and for a cut. */
-void share_built(struct moment *m)
-{
-    struct moment_share *s = m->share;
-
-    if (!s->packed || s->near.known == s->near.made)
-        return;
-    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
-    s->near.known = s->near.made;
-}

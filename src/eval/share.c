@@ -65,6 +65,17 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
     gather(s, p, (int)k, (int)k + 1, c, from, to);
 }
 
+/* Where the list was made, of rows that were not near, too: for a moment that looks, and for a cut. */
+void share_built(struct moment *m)
+{
+    struct moment_share *s = m->share;
+
+    if (!s->packed || s->near.known == s->near.made)
+        return;
+    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
+    s->near.known = s->near.made;
+}
+
 /* Rows of y that a rank has, between y and a message; returns what comes behind. */
 static double *copy_rows(const struct moment *m, int rank, bool pack, double *y, double *to)
 {

@@ -117,6 +117,11 @@ int share_fit_own(struct moment_share *s);
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
+/* share.c */
+
+/* All ranks together: `built` of all rows. */
+void share_built(struct moment *m);
+
 /* share-near.c */
 
 /* Before a list is made of own rows at cloud: what it has of others, their places in x, which cloud has.
@@ -125,9 +130,6 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x);
 
 /* Some particle has moved further than half the margin: would one rank make the list anew? */
 bool share_harms(struct moment *m, const struct cloud *cloud, double *x);
-
-/* All ranks together: `built` of all rows. */
-void share_built(struct moment *m);
 
 /* share-list.c */
 

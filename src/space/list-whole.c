@@ -2,19 +2,10 @@
  * the order and the patience of one that has them all. */
 #include "space/list-private.h"
 
-#include "base/status.h"
-
 #include <math.h>
 #include <string.h>
 
 static const double rounding = 1e-6;
-
-int list_nowhere(struct list *list, int row, int id)
-{
-    list->bad = row;
-    return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
-                       "was too large, or a force is not finite", id);
-}
 
 static struct list_bounds none(void)
 {
@@ -25,22 +16,6 @@ static struct list_bounds none(void)
         none.high[d] = -INFINITY;
     }
     return none;
-}
-
-void list_widen(struct list_bounds *to, const struct list_bounds *by)
-{
-    to->n += by->n;
-    for (int d = 0; d < DIM; d++) {
-        to->low[d] = by->low[d] < to->low[d] ? by->low[d] : to->low[d];
-        to->high[d] = by->high[d] > to->high[d] ? by->high[d] : to->high[d];
-    }
-}
-
-const double *list_home(const struct list *list, const struct cloud *cloud, int kind, int row)
-{
-    if (list->own->images.home)
-        return list->own->images.home[row];
-    return cloud->x[kind] + (size_t)DIM * (size_t)(row - list->def.from[kind]);
 }
 
 static struct list_bounds at(const double *x)
