@@ -38,26 +38,17 @@ static int take_press(const struct plan *p, struct workspace *w)
     return p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press);
 }
 
-/* For so many places; what was there is gone. */
+/* For so many places; what was there is gone, before there is more. */
 static int take_places(struct workspace *w, size_t slots)
 {
-    double *record = workspace_lines(slots * RECORD), *f = workspace_lines(slots * DIM);
-    double *drho = workspace_lines(slots);
-
-    if (!record || !f || !drho) {
-        free(record);
-        free(f);
-        free(drho);
-        return STATUS_FAILED;
-    }
     free(w->record);
     free(w->f);
     free(w->drho);
-    w->record = record;
-    w->f = f;
-    w->drho = drho;
-    w->slots = slots;
-    return STATUS_DONE;
+    w->record = workspace_lines(slots * RECORD);
+    w->f = workspace_lines(slots * DIM);
+    w->drho = workspace_lines(slots);
+    w->slots = w->record && w->f && w->drho ? slots : 0;
+    return w->slots > 0 ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Of pairs. */
@@ -115,7 +106,7 @@ int workspace_fit(struct workspace *w, const struct list *l)
 {
     const size_t want = (size_t)l->listed + 1;
 
-    return want <= w->slots ? STATUS_DONE : take_places(w, want + want / 8);
+    return want <= w->slots ? STATUS_DONE : take_places(w, want + want / 16);
 }
 
 void workspace_free(const struct plan *p, struct workspace **workspace)
