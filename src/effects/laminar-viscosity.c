@@ -64,7 +64,7 @@ static int prepare(void *self, const struct scales *scales)
 static void limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct laminar_viscosity *s = self;
-    out->rate = s->rate * s->mu / lightest_fluid(v, &out->where);
+    out->rate = s->rate * s->mu / lightest_fluid(v, out);
     out->decay = true;
 }
 

@@ -49,7 +49,7 @@ static void laplacian_viscosity_pairs(const void *self, const struct side *a,
 static void laplacian_viscosity_limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct laplacian_viscosity *s = self;
-    out->rate = s->rate * s->factor / lightest_fluid(v, &out->where);
+    out->rate = s->rate * s->factor / lightest_fluid(v, out);
     out->decay = true;
 }
 

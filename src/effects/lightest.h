@@ -6,19 +6,22 @@
 
 #include <math.h>
 
-/* Its density [kg/m^D], HUGE_VAL without fluid; its id in *where. */
-static inline double lightest_fluid(const struct view *v, int *where)
+/* Its density [kg/m^D], HUGE_VAL without fluid; its id is where it limits. */
+static inline double lightest_fluid(const struct view *v, struct limit *out)
 {
-    const int n = particles_count(v->p, KIND_FLUID);
+    const int n = particles_count(v->p, KIND_FLUID) - v->others;
+    const int *id = v->p->id[KIND_FLUID];
     double least = HUGE_VAL;
 
-    for (int id = 0; id < n; id++) {
-        const double rho = v->rho[KIND_FLUID][particles_row(v->p, KIND_FLUID, id)];
-        if (rho < least) {
+    for (int i = 0; i < n; i++) {
+        const double rho = v->rho[KIND_FLUID][i];
+        const int name = id ? id[i] : i;
+        if (rho < least || (rho == least && name < out->where)) {
             least = rho;
-            *where = id;
+            out->where = name;
         }
     }
+    out->found = -least;
     return least;
 }
 

@@ -51,7 +51,7 @@ static void limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct stress_viscosity *s = self;
 
-    out->rate = s->rate * s->mu / lightest_fluid(v, &out->where);
+    out->rate = s->rate * s->mu / lightest_fluid(v, out);
     out->decay = true;
 }
 

@@ -201,6 +201,7 @@ static int find_travels(struct moment *m, long *moved)
     struct ranks_cut *cuts;
 
     TRY(ranks_agree(take_memory(s, &s->move)));
+    share_built(m);
     TRY(cut(m, &cuts));
     *moved = find_owners(m, cuts, s->move);
     ranks_cut_free(&cuts);
@@ -253,6 +254,8 @@ int balance_carry_out(struct moment *m)
     struct moment_share *s = m->share;
     struct balance *b = &s->balance;
     const int *from[KINDS];
+    struct cloud cloud;
+    long builds;
     int status;
 
     for (int k = 0; k < KINDS; k++)
@@ -263,10 +266,13 @@ int balance_carry_out(struct moment *m)
     balance_free(&s->move);
     if (status == STATUS_DONE)
         status = share_fit_own(s);
-    if (status == STATUS_DONE)
-        status = workspace_fit(m->work, m->own);
+    TRY(ranks_agree(status));
     m->work->met_list = NULL; /* it was of the rows before */
-    TRY(share_halo(m, status));
+    share_cloud(m, &cloud);
+    builds = m->own->builds;
+    TRY(share_make(m, &cloud, s->built));
+    m->own->builds = builds;
+    s->near.known = s->near.made;
     b->cuts++;
     b->left = b->now;
     b->after = fmax(b->after, b->left);

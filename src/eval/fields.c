@@ -23,13 +23,31 @@ static int refuse_position(struct moment *m, double t)
     return STATUS_FAILED;
 }
 
+/* The same where the run's list has a part of the particles: what it would be with all tells. */
+static int choose_remade(struct moment *m, const struct cloud *cloud)
+{
+    const bool stood = m->own->stands && m->beside->own->stands;
+
+    m->list = m->own;
+    list_forget(m->own);
+    if (!stood)
+        return STATUS_DONE;
+    TRY(share_remake(m->beside, m->own));
+    if (m->plan->engine->sum->list->stale(m->own, cloud))
+        list_forget(m->own);
+    return STATUS_DONE;
+}
+
 /* A moment for looking sums over the run's list if that fits, else over its own, made where
  * it looks: what was looked at before says nothing. */
 static int choose_list(struct moment *m, const struct cloud *cloud)
 {
     const struct list_engine *lists = m->plan->engine->sum->list;
-    const bool fits = m->own->stands && !lists->stale(m->beside->list, cloud);
+    bool fits;
 
+    if (m->beside->own->whole)
+        return choose_remade(m, cloud);
+    fits = m->own->stands && !lists->stale(m->beside->list, cloud);
     m->list = fits && !m->beside->share ? m->beside->list : m->own;
     if (m->list == m->own)
         list_forget(m->own);

@@ -15,10 +15,11 @@ struct moment_share;
  * that one's, as one evaluation is over before the next. */
 struct workspace {
     double *record;  /* [places][RECORD], 64-byte aligned                     */
-    size_t slots;    /* room for so many; with images it may grow             */
-    double *f;       /* [n][DIM] by place; of the fluid only what struct sum_rates
+    size_t slots;    /* room for so many; with images it may grow, and from few where
+                        there are many ranks                                  */
+    double *f;       /* [slots][DIM] by place; of the fluid only what struct sum_rates
                         leaves there                                          */
-    double *drho;    /* [n] likewise                                          */
+    double *drho;    /* [slots] likewise                                      */
     double *power;   /* [columns], and what a pressure that looks ahead dissipates */
     double *rho;     /* [n] densities that fields or the pass of solids give, by row; NULL */
     double *p2;      /* [solids] p/rho^2 that they press with, by row; NULL   */

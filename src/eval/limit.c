@@ -1,7 +1,8 @@
 /* limit.c -- the largest explicit step: the fastest wave and the fastest decay
  * of all parts, by name. */
-#include "eval/inside.h"
+#include "eval/share.h"
 
+#include <math.h>
 #include <stdio.h>
 
 static void keep_fastest(const struct limit *one, const char *name, struct limit limit[2])
@@ -43,18 +44,21 @@ static void keep_parts(struct moment *m, double t, const double *y, bool stiff,
                        struct limit limit[2])
 {
     const struct plan *p = m->plan;
+    struct limit one[p->parts + 1];
     struct view v;
+    int of[p->parts + 1], n = 0;
 
-    observe_fluid(m, t, moment_whole(m, y), &v);
+    observe_own(m, t, y, &v);
     for (int i = 0; i < p->parts; i++) {
-        struct limit one = { .where = -1 };
-        if (&p->part[i] == p->stiff && !stiff)
+        if (!p->part[i].part->limit || (&p->part[i] == p->stiff && !stiff))
             continue;
-        if (p->part[i].part->limit) {
-            p->part[i].part->limit(p->part[i].self, &v, &one);
-            keep_fastest(&one, p->part[i].part->name, limit);
-        }
+        one[n] = (struct limit){ .where = -1, .found = -HUGE_VAL };
+        p->part[i].part->limit(p->part[i].self, &v, &one[n]);
+        of[n++] = i;
     }
+    share_limits(m, n, one);
+    for (int k = 0; k < n; k++)
+        keep_fastest(&one[k], p->part[of[k]].part->name, limit);
 }
 
 static void keep_bodies(struct moment *m, double t, const double *y, bool stiff,

@@ -77,6 +77,17 @@ double moment_numbers(const struct moment *moment);
 bool moment_is_full(const struct moment *moment);
 double moment_share_bytes(const struct moment *moment);
 
+/* Bytes that sums over pairs do without, as the list has a part of the particles. */
+double moment_share_spared(const struct moment *moment);
+
+/* Numbers that passes declare to read of neighbours (house.md), of this rank's rows that go to others in
+ * a right-hand side; 0 where all rows are known to all. */
+double moment_share_read(const struct moment *moment);
+
+/* Each x[i] becomes the largest of all ranks that have own rows of y (MOMENT_OWN), which ask together;
+ * else it stays.  None is NaN. */
+void moment_most(const struct moment *moment, int n, double *x);
+
 /* y with the rows of all ranks: y itself where there is one, else lent until the next call.  All
  * ranks ask together. */
 const double *moment_whole(struct moment *moment, const double *y);
@@ -150,7 +161,7 @@ int moment_solve(struct moment *moment, double t, double gamma, const double *r,
 void moment_solve_tolerance(struct moment *moment, double tol);
 
 /* Largest explicit step the physics allows: rates of waves and of decay [1/s],
- * with part and particle.  `stiff` says whether the implicit side is taken
+ * with part and particle.  All ranks ask together.  `stiff` says whether the implicit side is taken
  * explicitly too and so limits as well.  limit[0] is for waves, [1] for decay. */
 void moment_limit(struct moment *moment, double t, const double *y, bool stiff,
                   struct limit limit[2]);

@@ -37,6 +37,12 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
         moment_view(run, t, y, v);
 }
 
+void observe_own(struct moment *run, double t, const double *y, struct view *v)
+{
+    observe_fluid(run, t, y, v);
+    v->others = particles_count(v->p, KIND_FLUID) - moment_rows_of(run, KIND_FLUID);
+}
+
 void observe_view(struct moment *run, double t, const double *y, struct view *v)
 {
     observe_fluid(run, t, y, v);
@@ -145,6 +151,13 @@ static int fastest(const struct view *v, double *speed)
         particle = i;
     }
     return particle;
+}
+
+bool observe_may_run_away(const struct moment *m, double speed)
+{
+    const double rounding = 1e-9;
+
+    return speed * (1 + rounding) > m->plan->in.eos.fastest * m->plan->scales.c0;
 }
 
 int observe_runaway(struct moment *m, double t, const double *y)

@@ -25,6 +25,9 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
  * densities that their rows hold. */
 void observe_fluid(struct moment *run, double t, const double *y, struct view *v);
 
+/* The same at a y that has this rank's rows alone, where it has them alone: see `others` there. */
+void observe_own(struct moment *run, double t, const double *y, struct view *v);
+
 /* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it, but
  * where the pressure was solved for once a step: forces on objects, panels and bodies are then
  * those of the last step (given.h).  Before any look observe_body() knows where a body is, not
@@ -51,6 +54,9 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
 /* STATUS_FAILED when no run should go on from here: fluid moves faster than eos.fastest
  * times the sound speed. */
 int observe_runaway(struct moment *run, double t, const double *y);
+
+/* Can that be where fluid moves at most at this speed [m/s]? */
+bool observe_may_run_away(const struct moment *run, double speed);
 
 /* STATUS_FAILED when a body has met a wall or another body, with no contact between them. */
 int observe_meeting(struct moment *run, double t, const double *y);

@@ -1,6 +1,6 @@
 /* share-halo.c -- what rows of the list of pairs need of other ranks.
  *
- * A list costs two Alltoalls of counts, one gather of a word, and two exchanges with partners: who
+ * A list costs two Alltoalls of counts, one gather of some words and one of solids' ids, and two exchanges with partners: who
  * fails brings that along, and only then all are asked by themselves. */
 #include "eval/share.h"
 
@@ -15,6 +15,24 @@
 bool share_comes(const struct moment *m, int kind)
 {
     return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->plan->passes.press);
+}
+
+int share_reads(const struct moment *m, int kind)
+{
+    const struct plan_passes *passes = &m->plan->passes;
+    unsigned fields = 0;
+
+    for (int i = 0; i < passes->n; i++)
+        fields |= passes->pass[i].neighbours;
+    if (kind != KIND_FLUID)
+        return share_comes(m, kind) && fields & PASS_SOLID_DENSITY ? 1 : 0;
+    return (fields & PASS_POSITION ? DIM : 0) + (fields & PASS_VELOCITY ? DIM : 0)
+           + (fields & PASS_DENSITY ? 1 : 0);
+}
+
+double moment_share_read(const struct moment *m)
+{
+    return m->share ? m->share->halo.leaving : 0;
 }
 
 /* Marks rows that others own and that are neighbours of rows here. */
@@ -39,6 +57,11 @@ struct request {
     int rank, id;
 };
 
+static int kind_of(const struct moment *m, int row)
+{
+    return m->particles->object[m->particles->object_of[row]].kind;
+}
+
 /* The number of a particle among those of this rank, which are in order of ids. */
 static int own_number(const struct moment *m, int id)
 {
@@ -56,13 +79,15 @@ static int own_number(const struct moment *m, int id)
     return low;
 }
 
-/* What all hear of a list: has a rank no memory for what it is asked, and how are entries of rows
- * shared? */
+/* What all hear of a list: has a rank no memory for what it is asked, how are entries of rows
+ * shared, and which solids have neighbours? */
 static int tell(struct moment *m, int status)
 {
+    int *wet = (int *)m->share->pack, count[m->share->ranks];
     struct {
         double entries, fails;
-    } mine = { list_entries(m->own), status != STATUS_DONE }, all[m->share->ranks];
+        int wet;
+    } mine = { list_entries(m->own), status != STATUS_DONE, share_wet(m, wet) }, all[m->share->ranks];
     double most = 0, sum = 0, fails = 0;
 
     for (int r = 0; r < m->share->ranks; r++)
@@ -72,57 +97,70 @@ static int tell(struct moment *m, int status)
         most = fmax(most, all[r].entries);
         sum += all[r].entries;
         fails += all[r].fails;
+        count[r] = all[r].wet;
     }
     m->share->balance.now = sum > 0 ? most * m->share->ranks / sum : 1;
-    return fails > 0 ? ranks_agree(status) : STATUS_DONE;
+    if (fails > 0)
+        return ranks_agree(status);
+    share_hear_wet(m, count, wet);
+    return STATUS_DONE;
 }
 
-/* Owners hear who needs which of their rows, and so know what to send to whom. */
-static int answer(struct moment *m, struct ranks_route *questions, const struct request *mine)
+/* Owners hear who needs which of their rows, and so know what to send to whom; from then on the
+ * halo is what comes next. */
+static int answer(struct moment *m, struct ranks_route *questions, const struct request *mine,
+                  struct share_halo *next)
 {
     struct moment_share *s = m->share;
     const int n = ranks_route_coming(questions);
     struct request *asked = status_alloc((size_t)n + 1, sizeof *asked);
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
-    int status = tell(m, asked && to && row ? STATUS_DONE : STATUS_FAILED);
+    int *units = status_alloc((size_t)n + 1, sizeof *units);
+    int status = tell(m, asked && to && row && units ? STATUS_DONE : STATUS_FAILED);
 
     if (status == STATUS_DONE) {
+        const struct share_halo was = s->halo;
+        s->halo = *next;
+        *next = was;
+        s->halo.leaving = 0;
         ranks_route_go(questions, sizeof *mine, mine, asked);
         for (int i = 0; i < n; i++) {
+            const int own = s->from[s->me][0] + own_number(m, asked[i].id);
+            const int k = kind_of(m, s->row[own]);
             to[i] = asked[i].rank;
-            row[i] = own_number(m, asked[i].id);
+            row[i] = share_seen(s, own);
+            units[i] = share_width(k);
+            s->halo.leaving += share_reads(m, k);
         }
         ranks_route_free(&s->route);
-        status = ranks_route_create(&s->route, STATUS_DONE, SHARE_HALO * sizeof(double), n, to, row);
+        status = ranks_route_create_uneven(&s->route, STATUS_DONE, sizeof *s->seen, n, to, row, units);
     }
     free(asked);
     free(to);
     free(row);
+    free(units);
     return status;
 }
 
-/* Asks for s->halo [n], sorted by owner. */
-static int request(struct moment *m, int status, int n)
+/* Asks owners for rows that are to come. */
+static int request(struct moment *m, int status, struct share_halo *next)
 {
     struct moment_share *s = m->share;
+    const int n = next->n;
     struct request *mine = status_alloc((size_t)n + 1, sizeof *mine);
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     struct ranks_route *questions = NULL;
 
-    if (status == STATUS_DONE) { /* else the halo that stands is heard on */
-        free(s->in);
-        s->in = status_alloc((size_t)n + 1, SHARE_HALO * sizeof *s->in);
-    }
-    if (status == STATUS_DONE && !(mine && to && row && s->in))
+    if (status == STATUS_DONE && !(mine && to && row))
         status = STATUS_FAILED;
     for (int i = 0; i < n && status == STATUS_DONE; i++) {
-        mine[i] = (struct request){ s->me, particles_id_of(m->particles, s->halo[i]) };
+        mine[i] = (struct request){ s->me, particles_id_of(m->particles, next->row[i]) };
         to[i] = s->owner[mine[i].id];
         row[i] = i;
     }
     status = ranks_route_create(&questions, status, sizeof *mine, n, to, row);
     if (status == STATUS_DONE)
-        status = answer(m, questions, mine);
+        status = answer(m, questions, mine, next);
     ranks_route_free(&questions);
     free(mine);
     free(to);
@@ -130,20 +168,42 @@ static int request(struct moment *m, int status, int n)
     return status;
 }
 
+/* Rows that are needed, by owner, and room for what comes of them. */
+static int collect(const struct moment *m, const bool *needed, struct share_halo *next)
+{
+    const struct moment_share *s = m->share;
+    size_t numbers = 0;
+    int n = 0;
+
+    for (int i = 0; i < s->n; i++)
+        if (needed[i]) {
+            n++;
+            numbers += (size_t)share_width(kind_of(m, i));
+        }
+    next->row = status_alloc((size_t)n + 1, sizeof *next->row);
+    next->in = status_alloc(numbers + 1, sizeof *next->in);
+    if (!next->row || !next->in)
+        return STATUS_FAILED;
+    for (int i = 0; i < s->n; i++)
+        if (needed[s->row[i]])
+            next->row[next->n++] = s->row[i];
+    return STATUS_DONE;
+}
+
 int share_halo(struct moment *m, int status)
 {
-    struct moment_share *s = m->share;
-    bool *needed = status == STATUS_DONE ? status_alloc((size_t)s->n + 1, sizeof *needed) : NULL;
-    int n = 0;
+    bool *needed = status == STATUS_DONE ? status_alloc((size_t)m->share->n + 1, sizeof *needed) : NULL;
+    struct share_halo next = { 0 };
 
     if (status == STATUS_DONE && !needed)
         status = STATUS_FAILED;
-    if (needed)
+    if (needed) {
         mark_needed(m, needed);
-    for (int r = 0; r < s->ranks && needed; r++)
-        for (int i = s->from[r][0]; i < s->from[r][KINDS]; i++)
-            if (needed[s->row[i]])
-                s->halo[n++] = s->row[i];
+        status = collect(m, needed, &next);
+    }
     free(needed);
-    return request(m, status, n);
+    status = request(m, status, &next);
+    free(next.row);
+    free(next.in);
+    return status;
 }

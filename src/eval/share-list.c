@@ -9,32 +9,55 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* As the list asks itself: did this particle, now at x, move further than half the margin, is it
- * inside and was outside, is it nowhere? */
-static bool moved(const struct moment *m, int row, const double *x)
+/* What the list would ask itself of all particles. */
+struct look {
+    bool moved; /* further than half the margin                                  */
+    bool back;  /* was left out, and is inside again; or there is no list yet    */
+    int bad;    /* smallest id of those that are nowhere, n: none                */
+};
+
+static bool is_finite(const double *x)
 {
-    const struct list *l = m->own;
-    const double *was = m->share->built + (size_t)row * DIM, limit = l->def.skin / 2;
+    bool good = true;
+
+    for (int d = 0; d < DIM; d++)
+        good &= isfinite(x[d]) != 0;
+    return good;
+}
+
+/* Of a particle, now at x. */
+static void look_at(const struct moment *m, int row, const double *x, struct look *l)
+{
+    const struct list *list = m->own;
+    const double *was = m->share->built + (size_t)row * DIM, limit = list->def.skin / 2;
     double far = 0;
 
     for (int d = 0; d < DIM; d++)
         far += (x[d] - was[d]) * (x[d] - was[d]);
-    return l->slot[row] < 0 ? list_inside(&l->def, x) || !(far < INFINITY) : !(far <= limit * limit);
+    if (list->stands && list->slot[row] >= 0 && far <= limit * limit)
+        return;
+    if (!is_finite(x)) {
+        const int id = particles_id_of(m->particles, row);
+        l->bad = id < l->bad ? id : l->bad;
+    } else if (list->stands) {
+        l->moved |= list->slot[row] >= 0;
+        l->back |= list->slot[row] < 0 && list_inside(&list->def, x);
+    }
 }
 
-/* May the list be old?  Solids are where they are on all ranks. */
-static bool may_be_old(const struct moment *m, const struct view *v)
+/* Own fluid, and solids, which are where they are on all ranks; ids of fluid are below theirs. */
+static struct look look(const struct moment *m, const struct view *v)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
-    const bool solids_move = m->plan->moving_walls || m->plan->bodies > 0;
-    bool old = !m->own->stands;
+    const bool solids_move = m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
+    struct look l = { .back = !m->own->stands, .bad = s->n };
 
-    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1] && !old; i++)
-        old = moved(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM);
-    for (int i = p->from[KIND_WALL]; i < p->n && solids_move && !old; i++)
-        old = moved(m, i, p->x[i]);
-    return old;
+    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++)
+        look_at(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM, &l);
+    for (int i = p->from[KIND_WALL]; i < p->n && solids_move; i++)
+        look_at(m, i, p->x[i], &l);
+    return l;
 }
 
 /* Is a density of this rank's own rows in y out of bounds?  All have to know before they sum. */
@@ -51,14 +74,20 @@ static bool refuses(const struct moment *m, const struct view *v)
     return !all;
 }
 
-/* Where all particles are, as the list is made. */
+/* Where particles are, as the list is made: those that are here. */
 static void note_places(const struct moment *m, const struct cloud *cloud)
 {
+    const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
     const size_t fluid = (size_t)particles_count(p, KIND_FLUID);
+    const double *x = cloud->x[KIND_FLUID];
 
-    memcpy(m->share->built, cloud->x[KIND_FLUID], fluid * DIM * sizeof *m->share->built);
-    memcpy(m->share->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
+    if (x == s->built) /* a list that is made where it was */
+        return;
+    memcpy(s->built, x, (size_t)moment_rows_of(m, KIND_FLUID) * DIM * sizeof *x);
+    for (int i = 0; i < s->near.n; i++)
+        memcpy(s->built + (size_t)s->near.row[i] * DIM, x + (size_t)s->near.row[i] * DIM, DIM * sizeof *x);
+    memcpy(s->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
 }
 
 /* Own rows of y, packed as they travel, and by field. */
@@ -67,8 +96,8 @@ static void read_own(struct moment_share *s, const struct view *v)
     for (int k = 0; k < KINDS; k++)
         for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
             const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
-            double *to = s->seen + (size_t)(i - s->from[s->me][0]) * SHARE_HALO;
-            to[2 * DIM] = s->now.rho[row] = v->rho[k][at];
+            double *to = s->seen + share_seen(s, i);
+            to[share_width(k) - 1] = s->now.rho[row] = v->rho[k][at];
             if (k != KIND_FLUID)
                 continue;
             memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
@@ -81,17 +110,17 @@ static void read_own(struct moment_share *s, const struct view *v)
 /* Solids are where they are on all ranks, and have a density alone. */
 static void hear_halo(struct moment_share *s, const struct view *v)
 {
-    const int n = ranks_route_coming(s->route);
+    const double *from = s->halo.in;
 
-    ranks_route_go(s->route, SHARE_HALO * sizeof *s->seen, s->seen, s->in);
-    for (int i = 0; i < n; i++) {
-        const size_t row = (size_t)s->halo[i];
-        const double *from = s->in + (size_t)i * SHARE_HALO;
-        s->now.rho[row] = from[2 * DIM];
-        if (s->halo[i] >= v->p->from[KIND_FLUID + 1])
-            continue;
-        memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
-        memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
+    ranks_route_go(s->route, sizeof *s->seen, s->seen, s->halo.in);
+    for (int i = 0; i < s->halo.n; i++) {
+        const size_t row = (size_t)s->halo.row[i];
+        if (s->halo.row[i] < v->p->from[KIND_FLUID + 1]) {
+            memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
+            memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
+            from += 2 * DIM;
+        }
+        s->now.rho[row] = *from++;
     }
 }
 
@@ -113,27 +142,29 @@ static void hear_solids(struct moment *m, const struct view *v)
             share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->now.rho + v->p->from[k]);
 }
 
+void share_cloud(const struct moment *m, struct cloud *cloud)
+{
+    const struct particles *p = m->particles;
+
+    memcpy(cloud->from, p->from, sizeof cloud->from);
+    memcpy(cloud->row, p->row, sizeof cloud->row);
+    for (int k = 0; k < KINDS; k++)
+        cloud->x[k] = m->share->built + (size_t)p->from[k] * DIM;
+}
+
 int share_remake(const struct moment *run, struct list *list)
 {
-    const struct particles *p = run->particles;
-    struct cloud cloud = { 0 };
+    struct cloud cloud;
 
-    memcpy(cloud.from, p->from, sizeof cloud.from);
-    memcpy(cloud.row, p->row, sizeof cloud.row);
-    for (int k = 0; k < KINDS; k++)
-        cloud.x[k] = run->share->built + (size_t)p->from[k] * DIM;
+    share_cloud(run, &cloud);
     return run->plan->engine->sum->list->update(list, &cloud);
 }
 
-/* Of positions that all ranks have, so that all or none make it anew; one that has no memory for it
- * fails for all. */
-static int remake(struct moment *m, const struct cloud *cloud)
+/* It was made, with this status here; one that has no memory for it fails for all. */
+static int settle(struct moment *m, const struct cloud *cloud, int status)
 {
-    const long builds = m->own->builds;
-    int status = m->plan->engine->sum->list->update(m->own, cloud), agreed;
+    int agreed;
 
-    if (status == STATUS_DONE && m->own->builds == builds)
-        return STATUS_DONE;
     if (status == STATUS_DONE)
         status = workspace_fit(m->work, m->own);
     if (status == STATUS_DONE)
@@ -144,36 +175,71 @@ static int remake(struct moment *m, const struct cloud *cloud)
     return agreed;
 }
 
+int share_make(struct moment *m, const struct cloud *cloud, double *x)
+{
+    m->own->bad = -1;
+    TRY(share_near(m, cloud, x));
+    return settle(m, cloud, m->plan->engine->sum->list->make(m->own, cloud));
+}
+
+/* Of positions that all ranks have, so that all or none make it anew. */
+static int remake(struct moment *m, const struct cloud *cloud)
+{
+    const long builds = m->own->builds;
+    const int status = m->plan->engine->sum->list->update(m->own, cloud);
+
+    return status == STATUS_DONE && m->own->builds == builds ? STATUS_DONE : settle(m, cloud, status);
+}
+
+/* A position that is nowhere, the first of all ranks. */
+static int refuse_nowhere(struct moment *m, int id)
+{
+    int said = id;
+
+    ranks_first(id < m->share->n ? 0 : HUGE_VAL, id, &said, sizeof said);
+    return list_nowhere(m->own, particles_row_of(m->particles, said), said);
+}
+
+static int keep_list(struct moment *m, const struct cloud *cloud, const struct look *l, const double *flag)
+{
+    struct moment_share *s = m->share;
+
+    if (!s->packed) { /* each rank has all of y */
+        if (fmax(fmax(flag[0], flag[1]), flag[2]) == 0)
+            return STATUS_DONE;
+        share_gather(s, m->particles, KIND_FLUID, DIM, s->now.x, s->now.x);
+        return remake(m, cloud);
+    }
+    if (flag[2] > 0)
+        return refuse_nowhere(m, l->bad);
+    if (flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, s->now.x)))
+        return share_make(m, cloud, s->now.x);
+    return STATUS_DONE;
+}
+
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
-    double flag[5];
 
     if (s->full)
         return remake(m, cloud);
-    flag[0] = may_be_old(m, v);
-    flag[1] = refuses(m, v);
-    flag[2] = e->t;
-    flag[3] = -e->t;
-    flag[4] = s->wish;
+    const struct look l = look(m, v);
+    double flag[] = { l.moved, l.back, l.bad < s->n, refuses(m, v), e->t, -e->t, s->heard.brings };
     read_own(s, v);
     look_at_share(s, v);
     cloud->x[KIND_FLUID] = s->now.x;
-    ranks_most(5, flag);
-    s->heard.refuses = flag[1] > 0;
-    s->heard.apart = flag[2] != -flag[3];
-    s->heard.wish = flag[4];
+    ranks_most(sizeof flag / sizeof *flag, flag);
+    s->heard.refuses = flag[3] > 0;
+    s->heard.apart = flag[4] != -flag[5];
+    s->heard.wish = flag[6];
     if (s->heard.apart) {
         snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
-                 "do all run the same program, with the same libraries?", -flag[3], flag[2]);
+                 "do all run the same program, with the same libraries?", -flag[5], flag[4]);
         return STATUS_FAILED;
     }
-    if (flag[0] > 0) {
-        share_gather(s, v->p, KIND_FLUID, DIM, s->now.x, s->now.x);
-        TRY(remake(m, cloud));
-    }
+    TRY(keep_list(m, cloud, &l, flag));
     hear_halo(s, v);
     hear_solids(m, v);
     return STATUS_DONE;
@@ -183,7 +249,7 @@ bool moment_wish(struct moment *m, double wish)
 {
     if (!m->share || m->share->full)
         return false;
-    m->share->wish = wish;
+    m->share->heard.brings = wish;
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include "algebra/exact-sum.h"
 #include "base/status.h"
 #include "ranks/ranks.h"
+#include "space/record.h"
 
 #include <stdlib.h>
 
@@ -16,6 +17,9 @@ void share_free(struct moment_share **share)
     if (!s)
         return;
     ranks_route_free(&s->route);
+    ranks_route_free(&s->near.route);
+    free(s->near.row);
+    free(s->near.whole.here);
     balance_free(&s->move);
     free(s->mine);
     free(s->owner);
@@ -27,8 +31,10 @@ void share_free(struct moment_share **share)
     free(s->now.u);
     free(s->now.rho);
     free(s->built);
-    free(s->halo);
-    free(s->in);
+    free(s->halo.row);
+    free(s->halo.in);
+    free(s->wet.row);
+    free(s->wet.from);
     free(s->pack);
     free(s->all);
     free(s->whole);
@@ -65,11 +71,16 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->now.x = status_alloc(n, DIM * sizeof *s->now.x);
     s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
     s->now.rho = status_alloc(n, sizeof *s->now.rho);
-    s->halo = status_alloc(n, sizeof *s->halo);
+    s->near.row = status_alloc(n, sizeof *s->near.row);
+    s->near.whole.here = status_alloc(n, sizeof *s->near.whole.here);
+    s->wet.row = status_alloc((size_t)(s->n - m->particles->from[KIND_WALL]) + 1, sizeof *s->wet.row);
+    s->wet.from = status_alloc((size_t)s->ranks + 1, sizeof *s->wet.from);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->now.x && s->now.u && s->now.rho && s->halo && s->power && s->whole ? STATUS_DONE
-                                                                      : STATUS_FAILED;
+    for (int i = m->particles->from[KIND_WALL]; i < s->n && s->near.whole.here; i++)
+        s->near.whole.here[i] = true;
+    return s->near.row && s->near.whole.here && s->now.x && s->now.u && s->now.rho && s->wet.row && s->wet.from && s->power && s->whole
+               ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* Where a particle is at the start. */
@@ -113,7 +124,7 @@ double moment_share_bytes(const struct moment *m)
 {
     const double common = sizeof(bool) + 2 * sizeof(int)
                           + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
-    const double halo = sizeof(int) + (2 * DIM + 1) * sizeof(double);
+    const double halo = sizeof(int) + sizeof(bool) + (2 * DIM + 1) * sizeof(double);
     const double rows = 8 * (1 + DIM) + 5 + 16 * DIM + 8; /* particles in an order of their own */
     const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
 
@@ -122,6 +133,13 @@ double moment_share_bytes(const struct moment *m)
     return m->share->n * (m->share->full ? common : common + halo + travels)
            + (m->share->packed ? rows * m->share->n : 0)
            + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
+}
+
+double moment_share_spared(const struct moment *m)
+{
+    const double places = list_known(m->own) - (double)m->work->slots;
+
+    return m->own->whole && places > 0 ? places * (RECORD + DIM + 1) * (double)sizeof(double) : 0;
 }
 
 /* Does a pass read numbers of all particles, or a filter between two steps? */
@@ -138,6 +156,8 @@ static bool wants_all(const struct plan *p)
 static void attach(struct moment *m)
 {
     m->own->mine = m->share->mine;
+    if (m->share->packed)
+        m->own->whole = &m->share->near.whole;
     if (!m->share->full)
         return;
     m->own->complete = share_complete;

@@ -1,7 +1,6 @@
-/* share.c -- who owns what, and what ranks have to tell all others: rows, refusals, forces on solids. */
+/* share.c -- who owns what, and what ranks have to tell all others: rows, refusals. */
 #include "eval/share.h"
 
-#include "algebra/exact-sum.h"
 #include "base/status.h"
 #include "ranks/ranks.h"
 
@@ -34,10 +33,8 @@ void share_own(const struct moment *m, const int *owner)
 
 int share_fit_own(struct moment_share *s)
 {
-    const size_t own = (size_t)(s->from[s->me][KINDS] - s->from[s->me][0]);
-
     free(s->seen);
-    s->seen = status_alloc(own + 1, SHARE_HALO * sizeof *s->seen);
+    s->seen = status_alloc((size_t)share_seen(s, s->from[s->me][KINDS]) + 1, sizeof *s->seen);
     return s->seen ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -66,6 +63,17 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
                   const double *from, double *to)
 {
     gather(s, p, (int)k, (int)k + 1, c, from, to);
+}
+
+/* Where the list was made, of rows that were not near, too: for a moment that looks, and for a cut. */
+void share_built(struct moment *m)
+{
+    struct moment_share *s = m->share;
+
+    if (!s->packed || s->near.known == s->near.made)
+        return;
+    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
+    s->near.known = s->near.made;
 }
 
 /* Rows of y that a rank has, between y and a message; returns what comes behind. */
@@ -106,6 +114,7 @@ const double *moment_whole(struct moment *m, const double *y)
 
     if (!s || s->full)
         return y;
+    share_built(m);
     memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = numbers_of(m, r);
@@ -115,74 +124,6 @@ const double *moment_whole(struct moment *m, const double *y)
     for (int r = 0; r < s->ranks; r++)
         at = copy_rows(m, r, false, s->whole, at);
     return s->whole;
-}
-
-/* Between the places of solids that a rank has and a message; returns what comes behind. */
-static double *copy_forces(const struct moment *m, int rank, bool pack, double *to)
-{
-    const struct moment_share *s = m->share;
-
-    for (int i = s->from[rank][KIND_WALL]; i < s->from[rank][KINDS]; i++, to += DIM) {
-        const int place = m->list->slot[s->row[i]];
-        double *f = m->work->f + (size_t)(place < 0 ? 0 : place) * DIM;
-        if (place >= 0)
-            memcpy(pack ? to : f, pack ? f : to, DIM * sizeof *f);
-    }
-    return to;
-}
-
-/* A part of one rank, as it travels, goes to the sums of all; returns what comes behind. */
-static const double *add_powers(const struct moment *m, const double *from)
-{
-    for (int k = 0; k < m->plan->slots; k++, from += EXACT_SUM_WORDS) {
-        struct exact_sum one = { .full = 1 };
-        memcpy(one.word, from, sizeof one.word);
-        exact_sum_merge(&m->share->power[k], &one);
-    }
-    return from;
-}
-
-static void pack_powers(const struct moment *m, double *to)
-{
-    for (int k = 0; k < m->plan->slots; k++, to += EXACT_SUM_WORDS) {
-        exact_sum_carry(&m->share->power[k]);
-        memcpy(to, m->share->power[k].word, sizeof m->share->power[k].word);
-        m->share->power[k] = (struct exact_sum){ .full = 0 };
-    }
-}
-
-struct exact_sum *share_parts(const struct evaluation *e)
-{
-    const struct moment *m = e->m;
-    const bool follow = e->ask->sides != ASK_IMPLICIT && e->ask->rates != ASK_DENSITIES
-                        && m->particles->from[KINDS] > m->particles->from[KIND_WALL];
-    const bool read = e->job.apart || e->job.ahead != 0 || plan_ahead(m->plan) > 0; /* before */
-
-    return m->share && !m->share->full && follow && !read ? m->share->power : NULL;
-}
-
-void share_forces(struct evaluation *e)
-{
-    struct moment *m = e->m;
-    struct moment_share *s = m->share;
-    const bool powers = share_parts(e) != NULL;
-    const int words = powers ? m->plan->slots * EXACT_SUM_WORDS : 0;
-    double *at = s->all;
-
-    for (int r = 0; r < s->ranks; r++)
-        s->count[r] = (s->from[r][KINDS] - s->from[r][KIND_WALL]) * DIM + words;
-    at = copy_forces(m, s->me, true, s->pack);
-    if (powers)
-        pack_powers(m, at);
-    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
-    at = s->all;
-    for (int r = 0; r < s->ranks; r++) {
-        at = copy_forces(m, r, false, at);
-        if (powers)
-            at = (double *)add_powers(m, at);
-    }
-    for (int k = 0; powers && k < m->plan->slots; k++)
-        m->work->power[k] = exact_sum_value(&s->power[k]);
 }
 
 void share_silence(const struct moment *m, double *ydot)
@@ -217,14 +158,14 @@ int share_agree(struct moment *m, int status)
     } said;
     const int id = m->culprit[MOMENT_DENSITY_OUT].particle;
     const bool refuses = status != STATUS_DONE;
-    const long place = refuses ? m->list->slot[particles_row_of(m->particles, id)] : 0;
+    const double place = refuses ? list_order(m->own, particles_row_of(m->particles, id)) : HUGE_VAL;
 
     if (!m->share->heard.refuses)
         return status;
     forget_refused(m);
     memcpy(said.refusal, m->refusal, sizeof said.refusal);
     memcpy(said.culprit, m->culprit, sizeof said.culprit);
-    if (ranks_first(refuses ? 0 : HUGE_VAL, place, &said, sizeof said) < 0)
+    if (ranks_first(place, id, &said, sizeof said) < 0)
         return STATUS_DONE;
     memcpy(m->refusal, said.refusal, sizeof said.refusal);
     memcpy(m->culprit, said.culprit, sizeof said.culprit);

@@ -3,8 +3,8 @@
  * All ranks hold y and the particles in full, but each answers for its own rows: it owns them,
  * finds their neighbours and gives their rates; in rates, rows of others are 0.  What pairs
  * read of neighbours that others own comes with each evaluation (the halo), what solids press
- * with and are pressed with from all to all.  The list of pairs has all particles in the places
- * that it has on one rank, made of positions that all ranks have then, so no sum changes a bit.
+ * with and are pressed with from all to all.  The list of pairs has own rows and those near them in the
+ * order that they have on one rank, and is made anew when it is there, so no sum changes a bit.
  *
  * Where something wants numbers of all particles (`full`), all ranks have the whole of y and of
  * its rates, share sums over pairs alone, and each does all else for itself: those sums come from
@@ -16,6 +16,8 @@
 
 #include "eval/balance.h"
 #include "eval/passes.h"
+#include "space/drift.h"
+#include "space/list.h"
 
 struct balance_move;
 struct ranks_route;
@@ -23,7 +25,7 @@ struct ranks_route;
 struct sum_job;
 
 enum {
-    SHARE_HALO = 2 * DIM + 1, /* numbers of a particle: place, velocity, density */
+    SHARE_HALO = 2 * DIM + 1, /* numbers of fluid: place, velocity, density; of solids a density */
     SHARE_WIDEST = SHARE_HALO /* of a row of any message                       */
 };
 
@@ -35,14 +37,21 @@ struct moment_share {
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
-    double *seen;          /* [own rows][SHARE_HALO] as they travel            */
+    double *seen;          /* [numbers of own rows] as they travel: kind by kind */
     struct {
         double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
     } now;                 /* own rows and the halo now, of others some time ago */
     double *built;         /* [n][DIM] where the list was made                 */
     struct ranks_route *route; /* of own rows to others; NULL                  */
-    int *halo;             /* [n] rows that come                               */
-    double *in;            /* [rows that come][SHARE_HALO]                     */
+    struct share_halo {
+        int n, *row;       /* [n] that come, by owner                          */
+        double *in;        /* [numbers that come]                              */
+        double leaving;    /* numbers that passes read of rows that leave, by the plan */
+    } halo;
+    struct {
+        int *row, *from;   /* [from[ranks]] solids with neighbours in the list, those of
+                              rank r row[from[r]] ..                           */
+    } wet;
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
@@ -53,12 +62,17 @@ struct moment_share {
     } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
-    double wish;           /* what this rank brings with a right-hand side     */
     struct {
         bool refuses;      /* some rank has a density out of bounds            */
         bool apart;        /* ranks are not at one time: refused, in the moment's words */
-        double wish;       /* the largest                                      */
+        double brings, wish; /* what this rank brings with each, the largest of all */
     } heard;               /* of all, by the last right-hand side              */
+    struct {
+        struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
+        int n, *row;       /* [n] rows that come                               */
+        struct list_whole whole;
+        long made, known;  /* so far; when `built` was last known of all rows   */
+    } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
@@ -82,6 +96,20 @@ int own_exchange(const struct moment *m, int k, const int *owner, int *from);
 /* From now on the particle with id i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
+/* Numbers of a row of this kind as it travels; where those of this rank's own row i stand in seen. */
+static inline int share_width(int kind)
+{
+    return kind == KIND_FLUID ? SHARE_HALO : 1;
+}
+
+static inline int share_seen(const struct moment_share *s, int i)
+{
+    const int *from = s->from[s->me], n = from[KIND_FLUID + 1] - from[KIND_FLUID];
+
+    i -= from[KIND_FLUID];
+    return i < n ? i * SHARE_HALO : n * SHARE_HALO + i - n;
+}
+
 /* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
 int share_fit_own(struct moment_share *s);
 
@@ -89,10 +117,30 @@ int share_fit_own(struct moment_share *s);
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
+/* share.c */
+
+/* All ranks together: `built` of all rows. */
+void share_built(struct moment *m);
+
+/* share-near.c */
+
+/* Before a list is made of own rows at cloud: what it has of others, their places in x, which cloud has.
+ * On all ranks the first failure. */
+int share_near(struct moment *m, const struct cloud *cloud, double *x);
+
+/* Some particle has moved further than half the margin: would one rank make the list anew? */
+bool share_harms(struct moment *m, const struct cloud *cloud, double *x);
+
 /* share-list.c */
+
+/* A list anew at these places, of which others' come to x. */
+int share_make(struct moment *m, const struct cloud *cloud, double *x);
 
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
+
+/* Where the list was made. */
+void share_cloud(const struct moment *m, struct cloud *cloud);
 
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);
@@ -103,9 +151,28 @@ int share_remake(const struct moment *run, struct list *list);
  * a density of their own, they read those of others than neighbours. */
 bool share_comes(const struct moment *m, int kind);
 
+/* Numbers that the plan's passes read of a neighbour of this kind and that come from its owner. */
+int share_reads(const struct moment *m, int kind);
+
 /* What rows of the list need of other ranks, after it was made with this status here: on all ranks
  * the first that is none.  Settles how unequal work is, too. */
 int share_halo(struct moment *m, int status);
+
+/* share-solids.c */
+
+/* Ids of own solids that have a neighbour in the list; how many. */
+int share_wet(const struct moment *m, int *id);
+
+/* All hear of those of all ranks, count [ranks], and send the forces of these alone from now on. */
+void share_hear_wet(struct moment *m, const int *count, const int *id);
+
+/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
+ * as powers are read before forces on solids are heard, or these are not asked for. */
+struct exact_sum *share_parts(const struct evaluation *e);
+
+/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
+ * were left. */
+void share_forces(struct evaluation *e);
 
 /* share.c */
 
@@ -113,13 +180,10 @@ int share_halo(struct moment *m, int status);
  * one out of bounds in y, nothing is asked: densities that y does not have are the same on all. */
 int share_agree(struct moment *m, int status);
 
-/* Where laws leave this rank's part of the powers; NULL: they are to add up those of all at once,
- * as no forces on solids follow that these could travel with. */
-struct exact_sum *share_parts(const struct evaluation *e);
+/* share-looks.c */
 
-/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
- * were left. */
-void share_forces(struct evaluation *e);
+/* Limits [n] that parts have found in own rows become those of all rows. */
+void share_limits(const struct moment *m, int n, struct limit *limit);
 
 /* share-full.c */
 

@@ -2,6 +2,7 @@
 #include "eval/inside.h"
 
 #include "base/status.h"
+#include "ranks/ranks.h"
 #include "space/record.h"
 
 #include <stdlib.h>
@@ -37,6 +38,19 @@ static int take_press(const struct plan *p, struct workspace *w)
     return p->passes.press->part->as.wall->press->work(p->passes.press->self, &w->press);
 }
 
+/* For so many places; what was there is gone, before there is more. */
+static int take_places(struct workspace *w, size_t slots)
+{
+    free(w->record);
+    free(w->f);
+    free(w->drho);
+    w->record = workspace_lines(slots * RECORD);
+    w->f = workspace_lines(slots * DIM);
+    w->drho = workspace_lines(slots);
+    w->slots = w->record && w->f && w->drho ? slots : 0;
+    return w->slots > 0 ? STATUS_DONE : STATUS_FAILED;
+}
+
 /* Of pairs. */
 static int take_sums(const struct plan *p, struct workspace *w)
 {
@@ -44,10 +58,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
 
     if (n == 0) /* a beam alone: no pairs */
         return STATUS_DONE;
-    w->slots = n + 1;
-    w->record = workspace_lines(w->slots * RECORD);
-    w->f = workspace_lines(n * DIM);
-    w->drho = workspace_lines(n);
+    TRY(take_places(w, ranks_count() > 1 ? 1 : n + 1)); /* of many, a list tells how many a rank has */
     w->power = workspace_lines((size_t)p->slots + 1);
     if (p->passes.press)
         TRY(take_press(p, w));
@@ -58,7 +69,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
         if (!w->sum)
             return STATUS_FAILED;
     }
-    return w->record && w->f && w->drho && w->power ? STATUS_DONE : STATUS_FAILED;
+    return w->power ? STATUS_DONE : STATUS_FAILED;
 }
 
 static int take_memory(const struct plan *p, struct workspace *w)
@@ -93,17 +104,9 @@ int workspace_create(const struct plan *p, struct workspace **out)
 
 int workspace_fit(struct workspace *w, const struct list *l)
 {
-    const size_t want = (size_t)l->listed + 1, slots = want + want / 8;
-    double *record;
+    const size_t want = (size_t)l->listed + 1;
 
-    if (want <= w->slots)
-        return STATUS_DONE;
-    if (!(record = workspace_lines(slots * RECORD)))
-        return STATUS_FAILED;
-    free(w->record);
-    w->record = record;
-    w->slots = slots;
-    return STATUS_DONE;
+    return want <= w->slots ? STATUS_DONE : take_places(w, want + want / 16);
 }
 
 void workspace_free(const struct plan *p, struct workspace **workspace)

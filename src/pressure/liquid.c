@@ -38,20 +38,20 @@ struct fastest {
     int id;
 };
 
-/* Of ids from..to-1. */
+/* Of rows from..to-1. */
 static struct fastest find_fastest(const struct liquid *l, const struct view *v, int from, int to)
 {
     const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
+    const int *id = v->p->id[KIND_FLUID];
     struct fastest most = { -1, -1 };
 
-    for (int id = from; id < to; id++) {
-        const int i = particles_row(v->p, KIND_FLUID, id);
+    for (int i = from; i < to; i++) {
         double u2 = 0;
         for (int d = 0; d < DIM; d++)
             u2 += u[i * DIM + d] * u[i * DIM + d];
         const double speed = eos_sound(&l->eos, rho[i]) + sqrt(u2);
-        if (speed > most.speed)
-            most = (struct fastest){ speed, id };
+        if (speed > most.speed || (speed == most.speed && id && id[i] < most.id))
+            most = (struct fastest){ speed, id ? id[i] : i };
     }
     return most;
 }
@@ -60,7 +60,7 @@ static struct fastest find_fastest(const struct liquid *l, const struct view *v,
 void liquid_limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct liquid *l = self;
-    const long n = particles_count(v->p, KIND_FLUID);
+    const long n = particles_count(v->p, KIND_FLUID) - v->others;
     struct fastest most = { -1, -1 };
 
 #pragma omp parallel if (waiting_repays(n))
@@ -75,6 +75,7 @@ void liquid_limit(const void *self, const struct view *v, struct limit *out)
     if (most.speed < 0)
         return;
     out->where = most.id;
+    out->found = most.speed;
     out->rate = l->reach * most.speed;
 }
 

@@ -123,6 +123,13 @@ int ranks_route_create(struct ranks_route **route, int status, size_t widest, in
     return status;
 }
 
+int ranks_route_create_uneven(struct ranks_route **route, int status, size_t widest, int n,
+                              const int *to, const int *row, const int *units)
+{
+    (void)units;
+    return ranks_route_create(route, status, widest, n, to, row);
+}
+
 void ranks_route_free(struct ranks_route **route)
 {
     *route = NULL;

@@ -20,8 +20,9 @@ struct side {
 struct ranks_route {
     MPI_Comm comm;         /* MPI_COMM_NULL: nothing travels anywhere          */
     struct side out, in;
-    int *row;              /* [leaving] by partner                             */
-    size_t widest;         /* bytes of a row at most                           */
+    int rows;
+    int *row, *units;      /* [rows] by partner: where one begins, how many pieces */
+    size_t widest;         /* bytes of a piece at most                         */
     char *packed;          /* [leaving] so wide                                */
 };
 
@@ -55,13 +56,44 @@ static void close_side(struct side *s)
     free(s->first);
 }
 
-/* Rows by partner, those of one in the order given; next [ranks] is where each stands. */
-static void sort_rows(struct ranks_route *r, int n, const int *to, const int *row, int *next)
+/* What leaves here.  units NULL: each row is one piece. */
+struct leaving {
+    int n;
+    const int *to, *row, *units;
+};
+
+static int units_of(const struct leaving *l, int i)
 {
-    for (int k = 0; k < r->out.n; k++)
-        next[r->out.rank[k]] = r->out.first[k];
-    for (int i = 0; i < n; i++)
-        r->row[next[to[i]]++] = row[i];
+    return l->units ? l->units[i] : 1;
+}
+
+static int pieces(const struct leaving *l)
+{
+    int sum = 0;
+
+    for (int i = 0; i < l->n; i++)
+        sum += units_of(l, i);
+    return sum;
+}
+
+/* Rows by partner, those of one in the order given; next [ranks] is where each stands. */
+static void sort_rows(struct ranks_route *r, const struct leaving *l, int *next)
+{
+    int from = 0;
+
+    memset(next, 0, (size_t)ranks_count() * sizeof *next);
+    for (int i = 0; i < l->n; i++)
+        next[l->to[i]]++;
+    for (int rank = 0; rank < ranks_count(); rank++) {
+        const int rows = next[rank];
+        next[rank] = from;
+        from += rows;
+    }
+    for (int i = 0; i < l->n; i++) {
+        const int at = next[l->to[i]]++;
+        r->row[at] = l->row[i];
+        r->units[at] = units_of(l, i);
+    }
 }
 
 void ranks_route_free(struct ranks_route **route)
@@ -75,13 +107,14 @@ void ranks_route_free(struct ranks_route **route)
     close_side(&r->out);
     close_side(&r->in);
     free(r->row);
+    free(r->units);
     free(r->packed);
     free(r);
     *route = NULL;
 }
 
 /* All memory, before anybody is asked; NULL: there is none. */
-static struct ranks_route *open_route(size_t widest, int n)
+static struct ranks_route *open_route(size_t widest, const struct leaving *l)
 {
     struct ranks_route *r = status_alloc(1, sizeof *r);
 
@@ -89,24 +122,26 @@ static struct ranks_route *open_route(size_t widest, int n)
         return NULL;
     r->comm = MPI_COMM_NULL;
     r->widest = widest;
-    r->row = status_alloc((size_t)n + 1, sizeof *r->row);
-    r->packed = status_alloc((size_t)n + 1, widest);
-    if (!open_side(&r->out) || !open_side(&r->in) || !r->row || !r->packed)
+    r->rows = l->n;
+    r->row = status_alloc((size_t)l->n + 1, sizeof *r->row);
+    r->units = status_alloc((size_t)l->n + 1, sizeof *r->units);
+    r->packed = status_alloc((size_t)pieces(l) + 1, widest);
+    if (!open_side(&r->out) || !open_side(&r->in) || !r->row || !r->units || !r->packed)
         ranks_route_free(&r);
     return r;
 }
 
-/* Rows [2][ranks], how many go to each and how many come; false: some rank has no route, which it
+/* Pieces [2][ranks], how many go to each and how many come; false: some rank has no route, which it
  * says by a number below 0. */
-static bool ask_all(const struct ranks_route *r, int n, const int *to, int *rows)
+static bool ask_all(const struct ranks_route *r, const struct leaving *l, int *rows)
 {
     const int ranks = ranks_count();
     bool all = r != NULL;
 
     for (int i = 0; i < ranks; i++)
         rows[i] = r ? 0 : -1;
-    for (int i = 0; r && i < n; i++)
-        rows[to[i]]++;
+    for (int i = 0; r && i < l->n; i++)
+        rows[l->to[i]] += units_of(l, i);
     MPI_Alltoall(rows, 1, MPI_INT, rows + ranks, 1, MPI_INT, MPI_COMM_WORLD);
     for (int i = 0; i < ranks; i++)
         all &= rows[ranks + i] >= 0;
@@ -116,17 +151,24 @@ static bool ask_all(const struct ranks_route *r, int n, const int *to, int *rows
 int ranks_route_create(struct ranks_route **route, int status, size_t widest, int n, const int *to,
                        const int *row)
 {
-    struct ranks_route *r = *route = status == STATUS_DONE ? open_route(widest, n) : NULL;
+    return ranks_route_create_uneven(route, status, widest, n, to, row, NULL);
+}
+
+int ranks_route_create_uneven(struct ranks_route **route, int status, size_t widest, int n,
+                              const int *to, const int *row, const int *units)
+{
+    const struct leaving l = { n, to, row, units };
+    struct ranks_route *r = *route = status == STATUS_DONE ? open_route(widest, &l) : NULL;
     int rows[2 * ranks_count()];
 
-    if (!ask_all(r, n, to, rows)) {
+    if (!ask_all(r, &l, rows)) {
         status = ranks_agree(status == STATUS_DONE && !r ? STATUS_FAILED : status);
         ranks_route_free(route);
         return status;
     }
     fill_side(&r->out, rows);
     fill_side(&r->in, rows + ranks_count());
-    sort_rows(r, n, to, row, rows);
+    sort_rows(r, &l, rows);
     MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, r->in.n, r->in.rank, r->in.count, r->out.n,
                                    r->out.rank, r->out.count, MPI_INFO_NULL, 0, &r->comm);
     return STATUS_DONE;
@@ -150,12 +192,15 @@ int ranks_route_partners(const struct ranks_route *route)
 void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void *in)
 {
     MPI_Datatype row;
+    char *to = r->packed;
 
     MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
     MPI_Type_commit(&row);
-    for (int i = 0; i < ranks_route_leaving(r); i++)
-        memcpy(r->packed + (size_t)i * bytes, (const char *)from + (size_t)r->row[i] * bytes,
-               bytes);
+    for (int i = 0; i < r->rows; i++) {
+        const size_t size = (size_t)r->units[i] * bytes;
+        memcpy(to, (const char *)from + (size_t)r->row[i] * bytes, size);
+        to += size;
+    }
     ranks_traffic_exchange(r->out.n, ranks_route_leaving(r) * (double)bytes);
     MPI_Neighbor_alltoallv(r->packed, r->out.count, r->out.first, row, in, r->in.count,
                            r->in.first, row, r->comm);

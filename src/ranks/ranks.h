@@ -87,6 +87,11 @@ struct ranks_route;
  * none, with its message; STATUS_FAILED: no memory. */
 int ranks_route_create(struct ranks_route **route, int status, size_t widest, int n, const int *to,
                        const int *row);
+
+/* The same of rows that are not all as wide: row i is units[i] pieces long, from piece row[i] on.  The
+ * numbers below are those of pieces then, and `widest` and bytes are of one. */
+int ranks_route_create_uneven(struct ranks_route **route, int status, size_t widest, int n,
+                              const int *to, const int *row, const int *units);
 void ranks_route_free(struct ranks_route **route); /* NULL is welcome */
 
 /* Rows that come in. */

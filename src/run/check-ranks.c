@@ -18,7 +18,9 @@ static const double messages = 6e6;
 struct rank {
     double pairs, program, shared; /* entries of its list; bytes */
     double spared;                 /* numbers of y that are others' alone */
+    double absent;                 /* bytes of sums for particles that are not in its list */
     struct ranks_traffic sends;    /* for one right-hand side */
+    double read;                   /* numbers that passes read of what it sends to partners */
 };
 
 static struct ranks_traffic since(const struct ranks_traffic *was)
@@ -44,6 +46,7 @@ static int ask_once(struct run *r, struct rank *me)
         const struct ranks_traffic was = ranks_traffic();
         status = moment_eval(r->moment, ASK_ALL, 0, r->y, ydot);
         me->sends = since(&was);
+        me->read = moment_share_read(r->moment);
     }
     free(ydot);
     return status;
@@ -61,7 +64,7 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
     return rank->program + messages + writing + rank->shared + own.state + own.sums
-           + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
+           - (first ? 0 : rank->absent) + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
            + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
            + (first ? own.outputs : 0);
 }
@@ -87,18 +90,21 @@ static void print_memory(const struct run *r, const struct rank *rank, int n, do
 static void print_traffic(const struct rank *rank, int n)
 {
     const struct ranks_traffic *first = &rank[0].sends;
-    double letters = 0, sent = 0, gathered = 0;
+    double letters = 0, sent = 0, gathered = 0, read = 0;
 
     for (int i = 0; i < n; i++) {
         letters = fmax(letters, rank[i].sends.messages);
+        read = rank[i].sends.sent_bytes > sent ? rank[i].read : read;
         sent = fmax(sent, rank[i].sends.sent_bytes);
         gathered = fmax(gathered, rank[i].sends.gathered_bytes);
     }
     printf("a right-hand side, while a list stands, sends\n"
            "  %6.0f questions to all, of %.3g kB together\n"
            "  %6.0f times own rows to all, of at most %.3g kB a rank together\n"
-           "  %6.0f messages to partners at most, of at most %.3g kB a rank together\n",
-           first->asked, first->asked_bytes / 1e3, first->gathers, gathered / 1e3, letters, sent / 1e3);
+           "  %6.0f messages to partners at most, of at most %.3g kB a rank together: %.0f numbers that "
+           "passes read\n",
+           first->asked, first->asked_bytes / 1e3, first->gathers, gathered / 1e3, letters, sent / 1e3,
+           read);
 }
 
 int check_ranks_print(struct run *r, double program, double writing)
@@ -106,6 +112,7 @@ int check_ranks_print(struct run *r, double program, double writing)
     const int n = ranks_count();
     struct rank me = { .pairs = moment_pairs(r->moment), .program = program,
                        .spared = moment_size(r->moment) - moment_numbers(r->moment),
+                       .absent = moment_share_spared(r->moment),
                        .shared = moment_share_bytes(r->moment) }, all[n];
     int count[n];
 

@@ -36,6 +36,7 @@ struct run {
         bool asks;           /* in words of its own, not with right-hand sides */
         char message[STATUS_LINE];
     } met;                   /* by this rank alone, ranks.c                   */
+    double fastest;          /* fluid, after the last step                    [m/s] */
     long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
     bool force;              /* as run_order has it                           */
@@ -71,8 +72,8 @@ void run_sum_up(const struct run *r, const struct run_order *order, int status);
 /* segments.c: after a step, ends a segment where one ends there, and begins the next. */
 int run_next_segment(struct run *r);
 
-/* After the step to (t, y): least and largest of the fluid, into r->past; then what should end
- * the run, or be heard of once. */
+/* After the step to (t, y), of own rows: least and largest of the fluid of all ranks, into r->past; then
+ * what should end the run, or be heard of once, of all rows where fluid may have run away. */
 void run_keep_extremes(struct run *r, double t, const double *y);
 int run_watch(struct run *r, double t, const double *y);
 

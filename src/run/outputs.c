@@ -144,6 +144,18 @@ int outputs_start(struct outputs *o, struct moment *moment, double t, const doub
     return tables_readings(o->tables, moment, t, y);
 }
 
+/* Running means are taken of all steps. */
+bool outputs_reads(const struct plan *plan)
+{
+    bool reads = false;
+
+    for (int i = 0; i < plan_probes(plan); i++) {
+        const char *name;
+        reads |= plan_probe(plan, i, &name)->window > 0;
+    }
+    return reads;
+}
+
 int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,
                  const double *y)
 {

@@ -27,6 +27,9 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
 int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,
                  const double *y);
 
+/* Does outputs_step() look at y? */
+bool outputs_reads(const struct plan *plan);
+
 /* A row in checkpoints.csv, because of simulated "time" or of the "clock". */
 int outputs_checkpoint(struct outputs *o, double t, const char *because);
 

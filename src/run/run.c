@@ -82,8 +82,10 @@ static int step_on(struct run *r, struct method_step *step)
 
 /* After a step: what each rank does for itself, of which the others hear; what a run looks at all
  * ranks see alike, but for want of memory.  A step without memory found another way. */
-static int look(struct run *r, const struct method_step *step, const double *y)
+static int look(struct run *r, const struct method_step *step)
 {
+    const bool all = outputs_reads(r->plan) || observe_may_run_away(r->moment, r->fastest);
+    const double *y = all ? run_state(r) : r->method->state(r->self);
     int status;
 
     TRY(run_ranks_met(r, run_ranks_writes() ? outputs_step(r->outputs, r->moment, step, y) : STATUS_DONE));
@@ -96,20 +98,18 @@ static int look(struct run *r, const struct method_step *step, const double *y)
 static int one_step(struct run *r, struct progress *progress)
 {
     struct method_step step;
-    const double *y;
 
     run_ranks_wish(r);
     TRY(step_on(r, &step));
-    y = run_state(r);
     step.rejected += r->rejected;
     r->pace = step.pace;
     r->past.tally.t = step.t;
     r->past.tally.steps++;
     r->past.tally.limited[step.limiter]++;
     r->past.tally.rejected = step.rejected;
-    run_keep_extremes(r, step.t, y);
+    run_keep_extremes(r, step.t, r->method->state(r->self));
     progress_step(progress, step.t, step.h, limiters[step.limiter]);
-    return run_ranks_heard(r, look(r, &step, y));
+    return run_ranks_heard(r, look(r, &step));
 }
 
 static int keep_when_due(struct run *r)

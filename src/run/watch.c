@@ -22,17 +22,21 @@ void run_keep_extremes(struct run *r, double t, const double *y)
     struct view v;
     int n;
 
-    observe_fluid(r->moment, t, y, &v);
-    n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) : 0;
+    observe_own(r->moment, t, y, &v);
+    n = v.rho[KIND_FLUID] ? particles_count(v.p, KIND_FLUID) - v.others : 0;
     for (int i = 0; i < n; i++) {
         const double rho = v.rho[KIND_FLUID][i], u2 = square(v.u[KIND_FLUID] + DIM * i);
         low = rho < low ? rho : low;
         high = rho > high ? rho : high;
         most = u2 > most ? u2 : most;
     }
-    tally->density[0] = low;
-    tally->density[1] = high;
-    tally->speed = fmax(tally->speed, sqrt(most)); /* of the largest: a root grows with its square */
+    double all[] = { -low, high, most };
+
+    moment_most(r->moment, 3, all);
+    tally->density[0] = -all[0];
+    tally->density[1] = all[1];
+    r->fastest = sqrt(all[2]); /* of the largest: a root grows with its square */
+    tally->speed = fmax(tally->speed, r->fastest);
 }
 
 int run_watch(struct run *r, double t, const double *y)

@@ -17,17 +17,11 @@ enum { FINE = 3 };
 /* Particles of one kind from which sorting repays waking the threads. */
 enum { WORTH_THREADS = 4096 };
 
-static const double *position(const struct list *list, const struct cloud *cloud, int kind, int i)
-{
-    if (list->own->images.home)
-        return list->own->images.home[i];
-    return cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
-}
-
 /* Marks particles inside, and the box around them; returns how many. */
 static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
 {
     const int from = list->def.from[kind], to = list->def.from[kind + 1];
+    const struct list_whole *whole = list->whole;
     double least[DIM], most[DIM];
     int inside = 0;
 
@@ -38,9 +32,9 @@ static int bounds(struct list *list, const struct cloud *cloud, int kind, double
 #pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS) \
     reduction(min : least) reduction(max : most) reduction(+ : inside)
     for (int i = from; i < to; i++) {
-        const double *x = position(list, cloud, kind, i);
+        const double *x = list_home(list, cloud, kind, i);
 
-        list->slot[i] = list_inside(&list->def, x) ? 0 : -1;
+        list->slot[i] = (!whole || whole->here[i]) && list_inside(&list->def, x) ? 0 : -1;
         if (list->slot[i] < 0)
             continue;
         inside++;
@@ -69,18 +63,25 @@ static double resize(struct cells *c, const double *high, double radius, double 
     }
 }
 
-int cells_grid(struct list *list, struct cells *c, const double *high, int n)
+size_t cells_shape(const struct list *list, struct cells *c, const double *high, double n)
 {
     const double radius = list->def.support + list->def.skin;
+    const size_t cells = (size_t)resize(c, high, radius, 8.0 * n + 4096);
+
+    for (int d = 0; d < DIM; d++)
+        c->n[d] = (int)((high[d] - c->low[d]) * c->per_metre[d]) + 1;
+    return cells;
+}
+
+int cells_grid(struct list *list, struct cells *c, const double *high, double n)
+{
     size_t cells = 0;
 
     memset(c->n, 0, sizeof c->n);
     if (n > 0) {
-        cells = (size_t)resize(c, high, radius, 8.0 * n + 4096);
-        for (int d = 0; d < DIM; d++) {
-            c->n[d] = (int)((high[d] - c->low[d]) * c->per_metre[d]) + 1;
+        cells = cells_shape(list, c, high, n);
+        for (int d = 0; d < DIM; d++)
             list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
-        }
     }
     if (!list_grow((void **)&c->start, &c->room, cells + 2, sizeof *c->start))
         return list_no_memory(list);
@@ -122,7 +123,7 @@ static void count(struct list *list, const struct cloud *cloud, int kind, struct
 #pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS)
     for (int i = from; i < to; i++)
         if (list->slot[i] >= 0)
-            list->slot[i] = cells_rank(c, position(list, cloud, kind, i));
+            list->slot[i] = cells_rank(c, list_home(list, cloud, kind, i));
     for (int i = from; i < to; i++)
         if (list->slot[i] >= 0)
             c->start[list->slot[i] + 2]++;
@@ -184,7 +185,7 @@ static void note_places(struct list *list, const struct cloud *cloud, int kind)
         for (int d = 0; d < DIM; d++)
             built[d] = list->slot[i] < 0 ? INFINITY : x[d];
         if (list->slot[i] >= 0)
-            cells_note(list, list->slot[i], position(list, cloud, kind, i));
+            cells_note(list, list->slot[i], list_home(list, cloud, kind, i));
     }
 }
 
@@ -196,8 +197,15 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
         const int inside = bounds(list, cloud, kind, c->low, high);
+        double n = inside;
 
-        TRY(cells_grid(list, c, high, inside));
+        if (list->whole) {
+            const struct list_bounds *all = &list->whole->of[kind];
+            memcpy(c->low, all->low, sizeof c->low);
+            memcpy(high, all->high, sizeof high);
+            n = all->n;
+        }
+        TRY(cells_grid(list, c, high, n));
         count(list, cloud, kind, c);
         place(list, cloud, kind, c);
         note_places(list, cloud, kind);

@@ -30,10 +30,11 @@ struct cells_window {
 int cells_sort(struct list *list, const struct cloud *cloud);
 
 /* For sorting others in the same way: a grid from c->low to high for n of them, with
- * all start at 0 (0 or STATUS_FAILED); the number of the cell that holds x; the
+ * all start at 0 (0 or STATUS_FAILED); its shape alone, and how many cells it has; the number of the cell that holds x; the
  * counts in start[cell + 2] become, in start[cell + 1], first places from `first` on;
  * the position of a place. */
-int cells_grid(struct list *list, struct cells *c, const double *high, int n);
+int cells_grid(struct list *list, struct cells *c, const double *high, double n);
+size_t cells_shape(const struct list *list, struct cells *c, const double *high, double n);
 int cells_rank(const struct cells *c, const double *x);
 void cells_add_up(struct cells *c, int first);
 void cells_note(struct list *list, int slot, const double *x);

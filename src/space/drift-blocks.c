@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Widens low..high by the grids of all kinds. */
-static void widen(const struct cells cells[KINDS], double *low, double *high)
+static void widen(const struct cells *cells, double *low, double *high)
 {
     for (int d = 0; d < DIM; d++)
         for (int kind = 0; kind < KINDS; kind++) {
@@ -25,7 +25,8 @@ static void widen(const struct cells cells[KINDS], double *low, double *high)
 
 /* Blocks over the grids of all kinds, an empty one around them; coarser until
  * there are not many more than particles. */
-static size_t make_grid(const struct list *list, struct drift *drift)
+size_t drift_shape(const struct list *list, const struct cells *cells, const struct cells *images,
+                   struct drift *drift)
 {
     const double edge = list->def.support + 2 * DRIFT_FARTHEST * list->def.skin;
     double high[DIM];
@@ -34,8 +35,8 @@ static size_t make_grid(const struct list *list, struct drift *drift)
         drift->low[d] = INFINITY;
         high[d] = -INFINITY;
     }
-    widen(list->own->cells, drift->low, high);
-    widen(list->own->image_cells, drift->low, high);
+    widen(cells, drift->low, high);
+    widen(images, drift->low, high);
     for (double coarse = 1;; coarse *= 1.25) {
         double blocks = 1;
 
@@ -43,7 +44,7 @@ static size_t make_grid(const struct list *list, struct drift *drift)
             drift->per_metre[d] = 1 / (coarse * edge);
             blocks *= floor((high[d] - drift->low[d]) * drift->per_metre[d]) + 3;
         }
-        if (blocks > 8.0 * list->listed + 4096)
+        if (blocks > 8.0 * list_known(list) + 4096)
             continue;
         for (int d = 0; d < DIM; d++)
             drift->n[d] = (int)((high[d] - drift->low[d]) * drift->per_metre[d]) + 3;
@@ -145,7 +146,7 @@ int drift_note(struct list *list, const struct cloud *cloud)
     drift->far = false;
     if (list->listed == 0)
         return STATUS_DONE;
-    const size_t blocks = make_grid(list, drift);
+    const size_t blocks = drift_shape(list, list->own->cells, list->own->image_cells, drift);
     TRY(make_room(list, drift, blocks));
     memset(drift->count, 0, blocks * sizeof *drift->count);
     find_blocks(list, cloud, drift);

@@ -181,6 +181,14 @@ struct search {
     atomic_bool harmless;
 };
 
+/* Of many ranks one looks at a block: it owns the first member, and so knows all of it and all around. */
+static bool is_mine(const struct list *list, int block)
+{
+    const struct drift *drift = &list->own->drift;
+
+    return !list->whole || list->mine[drift->row[drift->end[block] - drift->count[block]]];
+}
+
 /* No pair missing between a block and those that touch it; looks at pairs one by
  * one as long as patience lasts. */
 static bool complete(struct search *s, int block)
@@ -191,6 +199,8 @@ static bool complete(struct search *s, int block)
     const double *range = drift->range + (size_t)block * 2 * DIM;
     struct crowd here, there;
 
+    if (!is_mine(list, block))
+        return true;
     for (int o = 0; o < s->offsets; o++) {
         const int other = block + s->offset[o];
         const double *others = drift->range + (size_t)other * 2 * DIM;
@@ -222,13 +232,31 @@ static void look(struct search *s)
             s->harmless = false;
 }
 
-/* Nothing depends on who finds it: patience is a sum, and one that finds harm is enough. */
-bool drift_harmless(const struct list *list, const struct cloud *cloud)
+double drift_patience(const struct list *list)
 {
-    struct search s = { .list = list, .cloud = cloud, .patience = (long)PATIENCE * list->listed,
-                        .harmless = true };
+    return PATIENCE * list_known(list);
+}
+
+/* Nothing depends on who finds it: patience is a sum, and one that finds harm is enough. */
+static bool find_none(const struct list *list, const struct cloud *cloud, double *pairs)
+{
+    const long patience = (long)drift_patience(list);
+    struct search s = { .list = list, .cloud = cloud, .patience = patience, .harmless = true };
 
     s.offsets = touching(&list->own->drift, s.offset);
     THREADS(waiting_repays(list->listed), look(&s));
+    *pairs += (double)(patience - s.patience);
     return s.harmless;
+}
+
+bool drift_harmless(const struct list *list, const struct cloud *cloud)
+{
+    double pairs = 0;
+
+    return find_none(list, cloud, &pairs);
+}
+
+bool drift_harms(const struct list *list, const struct cloud *cloud, double *pairs)
+{
+    return list->listed > 0 && !find_none(list, cloud, pairs);
 }

@@ -46,6 +46,17 @@ int drift_note(struct list *list, const struct cloud *cloud);
  * two margins, or a rebuild costs less than to find out. */
 bool drift_harmless(const struct list *list, const struct cloud *cloud);
 
+/* Where a list has a part of the particles: is there harm in what this rank has to look at, which is a
+ * block with its neighbours where it owns the first member?  Adds pairs that were looked at: where
+ * there is harm on no rank, there is some still if all together are more than patience allows. */
+bool drift_harms(const struct list *list, const struct cloud *cloud, double *pairs);
+double drift_patience(const struct list *list);
+
+/* The grid of blocks over these of cells. */
+struct cells;
+size_t drift_shape(const struct list *list, const struct cells *cells, const struct cells *images,
+                   struct drift *drift);
+
 void drift_free(struct drift *drift);
 
 /* Where the particle or image of this place stands when the particle is at x. */

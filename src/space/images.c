@@ -77,9 +77,9 @@ static int turns_of(const struct list_def *def, int d, double x)
     return (lengths < (int)lengths) - (int)lengths; /* -floor() */
 }
 
-void images_bring_home(struct list *list, const struct cloud *cloud)
+void images_bring_home(const struct list *list, const struct cloud *cloud)
 {
-    struct images *to = &list->own->images;
+    const struct images *to = &list->own->images;
 
     for (int kind = 0; kind < KINDS; kind++) {
         const int from = list->def.from[kind], end = list->def.from[kind + 1];
@@ -106,6 +106,38 @@ static int sides_near(const struct images *images, const double *x)
     return near;
 }
 
+/* The image beyond these sides of one that is at x, in row i. */
+static void make_image(const struct list *list, int i, const double *x, int sides, struct image *image)
+{
+    const struct images *of = &list->own->images;
+
+    image->of = i;
+    for (int d = 0; d < DIM; d++) {
+        const int shift = of->home[i][d] < of->low[d] ? 1 : -1;
+
+        image->turns[d] = of->turns[i][d] + (sides >> d & 1 ? shift : 0);
+        image->at[d] = moved(&list->def, d, x[d], image->turns[d]);
+    }
+}
+
+void images_widen(const struct list *list, const double *x, int row, struct list_bounds *to)
+{
+    const struct images *of = &list->own->images;
+    const int near = sides_near(of, of->home[row]);
+
+    for (int sides = 1; sides <= near; sides++) {
+        struct list_bounds one = { .n = 1 };
+        struct image image;
+
+        if (sides & ~near)
+            continue;
+        make_image(list, row, x, sides, &image);
+        memcpy(one.low, image.at, sizeof one.low);
+        memcpy(one.high, image.at, sizeof one.high);
+        list_widen(to, &one);
+    }
+}
+
 /* Images of one that is at x, for each choice of the sides it is near to. */
 static int add(struct list *list, int i, const double *x, int near)
 {
@@ -117,14 +149,7 @@ static int add(struct list *list, int i, const double *x, int near)
     for (int sides = 1; sides <= near; sides++) {
         if (sides & ~near)
             continue;
-        struct image *image = &to->all[to->n++];
-        image->of = i;
-        for (int d = 0; d < DIM; d++) {
-            const int shift = to->home[i][d] < to->low[d] ? 1 : -1;
-
-            image->turns[d] = to->turns[i][d] + (sides >> d & 1 ? shift : 0);
-            image->at[d] = moved(&list->def, d, x[d], image->turns[d]);
-        }
+        make_image(list, i, x, sides, &to->all[to->n++]);
     }
     return STATUS_DONE;
 }
@@ -163,7 +188,13 @@ static int make_grid(struct list *list, int kind)
             c->low[d] = x < c->low[d] ? x : c->low[d];
             high[d] = x > high[d] ? x : high[d];
         }
-    return cells_grid(list, c, high, all->from[kind + 1] - all->from[kind]);
+    double n = all->from[kind + 1] - all->from[kind];
+    if (list->whole) {
+        memcpy(c->low, list->whole->images[kind].low, sizeof c->low);
+        memcpy(high, list->whole->images[kind].high, sizeof high);
+        n = list->whole->images[kind].n;
+    }
+    return cells_grid(list, c, high, n);
 }
 
 static void set_offset(struct list *list, int slot, const int *turns)

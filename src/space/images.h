@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 struct list;
+struct list_bounds;
 struct list_def;
 
 struct image {
@@ -48,7 +49,10 @@ static inline bool images_near(const struct images *images, const double *low,
 }
 
 /* Before sorting: where each particle stands in the domain. */
-void images_bring_home(struct list *list, const struct cloud *cloud);
+void images_bring_home(const struct list *list, const struct cloud *cloud);
+
+/* Widens a box by the images of a particle at x in a row that is in the domain. */
+void images_widen(const struct list *list, const double *x, int row, struct list_bounds *to);
 
 /* After cells_sort(): images, their places, grids, offsets. 0 or STATUS_FAILED (no memory). */
 int images_sort(struct list *list, const struct cloud *cloud);

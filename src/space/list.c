@@ -262,8 +262,8 @@ static bool finite_position(const double *x)
 }
 
 /* Of the particles with a position that is not finite, that with the smallest id, where
- * `bad` is the lowest row of them: its row is noted, its number by ids returned. */
-static int note_bad(struct list *list, const struct cloud *cloud, int bad)
+ * `bad` is the lowest row of them. */
+static int refuse_bad(struct list *list, const struct cloud *cloud, int bad)
 {
     int kind = 0, k;
 
@@ -272,8 +272,7 @@ static int note_bad(struct list *list, const struct cloud *cloud, int bad)
     const int from = list->def.from[kind], *row = cloud->row[kind];
     for (k = row ? 0 : bad - from; row && finite_position(cloud->x[kind] + (size_t)row[k] * DIM);)
         k++;
-    list->bad = from + (row ? row[k] : k);
-    return from + k;
+    return list_nowhere(list, from + (row ? row[k] : k), from + k);
 }
 
 int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
@@ -288,9 +287,7 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 
     list->own->drift.far = c.moved;
     if (c.bad < list->n)
-        return status_fail(STATUS_FAILED, "the position of particle %d is not a number: the step "
-                           "was too large, or a force is not finite",
-                           note_bad(list, cloud, c.bad));
+        return refuse_bad(list, cloud, c.bad);
     return outdated(list, cloud, &c, asked) ? list_rebuild(list, cloud, rows) : STATUS_DONE;
 }
 

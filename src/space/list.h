@@ -69,6 +69,19 @@ static inline const double *list_at(const double *numbers, int entry, int width)
     return (const double *)((const char *)numbers + (size_t)(unsigned)entry * (size_t)width);
 }
 
+/* A box around some particles, low above high where n, their number, is 0. */
+struct list_bounds {
+    double low[DIM], high[DIM], n;
+};
+
+/* Where a list has a part of the particles, on one of many ranks: which are here, and what is known of
+ * all.  Those that are not here count as left out; their positions are never read.  The rows of
+ * neighbours, what they are sorted by, and what a rebuild depends on are then those of a list of all. */
+struct list_whole {
+    bool *here;                        /* [n] */
+    struct list_bounds of[KINDS], images[KINDS]; /* in the domain, and of their images  */
+};
+
 struct list {
     struct list_def def;
     int lanes;             /* width of the rows                              */
@@ -100,6 +113,7 @@ struct list {
                               [particles][width] by place of owners that are not here, of
                               kinds (KIND_BITs) that own anything; NULL: they stay 0      */
     void *others;          /* its own                                        */
+    const struct list_whole *whole; /* NULL: all particles are here          */
     bool stands;           /* there are rows, of the last rebuild            */
     int bad;               /* row of the particle whose position is not finite,
                               of several that with the smallest id, or -1    */
@@ -116,6 +130,9 @@ struct list_engine {
      * than the margin allows, else a rebuild.  0, or STATUS_FAILED with
      * list->bad when a position is not finite. */
     int (*update)(struct list *list, const struct cloud *cloud);
+
+    /* Makes it anew at these positions, all of which are finite.  0 or STATUS_FAILED. */
+    int (*make)(struct list *list, const struct cloud *cloud);
 
     /* True when update() would rebuild or fail (the list is not touched). */
     bool (*stale)(const struct list *list, const struct cloud *cloud);
@@ -153,6 +170,36 @@ static inline void list_complete(const struct list *list, unsigned kinds, int wi
 /* What positions it was last made at is forgotten: the next update() makes it as the first
  * one did.  Memory and the count of rebuilds stay. */
 void list_forget(struct list *list);
+
+/* The failure of a position that is not finite, of the particle in a row, with this number by ids. */
+int list_nowhere(struct list *list, int row, int id);
+
+/* --- a part of the particles: list-whole.c ------------------------------------------------ */
+
+/* Of particles that are mine, and of all solids, which all ranks know: where they are, but for which
+ * are here; box: around all that are mine. */
+void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
+                 struct list_bounds *box);
+void list_widen(struct list_bounds *to, const struct list_bounds *by);
+
+/* Particles that must be here: those near the box of mine, by so much [m].  x: where it is by
+ * list_home(), after list_bounds(). */
+double list_reach(const struct list *list, const struct list_whole *whole);
+bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x);
+const double *list_home(const struct list *list, const struct cloud *cloud, int kind, int row);
+
+/* Particles and images, of all ranks. */
+static inline double list_known(const struct list *list)
+{
+    double n = 0;
+
+    for (int k = 0; k < KINDS && list->whole; k++)
+        n += list->whole->of[k].n + list->whole->images[k].n;
+    return list->whole ? n : list->listed;
+}
+
+/* What places are sorted by before ids, the same number on all ranks. */
+double list_order(const struct list *list, int row);
 
 /* Entries in all rows, padding included. */
 double list_entries(const struct list *list);

@@ -185,6 +185,12 @@ static int update(struct list *list, const struct cloud *cloud)
     return list_update(list, cloud, find_all);
 }
 
+static int make(struct list *list, const struct cloud *cloud)
+{
+    list->bad = -1;
+    return list_rebuild(list, cloud, find_all);
+}
+
 static int rearrange(struct list *list, const int *const from[KINDS],
                      const int *const rows[KINDS])
 {
@@ -192,6 +198,6 @@ static int rearrange(struct list *list, const int *const from[KINDS],
 }
 
 const struct list_engine LANE_NAME(list_engine) = {
-    .lanes = LANES, .create = create, .free = list_free, .update = update, .stale = list_stale,
-    .rearrange = rearrange,
+    .lanes = LANES, .create = create, .free = list_free, .update = update, .make = make,
+    .stale = list_stale, .rearrange = rearrange,
 };

@@ -10,6 +10,8 @@ struct limit {
     double rate;    /* largest |eigenvalue| of the part [1/s]; 0: no limit    */
     bool decay;     /* eigenvalues are real and negative, else imaginary      */
     int where;      /* particle (its id) or element that sets it              */
+    double found;   /* what was compared to find it: of several places the largest sets
+                       the rate, of equal ones the smallest id                */
     char part[64];  /* name of the part                                       */
 };
 

@@ -55,6 +55,8 @@ struct view {
     const double *p2[KINDS];  /* [count of kind] p/rho^2 that solids press with;
                                  NULL: that of their density                  */
     bool stores[KINDS];       /* that density holds internal energy            */
+    int others;               /* rows of the fluid that are not here, the last ones: of other
+                                 ranks.  Only limits of parts look at such a view */
 };
 
 static inline int particles_count(const struct particles *p, enum kind k)

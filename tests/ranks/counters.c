@@ -1,13 +1,14 @@
 /* counters.c -- what the first rank says by MPI, counted by the profiling names of MPI (MPI 4.0,
  * chapter 15): preloaded by tests/ranks.sh.  MPI_Finalize() prints
  *
- *     allreduces N gathers N exchanges N messages N bytes N
+ *     allreduces N gathers N gathered N exchanges N messages N bytes N
  *
- * of the first rank.  An exchange is one use of a route, messages and bytes are what it sends. */
+ * of the first rank.  An exchange is one use of a route, messages and bytes are what it sends; gathered
+ * are the bytes of all ranks that it has heard in gathers. */
 #include <mpi.h>
 #include <stdio.h>
 
-static long allreduces, gathers, exchanges, messages, bytes;
+static long allreduces, gathers, gathered, exchanges, messages, bytes;
 
 int MPI_Allreduce(const void *from, void *to, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm)
 {
@@ -18,7 +19,13 @@ int MPI_Allreduce(const void *from, void *to, int n, MPI_Datatype type, MPI_Op o
 int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
                    const int first[], MPI_Datatype to_type, MPI_Comm comm)
 {
+    int size, ranks;
+
+    MPI_Type_size(to_type, &size);
+    MPI_Comm_size(comm, &ranks);
     gathers++;
+    for (int r = 0; r < ranks; r++)
+        gathered += (long)count[r] * size;
     return PMPI_Allgatherv(from, n, type, to, count, first, to_type, comm);
 }
 
@@ -43,7 +50,7 @@ int MPI_Finalize(void)
 
     MPI_Comm_rank(MPI_COMM_WORLD, &me);
     if (me == 0)
-        fprintf(stderr, "allreduces %ld gathers %ld exchanges %ld messages %ld bytes %ld\n", allreduces,
-                gathers, exchanges, messages, bytes);
+        fprintf(stderr, "allreduces %ld gathers %ld gathered %ld exchanges %ld messages %ld bytes %ld\n",
+                allreduces, gathers, gathered, exchanges, messages, bytes);
     return PMPI_Finalize();
 }

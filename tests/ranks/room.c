@@ -328,6 +328,37 @@ static void rows_arrive_in_order(void)
     ranks_route_free(&route);
 }
 
+/* Rows of one number and of three, to all others; those of a rank in the order in which it named them. */
+static void rows_of_a_route_may_be_uneven(void)
+{
+    enum { ROWS = 5 };
+    const int me = ranks_me(), ranks = ranks_count();
+    double all[3 * ROWS], in[64 * 3 * ROWS];
+    int to[64 * ROWS], row[64 * ROWS], units[64 * ROWS], n = 0, came = 0;
+    struct ranks_route *route;
+    bool good;
+
+    for (int i = 0; i < 3 * ROWS; i++)
+        all[i] = 100 * me + i;
+    for (int i = ROWS - 1; i >= 0; i--)
+        for (int r = 0; r < ranks; r++) {
+            if (r == me || ranks > 64)
+                continue;
+            to[n] = r;
+            row[n] = 3 * i;
+            units[n++] = i % 2 ? 3 : 1;
+        }
+    good = ranks_route_create_uneven(&route, STATUS_DONE, sizeof *all, n, to, row, units) == STATUS_DONE;
+    ranks_route_go(route, sizeof *all, all, in);
+    for (int r = 0; r < ranks; r++)
+        for (int i = ROWS - 1; i >= 0 && r != me; i--)
+            for (int k = 0; k < (i % 2 ? 3 : 1); k++)
+                good &= in[came++] == 100 * r + 3 * i + k;
+    claim(good && came == ranks_route_coming(route) && came == ranks_route_leaving(route),
+          "rows of a route may be of one number and of three");
+    ranks_route_free(&route);
+}
+
 static void a_route_may_be_empty(void)
 {
     struct ranks_route *route;
@@ -431,6 +462,7 @@ int main(int argc, char **argv)
         the_lowest_that_fails_is_heard(first);
     a_refusal_without_a_message_is_agreed_on_too();
     rows_arrive_in_order();
+    rows_of_a_route_may_be_uneven();
     a_route_may_be_empty();
     a_route_fails_for_all();
     try_cuts(2);

@@ -1,0 +1,139 @@
+/* share-near.c -- particles that a rank has in its list: its own, all solids, and fluid that others own
+ * near a box around its own.
+ *
+ * A list wants two of each block of space (space/drift.h) around own ones, so that this rank can judge
+ * for all whether one of its pairs may be missing.  Places of others come when a list is made, and
+ * when one moved so far that this is in doubt.  What follows from all particles, grids, number and
+ * patience, is told by all in a gather of some numbers each. */
+#include "eval/share.h"
+
+#include "base/status.h"
+#include "ranks/ranks.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAMED = DIM + 1 }; /* numbers of a row as it travels first: place, id */
+
+/* What a rank tells of its own: fluid, its images, and all there is, in the domain. */
+struct told {
+    struct list_bounds fluid, images, box;
+};
+
+/* Of all ranks, what none knows alone. */
+static void hear_bounds(struct moment *m, const struct cloud *cloud, struct told *all)
+{
+    struct moment_share *s = m->share;
+    struct list_whole *whole = &s->near.whole;
+    struct told mine;
+
+    list_bounds(m->own, cloud, whole, &mine.box);
+    mine.fluid = whole->of[KIND_FLUID];
+    mine.images = whole->images[KIND_FLUID];
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = 1;
+    ranks_gather(s->count, sizeof mine, &mine, all);
+    for (int r = 0; r < s->ranks; r++)
+        if (r != s->me) {
+            list_widen(&whole->of[KIND_FLUID], &all[r].fluid);
+            list_widen(&whole->images[KIND_FLUID], &all[r].images);
+        }
+}
+
+/* Calls for each own row of fluid, once for each rank that it is near to; returns how often.
+ * to, row [that often] or NULL. */
+static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all,
+                     int *to, int *row)
+{
+    const struct moment_share *s = m->share;
+    const double reach = list_reach(m->own, &s->near.whole);
+    int n = 0;
+
+    for (int i = 0; i < moment_rows_of(m, KIND_FLUID); i++) {
+        const double *x = list_home(m->own, cloud, KIND_FLUID, i);
+        for (int r = 0; r < s->ranks && list_inside(&m->own->def, x); r++)
+            if (r != s->me && list_near(m->own, &all[r].box, reach, x)) {
+                if (to) {
+                    to[n] = r;
+                    row[n] = i;
+                }
+                n++;
+            }
+    }
+    return n;
+}
+
+static int make_route(struct moment *m, const struct cloud *cloud, const struct told *all,
+                      struct ranks_route **route)
+{
+    const int n = name_rows(m, cloud, all, NULL, NULL);
+    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
+    int status = to && row ? STATUS_DONE : STATUS_FAILED;
+
+    if (status == STATUS_DONE)
+        name_rows(m, cloud, all, to, row);
+    status = ranks_route_create(route, status, NAMED * sizeof(double), n, to, row);
+    free(to);
+    free(row);
+    return status;
+}
+
+/* Rows that come, with their names: they are here from now on. */
+static void hear_named(struct moment *m, double *x)
+{
+    struct moment_share *s = m->share;
+    const int own = moment_rows_of(m, KIND_FLUID);
+
+    for (int i = 0; i < own; i++) {
+        memcpy(s->pack + (size_t)i * NAMED, x + (size_t)i * DIM, DIM * sizeof *x);
+        s->pack[(size_t)i * NAMED + DIM] = particles_id_of(m->particles, i);
+    }
+    ranks_route_go(s->near.route, NAMED * sizeof *x, s->pack, s->all);
+    s->near.n = ranks_route_coming(s->near.route);
+    for (int i = 0; i < particles_count(m->particles, KIND_FLUID); i++)
+        s->near.whole.here[i] = i < own;
+    for (int i = 0; i < s->near.n; i++) {
+        const double *one = s->all + (size_t)i * NAMED;
+        const int row = s->near.row[i] = particles_row_of(m->particles, (int)one[DIM]);
+        memcpy(x + (size_t)row * DIM, one, DIM * sizeof *x);
+        s->near.whole.here[row] = true;
+    }
+}
+
+int share_near(struct moment *m, const struct cloud *cloud, double *x)
+{
+    struct moment_share *s = m->share;
+    struct told all[s->ranks];
+    struct ranks_route *route;
+
+    hear_bounds(m, cloud, all);
+    TRY(make_route(m, cloud, all, &route));
+    ranks_route_free(&s->near.route);
+    s->near.route = route;
+    s->near.made++;
+    hear_named(m, x);
+    return STATUS_DONE;
+}
+
+bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
+{
+    struct moment_share *s = m->share;
+    struct {
+        double harm, pairs;
+    } mine = { .pairs = 0 }, all[s->ranks];
+    double pairs = 0;
+    bool harm = false;
+
+    ranks_route_go(s->near.route, DIM * sizeof *x, x, s->all);
+    for (int i = 0; i < s->near.n; i++)
+        memcpy(x + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *x);
+    mine.harm = drift_harms(m->own, cloud, &mine.pairs);
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = 1;
+    ranks_gather(s->count, sizeof mine, &mine, all);
+    for (int r = 0; r < s->ranks; r++) {
+        harm |= all[r].harm > 0;
+        pairs += all[r].pairs;
+    }
+    return harm || pairs > drift_patience(m->own);
+}

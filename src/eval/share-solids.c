@@ -1,0 +1,113 @@
+/* share-solids.c -- forces on solids, and powers, from all to all.
+ *
+ * Solids that no fluid meets in the list have a force of exactly +0 on all ranks, and that of solids
+ * between each other is found by each rank for itself: neither is sent. */
+#include "eval/share.h"
+
+#include "algebra/exact-sum.h"
+#include "ranks/ranks.h"
+
+#include <string.h>
+
+/* Own rows of a group that have a neighbour: the first row of a segment says so.  Returns how
+ * many there are with n before. */
+static int note_lanes(const struct moment *m, int group, int n, int *id)
+{
+    const struct list *l = m->own;
+
+    for (int lane = 0; lane < l->lanes; lane++) {
+        bool met = false;
+        for (int k = l->segment_from[group]; k < l->segment_from[group + 1]; k++)
+            met |= l->segment[k].rows > 0 && list_place(l->segment[k].j[lane]) != l->listed;
+        if (met)
+            id[n++] = particles_id_of(m->particles, l->order[l->group_slot[group] + lane]);
+    }
+    return n;
+}
+
+int share_wet(const struct moment *m, int *id)
+{
+    const struct list *l = m->own;
+    int n = 0;
+
+    for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
+        n = note_lanes(m, g, n, id);
+    return n;
+}
+
+void share_hear_wet(struct moment *m, const int *count, const int *id)
+{
+    struct moment_share *s = m->share;
+
+    s->wet.from[0] = 0;
+    for (int r = 0; r < s->ranks; r++)
+        s->wet.from[r + 1] = s->wet.from[r] + count[r];
+    ranks_gather(count, sizeof *id, id, s->wet.row);
+    for (int i = 0; i < s->wet.from[s->ranks]; i++)
+        s->wet.row[i] = particles_row_of(m->particles, s->wet.row[i]);
+}
+
+/* Between the places of solids that a rank sends and a message; returns what comes behind. */
+static double *copy_forces(const struct moment *m, int rank, bool pack, double *to)
+{
+    const struct moment_share *s = m->share;
+
+    for (int i = s->wet.from[rank]; i < s->wet.from[rank + 1]; i++, to += DIM) {
+        double *f = m->work->f + (size_t)m->list->slot[s->wet.row[i]] * DIM;
+        memcpy(pack ? to : f, pack ? f : to, DIM * sizeof *f);
+    }
+    return to;
+}
+
+/* A part of one rank, as it travels, goes to the sums of all; returns what comes behind. */
+static const double *add_powers(const struct moment *m, const double *from)
+{
+    for (int k = 0; k < m->plan->slots; k++, from += EXACT_SUM_WORDS) {
+        struct exact_sum one = { .full = 1 };
+        memcpy(one.word, from, sizeof one.word);
+        exact_sum_merge(&m->share->power[k], &one);
+    }
+    return from;
+}
+
+static void pack_powers(const struct moment *m, double *to)
+{
+    for (int k = 0; k < m->plan->slots; k++, to += EXACT_SUM_WORDS) {
+        exact_sum_carry(&m->share->power[k]);
+        memcpy(to, m->share->power[k].word, sizeof m->share->power[k].word);
+        m->share->power[k] = (struct exact_sum){ .full = 0 };
+    }
+}
+
+struct exact_sum *share_parts(const struct evaluation *e)
+{
+    const struct moment *m = e->m;
+    const bool follow = e->ask->sides != ASK_IMPLICIT && e->ask->rates != ASK_DENSITIES;
+    const bool read = e->job.apart || e->job.ahead != 0 || plan_ahead(m->plan) > 0; /* before */
+
+    return m->share && !m->share->full && follow && !read ? m->share->power : NULL;
+}
+
+void share_forces(struct evaluation *e)
+{
+    struct moment *m = e->m;
+    struct moment_share *s = m->share;
+    const bool powers = share_parts(e) != NULL;
+    const int words = powers ? m->plan->slots * EXACT_SUM_WORDS : 0;
+    double *at;
+
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = (s->wet.from[r + 1] - s->wet.from[r]) * DIM + words;
+    at = copy_forces(m, s->me, true, s->pack);
+    if (powers)
+        pack_powers(m, at);
+    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
+    at = s->all;
+    for (int r = 0; r < s->ranks; r++) {
+        at = copy_forces(m, r, false, at);
+        if (powers)
+            at = (double *)add_powers(m, at);
+    }
+    for (int k = 0; powers && k < m->plan->slots; k++)
+        m->work->power[k] = exact_sum_value(&s->power[k]);
+}

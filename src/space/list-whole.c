@@ -1,0 +1,108 @@
+/* list-whole.c -- what one of many ranks must know of all particles, so that its list has the grids,
+ * the order and the patience of one that has them all. */
+#include "space/list-private.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double rounding = 1e-6;
+
+static struct list_bounds none(void)
+{
+    struct list_bounds none = { .n = 0 };
+
+    for (int d = 0; d < DIM; d++) {
+        none.low[d] = INFINITY;
+        none.high[d] = -INFINITY;
+    }
+    return none;
+}
+
+static struct list_bounds at(const double *x)
+{
+    struct list_bounds one = { .n = 1 };
+
+    memcpy(one.low, x, sizeof one.low);
+    memcpy(one.high, x, sizeof one.high);
+    return one;
+}
+
+void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
+                 struct list_bounds *box)
+{
+    *box = none();
+    if (list->own->images.home)
+        images_bring_home(list, cloud);
+    for (int kind = 0; kind < KINDS; kind++) {
+        to->of[kind] = to->images[kind] = none();
+        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
+            const bool mine = list->mine[i];
+            const double *x = list_home(list, cloud, kind, i);
+            const struct list_bounds one = at(x);
+
+            if ((kind == KIND_FLUID && !mine) || !list_inside(&list->def, x))
+                continue;
+            list_widen(&to->of[kind], &one);
+            if (mine)
+                list_widen(box, &one);
+            if (list->own->images.home)
+                images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
+                             &to->images[kind]);
+        }
+    }
+}
+
+/* The grid that sorting will have for these. */
+static struct cells grid_of(const struct list *list, const struct list_bounds *b)
+{
+    struct cells c = { .room = 0 };
+
+    memcpy(c.low, b->low, sizeof c.low);
+    if (b->n > 0)
+        cells_shape(list, &c, b->high, b->n);
+    return c;
+}
+
+double list_reach(const struct list *list, const struct list_whole *whole)
+{
+    struct cells cells[KINDS], images[KINDS];
+    struct drift drift = { .useds = 0 };
+    double most = 0;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        cells[kind] = grid_of(list, &whole->of[kind]);
+        images[kind] = grid_of(list, &whole->images[kind]);
+    }
+    if (list_known(list) == 0)
+        return 0;
+    drift_shape(list, cells, images, &drift);
+    for (int d = 0; d < DIM; d++)
+        most = fmax(most, 2 * (1 + rounding) / drift.per_metre[d]);
+    return most;
+}
+
+bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x)
+{
+    enum { TURNS = 2 }; /* two images of one direction may meet */
+    bool near = box->n > 0;
+
+    for (int d = 0; d < DIM && near; d++) {
+        const double period = list->def.period[d];
+        const int turns = period > 0 ? TURNS : 0;
+
+        near = false;
+        for (int k = -turns; k <= turns; k++)
+            near |= x[d] + k * period >= box->low[d] - reach && x[d] + k * period <= box->high[d] + reach;
+    }
+    return near;
+}
+
+double list_order(const struct list *list, int row)
+{
+    static const double cells = 1099511627776; /* 2^40, more than a kind has */
+    int kind = 0;
+
+    while (row >= list->def.from[kind + 1])
+        kind++;
+    return kind * cells + cells_rank(&list->own->cells[kind], list->own->stand + (size_t)DIM * (size_t)row);
+}

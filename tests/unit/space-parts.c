@@ -1,0 +1,178 @@
+/* space-parts.c -- lists of parts of the particles, as many ranks have them, against the list of all. */
+#include "space.h"
+
+#include "space/drift.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PARTS = 3, MOST = 400, SEEN = 1 << 16 };
+
+static const int mixed[KINDS] = { 190, 61, 30, 23, 10 };
+
+/* What a rank has. */
+struct share {
+    struct list *list;
+    struct list_whole whole;
+    struct list_bounds box;
+    bool mine[MOST], here[MOST];
+};
+
+/* Slices along x, but that some stand far from the others of theirs. */
+static int owner_of(const struct space_cloud *c, int i)
+{
+    return space_random() < 0.01 ? i % PARTS : (int)fmin(PARTS - 1, fmax(0, floor(PARTS * c->x[i * DIM])));
+}
+
+static void open_parts(const struct list_engine *e, const struct space_cloud *c, struct share *part)
+{
+    for (int r = 0; r < PARTS; r++) {
+        memset(&part[r], 0, sizeof part[r]);
+        assert_int_equal(e->create(&part[r].list, &c->def), 0);
+        part[r].whole.here = part[r].here;
+        part[r].list->mine = part[r].mine;
+        part[r].list->whole = &part[r].whole;
+    }
+    for (int i = 0; i < c->n; i++)
+        part[owner_of(c, i)].mine[i] = true;
+}
+
+/* What ranks tell each other. */
+static void combine(struct space_cloud *c, struct share *part)
+{
+    struct list_bounds fluid[PARTS], images[PARTS];
+
+    for (int r = 0; r < PARTS; r++) {
+        list_bounds(part[r].list, &c->cloud, &part[r].whole, &part[r].box);
+        fluid[r] = part[r].whole.of[KIND_FLUID];
+        images[r] = part[r].whole.images[KIND_FLUID];
+    }
+    for (int r = 0; r < PARTS; r++)
+        for (int other = 0; other < PARTS; other++)
+            if (other != r) {
+                list_widen(&part[r].whole.of[KIND_FLUID], &fluid[other]);
+                list_widen(&part[r].whole.images[KIND_FLUID], &images[other]);
+            }
+}
+
+static void make_parts(const struct list_engine *e, struct space_cloud *c, struct share *part)
+{
+    open_parts(e, c, part);
+    combine(c, part);
+    for (int r = 0; r < PARTS; r++) {
+        const double reach = list_reach(part[r].list, &part[r].whole);
+        for (int i = 0; i < c->n; i++)
+            part[r].here[i] = i >= c->def.from[KIND_FLUID + 1] || part[r].mine[i]
+                              || list_near(part[r].list, &part[r].box, reach,
+                                           list_home(part[r].list, &c->cloud, KIND_FLUID, i));
+        assert_int_equal(e->make(part[r].list, &c->cloud), 0);
+    }
+}
+
+/* Neighbours of the particle in a row, in order, each with where its place stands; returns how many
+ * numbers. */
+static int neighbours(const struct list *l, int row, double *to)
+{
+    const int place = l->slot[row];
+    int n = 0;
+
+    for (int g = 0; g < l->groups; g++) {
+        const int lane = place - l->group_slot[g];
+        if (lane < 0 || lane >= l->lanes)
+            continue;
+        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
+            for (int k = 0; k < l->segment[s].rows; k++) {
+                const int j = list_place(l->segment[s].j[k * l->lanes + lane]);
+                if (j == l->listed)
+                    continue;
+                to[n++] = l->order[j];
+                for (int d = 0; d < DIM; d++)
+                    to[n++] = l->offset ? l->offset[j][d] : 0;
+                assert_true(n < SEEN - DIM - 1);
+            }
+    }
+    return n;
+}
+
+static void check_same(const struct space_cloud *c, const struct list *whole, const struct share *part)
+{
+    static double all[SEEN], some[SEEN];
+
+    for (int i = 0; i < c->n; i++) {
+        check((whole->slot[i] < 0) == (part->mine[i] && part->list->slot[i] < 0) || !part->mine[i],
+              "particle %d is left out by one alone", i);
+        if (!part->mine[i] || whole->slot[i] < 0)
+            continue;
+        const int n = neighbours(whole, i, all);
+        check(n == neighbours(part->list, i, some) && memcmp(all, some, (size_t)n * sizeof *all) == 0,
+              "particle %d has other neighbours, or in another order", i);
+        check(list_order(whole, i) == list_order(part->list, i), "particle %d is sorted by another cell", i);
+    }
+}
+
+/* As ranks decide together. */
+static bool parts_harmed(const struct space_cloud *c, const struct share *part)
+{
+    double pairs = 0;
+    bool harm = false;
+
+    for (int r = 0; r < PARTS; r++)
+        harm |= drift_harms(part[r].list, &c->cloud, &pairs);
+    return harm || pairs > drift_patience(part[0].list);
+}
+
+/* All go one way, and each another by so much; sometimes one goes far. */
+static void move(struct space_cloud *c, double size)
+{
+    const double along = size * space_random();
+
+    for (int i = 0; i < c->n * DIM; i++)
+        c->x[i] += along + size * (space_random() - 0.5);
+    if (space_random() < 0.1)
+        c->x[(int)(space_random() * c->n) * DIM] += 4 * c->def.skin;
+}
+
+static void try_cloud(unsigned seed, bool repeats, int *harmed, int *harmless)
+{
+    space_seed(seed);
+    for (int e = 0; e < space_engines(); e++) {
+        const struct list_engine *lists = space_engine(e)->list;
+        struct space_cloud *c = space_cloud(mixed, 0.08 + 0.06 * space_random(), 0.02);
+        struct list *whole;
+        struct share part[PARTS];
+
+        if (repeats) {
+            c->def.period[0] = 1;
+            c->def.low[0] = -INFINITY;
+            c->def.high[0] = INFINITY;
+        } else {
+            c->def.high[0] = 0.97; /* some are outside */
+        }
+        assert_int_equal(lists->create(&whole, &c->def), 0);
+        assert_int_equal(lists->make(whole, &c->cloud), 0);
+        make_parts(lists, c, part);
+        for (int r = 0; r < PARTS; r++)
+            check_same(c, whole, &part[r]);
+        for (int k = 0; k < 12; k++) {
+            const bool fine = drift_harmless(whole, &c->cloud);
+            check(fine != parts_harmed(c, part), "parts decide otherwise, seed %u", seed);
+            (*(fine ? harmless : harmed))++;
+            move(c, 0.004);
+        }
+        for (int r = 0; r < PARTS; r++)
+            lists->free(&part[r].list);
+        lists->free(&whole);
+        space_cloud_free(c);
+    }
+}
+
+void list_of_parts_is_that_of_all(void **state)
+{
+    int harmed = 0, harmless = 0;
+
+    (void)state;
+    for (unsigned seed = 1; seed < 40; seed++)
+        try_cloud(seed, seed % 2, &harmed, &harmless);
+    check(harmed > 20 && harmless > 20, "both answers are met: %d and %d", harmed, harmless);
+}
