@@ -27,6 +27,9 @@ kept() {
     sed -n 's/.*come to t = \([^ ]*\) s already.*/\1/p' "$out/said"
 }
 
+# late AT UNTIL: a busy machine looked away until the run was nearly over
+late() { awk -v at="$1" -v end="$2" 'BEGIN { exit !(at >= 0.9 * end) }'; }
+
 rows() { if [ -e "$1" ]; then grep -c '^[0-9]' "$1" || :; else echo 0; fi; }
 
 # cut FILE UNTIL KEY=VALUE...: a run killed at its fourth checkpoint; fails when it came to its end
@@ -62,13 +65,14 @@ again() {
         every=$(awk "BEGIN { print $until / 10 }")
         code=0
         cut_off "$from" "$until" "$@" || code=$?
+        [ $code != 0 ] || at=$(kept "$out/parts")
+        if [ $code = 0 ] && late "$at" "$until"; then code=1; fi
         [ $code = 1 ] || break
     done
     if [ $code != 0 ]; then
         grep -q 'cannot serve\|Cause\|methods that do' "$out/said" || cat "$out/said"
         return
     fi
-    at=$(kept "$out/parts")
     "$STIFFWATER" resume "$out/parts" -q >"$out/said" 2>&1 &&
         "$STIFFWATER" run "$from" -q until="$until" output.checkpoint="$every" -o "$out/whole" "$@" \
             >"$out/said" 2>&1 || { wrong "$words: $(cat "$out/said")"; return; }
