@@ -121,8 +121,7 @@ static int make_layout(struct plan *p)
     return STATUS_DONE;
 }
 
-/* How far walls move along each axis until the end [m]: what leaves a tank that moves has
- * left, not what is carried along with it. */
+/* How far walls move along each axis until the end [m]: a tank carries what is in it along. */
 static void wall_reach(const struct plan *p, double *most)
 {
     for (int d = 0; d < DIM; d++)
@@ -136,6 +135,15 @@ static void wall_reach(const struct plan *p, double *most)
     }
 }
 
+/* Kinds of walls, if none moves. */
+static unsigned still_kinds(const struct plan *p)
+{
+    for (int i = 0; i < p->walls; i++)
+        if (p->wall[i].moves)
+            return 0;
+    return KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
+}
+
 /* Which kinds meet was noted with the tables. */
 static void make_list_def(struct plan *p)
 {
@@ -144,6 +152,7 @@ static void make_list_def(struct plan *p)
 
     wall_reach(p, reach);
     memcpy(d->from, p->particles->from, sizeof d->from);
+    d->still = still_kinds(p);
     d->support = p->scales.support;
     d->skin = p->in.kernel.skin * p->scales.support;
     for (int i = 0; i < DIM; i++) { /* walls stand outside of the domain */

@@ -63,6 +63,7 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
         && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
         && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
         && list_grow((void **)&drift->first, &drift->first_room, blocks, sizeof *drift->first)
+        && list_grow((void **)&drift->moving, &drift->moving_room, blocks, sizeof *drift->moving)
         && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
         && list_grow((void **)&drift->range, &drift->range_room, blocks,
                      2 * DIM * sizeof *drift->range))
@@ -110,6 +111,31 @@ static void find_blocks(const struct list *list, const struct cloud *cloud, stru
         }
 }
 
+/* The places from..to-1 become members of their blocks. */
+static void add_members(const struct list *list, struct drift *drift, int from, int to, bool moves)
+{
+    for (int s = from; s < to; s++) {
+        const int b = drift->block[s], m = drift->end[b]++;
+
+        drift->first[b] += s < list->start[1];
+        drift->moving[b] += moves;
+        drift->member[m] = s;
+        drift->row[m] = list->order[s];
+        memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
+    }
+}
+
+/* Of kinds that move, or of those that do not. */
+static void add_kinds(const struct list *list, struct drift *drift, bool moves)
+{
+    for (int kind = 0; kind < KINDS; kind++)
+        if (list_is_still(list, kind) != moves)
+            add_members(list, drift, list->start[kind], list->start[kind + 1], moves);
+    for (int kind = 0; kind < KINDS; kind++)
+        if (list_is_still(list, kind) != moves)
+            add_members(list, drift, list->image[kind], list->image[kind + 1], moves);
+}
+
 /* Members of each block, one block after the other, each in the order of places: what is near
  * in space is near in memory. */
 static void gather_members(const struct list *list, struct drift *drift)
@@ -126,16 +152,47 @@ static void gather_members(const struct list *list, struct drift *drift)
         const int b = drift->used[k];
         drift->end[b] = next;
         drift->first[b] = 0;
+        memset(drift->range + (size_t)b * 2 * DIM, 0, 2 * DIM * sizeof *drift->range);
         next += drift->count[b];
     }
-    for (int s = 0; s < list->listed; s++) {
-        const int b = drift->block[s], m = drift->end[b]++;
+    add_kinds(list, drift, true);
+    add_kinds(list, drift, false);
+}
 
-        drift->first[b] += s < list->start[1];
-        drift->member[m] = s;
-        drift->row[m] = list->order[s];
-        memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
-    }
+int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING])
+{
+    int n = 0;
+
+    for (int z = DIM == 3 ? -1 : 0; z <= (DIM == 3); z++)
+        for (int y = -1; y <= 1; y++)
+            for (int x = -1; x <= 1; x++) {
+                const int to = (z * drift->n[1] + y) * drift->n[0] + x;
+                if (to >= 0)
+                    offset[n++] = to;
+            }
+    return n;
+}
+
+/* Is there something that can move in this block, or in one that is compared with it? */
+static bool stirs_near(const struct drift *drift, int block, const int *offset, int offsets)
+{
+    bool stirs = false;
+
+    for (int o = 0; o < offsets; o++)
+        stirs |= drift->moving[block + offset[o]] > 0;
+    return stirs;
+}
+
+/* Blocks that need not be compared go: nothing moves there. */
+static void choose_used(struct drift *drift)
+{
+    int offset[DRIFT_TOUCHING], n = 0;
+    const int offsets = drift_touching(drift, offset);
+
+    for (int k = 0; k < drift->useds; k++)
+        if (stirs_near(drift, drift->used[k], offset, offsets))
+            drift->used[n++] = drift->used[k];
+    drift->useds = n;
 }
 
 int drift_note(struct list *list, const struct cloud *cloud)
@@ -149,8 +206,10 @@ int drift_note(struct list *list, const struct cloud *cloud)
     const size_t blocks = drift_shape(list, list->own->cells, list->own->image_cells, drift);
     TRY(make_room(list, drift, blocks));
     memset(drift->count, 0, blocks * sizeof *drift->count);
+    memset(drift->moving, 0, blocks * sizeof *drift->moving);
     find_blocks(list, cloud, drift);
     gather_members(list, drift);
+    choose_used(drift);
     return STATUS_DONE;
 }
 
@@ -163,6 +222,7 @@ void drift_free(struct drift *drift)
     free(drift->end);
     free(drift->count);
     free(drift->first);
+    free(drift->moving);
     free(drift->used);
     free(drift->range);
     *drift = (struct drift){ 0 };

@@ -77,7 +77,7 @@ static bool find_range(const struct list *list, const struct cloud *cloud, int b
 {
     const struct drift *drift = &list->own->drift;
     const double limit = DRIFT_FARTHEST * list->def.skin;
-    const int end = drift->end[block], from = end - drift->count[block];
+    const int from = drift->end[block] - drift->count[block];
     const int *row = drift->row;
     const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
@@ -86,9 +86,11 @@ static bool find_range(const struct list *list, const struct cloud *cloud, int b
     struct reach r = { far, less(none, far), none };
     int m = from;
 
+    if (drift->moving[block] < drift->count[block]) /* others stand still */
+        r.least = r.most = none;
     for (; m < from + drift->first[block]; m++)
         take_one(&r, x + (size_t)row[m] * DIM, was[m]);
-    for (; m < end; m++)
+    for (; m < from + drift->moving[block]; m++)
         take_one(&r, position(&others, row[m]), was[m]);
     coords_put(r.least, range);
     coords_put(r.most, range + DIM);
@@ -104,21 +106,6 @@ static inline double apart(const double *a, const double *b)
     const coords other = less(coords_at(b + DIM), coords_at(a));
 
     return length2(larger(one, other));
-}
-
-/* Offsets to a block and to one of each two opposite blocks that touch it. */
-static int touching(const struct drift *drift, int *offset)
-{
-    int n = 0;
-
-    for (int z = DIM == 3 ? -1 : 0; z <= (DIM == 3); z++)
-        for (int y = -1; y <= 1; y++)
-            for (int x = -1; x <= 1; x++) {
-                const int to = (z * drift->n[1] + y) * drift->n[0] + x;
-                if (to >= 0)
-                    offset[n++] = to;
-            }
-    return n;
 }
 
 /* Those of a block that moved against one of a block with this range by the margin, but for
@@ -175,7 +162,7 @@ static bool pair_missing(const struct list *list, const struct crowd *a, const s
 struct search {
     const struct list *list;
     const struct cloud *cloud;
-    int offset[14]; /* half of 27, and the block itself */
+    int offset[DRIFT_TOUCHING];
     int offsets;
     atomic_long patience;
     atomic_bool harmless;
@@ -223,7 +210,7 @@ static void look(struct search *s)
 
 #pragma omp for schedule(static, SHARE) nowait
     for (int k = 0; k < drift->useds; k++)
-        if (!find_range(s->list, s->cloud, drift->used[k]))
+        if (drift->moving[drift->used[k]] > 0 && !find_range(s->list, s->cloud, drift->used[k]))
             s->harmless = false;
     threads_meet();
 #pragma omp for schedule(static, SHARE) nowait
@@ -243,7 +230,7 @@ static bool find_none(const struct list *list, const struct cloud *cloud, double
     const long patience = (long)drift_patience(list);
     struct search s = { .list = list, .cloud = cloud, .patience = patience, .harmless = true };
 
-    s.offsets = touching(&list->own->drift, s.offset);
+    s.offsets = drift_touching(&list->own->drift, s.offset);
     THREADS(waiting_repays(list->listed), look(&s));
     *pairs += (double)(patience - s.patience);
     return s.harmless;

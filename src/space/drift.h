@@ -30,12 +30,15 @@ struct drift {
     int *count;            /* [blocks] members                               */
     int *first;            /* [blocks] of them, those of the first kind: they come first,
                               unless they are images                         */
-    int *used;             /* [useds] blocks that are not empty              */
+    int *moving;           /* [blocks] of them, those that can move: they come before those
+                              that stand still                               */
+    int *used;             /* [useds] blocks that are compared: something can move there, or
+                              in one behind that touches it                  */
     int useds;
     double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
     size_t block_room, member_room, row_room, was_room, end_room, count_room, first_room,
-        used_room, range_room;
+        moving_room, used_room, range_room;
 };
 
 /* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no
@@ -58,6 +61,11 @@ size_t drift_shape(const struct list *list, const struct cells *cells, const str
                    struct drift *drift);
 
 void drift_free(struct drift *drift);
+
+/* Offsets to a block and to one of each two opposite blocks that touch it: half of 27, and the
+ * block itself. */
+enum { DRIFT_TOUCHING = 14 };
+int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING]);
 
 /* Where the particle or image of this place stands when the particle is at x. */
 void drift_place(const struct list *list, int slot, const double *x, double *to);

@@ -66,6 +66,13 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows);
 int list_rearrange(struct list *list, const int *const from[KINDS],
                    const int *const row[KINDS], list_rows *rows);
 
+/* Do particles of this kind stand where they stood when the list was made?  What a rank holds
+ * of others may change. */
+static inline bool list_is_still(const struct list *list, int kind)
+{
+    return (list->def.still & KIND_BIT(kind)) && !list->mine;
+}
+
 /* Room for `want` entries in all in an array that grows by half at least;
  * false without memory, the array is as it was. */
 bool list_grow(void **array, size_t *room, size_t want, size_t size);

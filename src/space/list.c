@@ -40,8 +40,7 @@ static inline double distance2(const double *a, const double *b)
     return sum;
 }
 
-/* Displacements of the particles from..to-1 of one kind, x of the first; those
- * left out have an infinite `built`, so they are always looked at. */
+/* Displacements of particles of one kind, x of the first; `built` of those left out is infinite. */
 static void check_range(const struct list *list, const double *x, int from, int to,
                         struct check *c)
 {
@@ -62,7 +61,8 @@ static struct check check_part(const struct list *list, const struct cloud *clou
         const long first = list->def.from[kind], n = list->def.from[kind + 1] - first;
         const int from = (int)(first + n * t / of), to = (int)(first + n * (t + 1) / of);
 
-        check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
+        if (!list->stands || !list_is_still(list, kind))
+            check_range(list, cloud->x[kind] + DIM * (from - first), from, to, &c);
     }
     return c;
 }

@@ -33,6 +33,7 @@
 struct list_def {
     int from[KINDS + 1];         /* rows of kind k: from[k] .. from[k+1]-1   */
     unsigned acts[KINDS];        /* partner kinds by owner kind, KIND_BITs   */
+    unsigned still;              /* kinds whose particles never move, KIND_BITs */
     double support;              /* largest kernel support H           [m]   */
     double skin;                 /* Verlet margin: extra radius        [m]   */
     double low[DIM], high[DIM];  /* box outside of which none counts; infinite

@@ -119,6 +119,7 @@ int main(void)
         cmocka_unit_test(list_bounds_its_grid),
         cmocka_unit_test(list_misses_nobody_moving),
         cmocka_unit_test(list_of_parts_is_that_of_all),
+        cmocka_unit_test(list_need_not_ask_what_stands_still),
         cmocka_unit_test(rows_change_no_list),
         cmocka_unit_test(rows_move_under_a_list),
         cmocka_unit_test(rows_tell_the_smallest_bad_id),

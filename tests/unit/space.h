@@ -74,6 +74,8 @@ void list_misses_nobody_moving(void **state);
 
 void list_of_parts_is_that_of_all(void **state);
 
+void list_need_not_ask_what_stands_still(void **state);
+
 void rows_change_no_list(void **state);
 void rows_move_under_a_list(void **state);
 void rows_tell_the_smallest_bad_id(void **state);
