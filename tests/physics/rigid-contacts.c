@@ -365,7 +365,8 @@ static void refused(const char *scene, const char *words)
 }
 
 /* Both are told with their lines in the file that the tank writes. */
-static void overlap(const char *scene, const char *first, const char *second, const char *words)
+static void overlap(const char *scene, const char *first, const char *between, const char *second,
+                    const char *words)
 {
     const char *path = P_tmpdir "/tank-XXXXXX";
     char expected[200];
@@ -374,6 +375,7 @@ static void overlap(const char *scene, const char *first, const char *second, co
     assert_int_equal(tank_try(&t, scene), STATUS_BAD_SCENE);
     snprintf(expected, sizeof expected, "%s (%.*s", first, (int)strlen(path) - 6, path);
     check(strstr(status_message(), expected) != NULL, "not \"%s\" but: %s", expected, status_message());
+    check(strstr(status_message(), between) != NULL, "not \"%s\" but: %s", between, status_message());
     snprintf(expected, sizeof expected, "%s) overlap at t = 0: %s", second, words);
     check(strstr(status_message(), expected) != NULL, "not \"%s\" but: %s", expected, status_message());
     tank_free(&t);
@@ -384,12 +386,12 @@ static void overlap_at_the_start_is_refused(void **state)
     (void)state;
     overlap(PLACE HEAVY "body = {\n" BLOCK("a", "0.0", "0.0", "1.0", "")
             "\n" BLOCK("b", "0.0", "0.0", "1.148", "") "};",
-            "body.a", ":3", "they are 0.002 m inside each other");
+            "body.a", ":2) and body.b (", ":3", "they are 0.002 m inside each other");
     overlap(PLACE HEAVY "body = {\n" BLOCK("a", "0.0", "0.0", "1.0", "")
             "\n" BLOCK("b", "0.0", "0.0", "1.05", "angle = " TURN("45.0") ";") "};",
-            "body.a", ":3", "they are far inside each other");
+            "body.a", ":2) and body.b (", ":3", "they are far inside each other");
     overlap(PLACE HEAVY SLOPE("") "\n body = {\n" BLOCK("a", "0.0", "0.0", "1.25", "") "};",
-            "body.a", ":1", "they are");
+            "body.a", ":3) and wall.slope (", ":1", "they are");
 }
 
 static void rules_that_say_nothing_are_refused(void **state)
