@@ -1,7 +1,8 @@
 /* share-halo.c -- what rows of the list of pairs need of other ranks.
  *
- * A list costs two Alltoalls of counts, one gather of some words and one of solids' ids, and two exchanges with partners: who
- * fails brings that along, and only then all are asked by themselves. */
+ * Beside what makes the list (share-near.c), a halo costs two Alltoalls of counts, one gather of some
+ * words, one of solids' ids, and two exchanges with partners: who fails brings that along, and only
+ * then all are asked by themselves. */
 #include "eval/share.h"
 
 #include "base/status.h"
