@@ -5,13 +5,19 @@ void __real_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, un
 void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags);
 
 static struct bench_regions so_far;
+static bool alone;
+
+void bench_regions_alone(bool on)
+{
+    alone = on;
+}
 
 /* threads: 1 where the region's `if` says no, 0 for as many as there may be. */
 void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags)
 {
     const double start = threads == 1 ? 0 : bench_cpu();
 
-    __real_GOMP_parallel(body, data, threads, flags);
+    __real_GOMP_parallel(body, data, alone ? 1 : threads, flags);
     if (threads == 1)
         return;
     so_far.inside += bench_cpu() - start;

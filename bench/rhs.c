@@ -323,13 +323,15 @@ static void call(struct water *w)
         water_rates(w);
 }
 
-/* Of one thread: the part of its time outside of all loops for several (the median), and how
+/* With one thread at work: the part of its time outside of all loops for several (the median), and how
  * many of these a right-hand side has. */
 static double serial_share(struct water *w, double *regions)
 {
     double share[BENCH_REPEATS];
     const long before = bench_regions().n;
 
+    bench_threads(2);
+    bench_regions_alone(true);
     for (int r = 0; r < BENCH_REPEATS; r++) {
         const double inside = bench_regions().inside, start = bench_cpu();
 
@@ -337,6 +339,8 @@ static double serial_share(struct water *w, double *regions)
         const double all = bench_cpu() - start;
         share[r] = 1 - (bench_regions().inside - inside) / all;
     }
+    bench_regions_alone(false);
+    bench_threads(1);
     *regions = (double)(bench_regions().n - before) / (CALLS * BENCH_REPEATS);
     return bench_sort(share, BENCH_REPEATS).median;
 }

@@ -2,6 +2,7 @@
 #ifndef BENCH_TOOLS_H
 #define BENCH_TOOLS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -40,6 +41,9 @@ struct bench_regions {
     double inside;
 };
 struct bench_regions bench_regions(void);
+
+/* Regions get one thread though the program has several: a program with one has no regions. */
+void bench_regions_alone(bool on);
 
 /* Processor, clock, lanes, compiler, load; a warning when others are at work. */
 void bench_head(const char *what, int lanes);

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 enum {
-    TURNS = 1000, /* 10 to 40 microseconds: longer than what is between two loops */
+    TURNS = 5000, /* 50 to 200 microseconds: longer than what is between two loops */
     LOOKS = 5,    /* at the machine                                               */
     WORTH_WAKING = 12000, /* particles of waiting_repays(), where threads sleep    */
     WORTH_CALLING = 1500  /* and where they spin                                   */

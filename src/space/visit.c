@@ -4,9 +4,19 @@
 
 #include "base/threads.h"
 
+#include <stdatomic.h>
 #include <string.h>
 
-enum { WORTH_THREADS = 500 }; /* places from which threads repay waking   */
+enum {
+    WORTH_THREADS = 500, /* places from which threads repay waking                     */
+    SHARES = 64,         /* at most; further threads help with the first of them       */
+    CACHE_LINE = 64      /* [bytes]: counters in one line would wander between threads */
+};
+
+/* Chunks of a share that have been taken. */
+struct taken {
+    _Alignas(CACHE_LINE) atomic_int chunks;
+};
 
 static int groups_of(const struct list *list, unsigned kinds, int kind)
 {
@@ -81,22 +91,33 @@ static void run(const struct list *list, unsigned kinds, int chunk, visit_chunk 
     function(job, chunk, from, from + (left < VISIT_GROUPS ? left : VISIT_GROUPS), b);
 }
 
-static void run_share(const struct list *list, unsigned kinds, const int *cost,
-                      visit_chunk *function, const void *job)
+/* Each thread takes chunks of its own share, in their order, then of those of threads that are
+ * still at theirs: cores of a machine that others use, too, are not equally fast. */
+static void run_shares(const struct list *list, unsigned kinds, const int *cost,
+                       visit_chunk *function, const void *job, int shares, struct taken *taken)
 {
-    const int t = threads_me(), of = threads_all();
-    const int to = share(list, kinds, cost, t + 1, of);
+    const int me = threads_me();
     struct block b;
 
-    for (int c = share(list, kinds, cost, t, of); c < to; c++)
-        run(list, kinds, c, function, job, &b);
+    for (int s = 0; s < shares; s++) {
+        const int t = (me + s) % shares, from = share(list, kinds, cost, t, shares);
+        const int n = share(list, kinds, cost, t + 1, shares) - from;
+
+        for (int c; (c = atomic_fetch_add_explicit(&taken[t].chunks, 1, memory_order_relaxed)) < n;)
+            run(list, kinds, from + c, function, job, &b);
+    }
 }
 
 void visit_shares(const struct list *list, unsigned kinds, const int *cost,
                   visit_chunk *function, const void *job)
 {
+    const int threads = threads_most(), shares = threads < SHARES ? threads : SHARES;
+    struct taken taken[SHARES];
+
+    for (int t = 0; t < shares; t++)
+        atomic_init(&taken[t].chunks, 0);
     THREADS(visit_count(list, kinds) > WORTH_THREADS / VISIT_CHUNK,
-            run_share(list, kinds, cost, function, job));
+            run_shares(list, kinds, cost, function, job, shares, taken));
 }
 
 void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,

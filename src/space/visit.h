@@ -39,8 +39,8 @@ typedef void visit_chunk(const void *job, int chunk, int from, int to, struct bl
 #define visit_count LANE_NAME(visit_count)
 int visit_count(const struct list *list, unsigned kinds);
 
-/* Calls function(job, ...) for all of them, chunk 0.. of visit_count(); threads have
- * chunks one after the other, with equal shares of rows. */
+/* Calls function(job, ...) for all of them, chunk 0.. of visit_count(); threads begin with
+ * equal shares of rows, and help those that are behind. */
 #define visit_chunks LANE_NAME(visit_chunks)
 void visit_chunks(const struct list *list, unsigned kinds, visit_chunk *function,
                   const void *job);
