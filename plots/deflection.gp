@@ -32,9 +32,9 @@ set terminal pngcairo size 1200, 750 font 'Sans,18'
 set output 'deflection.png'
 set title title noenhanced
 set xrange [0:until]
-set xlabel 'time [s]' offset 0, 0.4
+set xlabel 'time [s]'
 set ylabel 'deflection [mm]'
-set key below samplen 2.5
+set key below height 1 samplen 2.5
 plot 0 lc rgb grey lw 1 notitle, \
     for [k = 1:words(beams)] table using 1:(1e3 * column(place(k, 'tip'))) skip 2 \
         with lines lw 2.5 lc rgb pick(k) title label(k, 'tip'), \
