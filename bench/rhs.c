@@ -323,8 +323,8 @@ static void call(struct water *w)
         water_rates(w);
 }
 
-/* With one thread at work: the part of its time outside of all loops for several (the median), and how
- * many of these a right-hand side has. */
+/* With one thread at work: the part of its time outside of all loops for several (the median),
+ * and how many of these a right-hand side has. */
 static double serial_share(struct water *w, double *regions)
 {
     double share[BENCH_REPEATS];
