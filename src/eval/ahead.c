@@ -28,6 +28,7 @@ int passes_look_ahead(struct evaluation *e, const struct plan_field *of)
     struct moment *m = e->m;
 
     (void)of;
+    wet_take(m);
     if (m->work->between && m->work->between == m->work->law)
         press_between(m, m->work->p2);
     TRY(implicit_ahead.find(m->ahead, m, e->t, e->y, spread_velocities(m, e->ydot)[0]));

@@ -267,7 +267,7 @@ int balance_carry_out(struct moment *m)
     if (status == STATUS_DONE)
         status = share_fit_own(s);
     TRY(ranks_agree(status));
-    m->work->met_list = NULL; /* it was of the rows before */
+    m->work->narrowed = m->work->wet.list = NULL; /* they were of the rows before */
     share_cloud(m, &cloud);
     builds = m->own->builds;
     TRY(share_make(m, &cloud, s->built));

@@ -5,6 +5,7 @@
 #include "book/book.h"
 #include "eval/moment.h"
 #include "eval/observe.h"
+#include "eval/wet.h"
 #include "plan/inside.h"
 
 struct face;
@@ -30,9 +31,9 @@ struct workspace {
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */
-    bool *met;       /* [solids] by id: with fluid in a list, that of so many builds; NULL */
-    const struct list *met_list;
-    long met_builds;
+    struct wet wet;  /* solids that something meets, and forces on solids     */
+    const struct list *narrowed; /* the list that `press` knows solids of, when it had been */
+    long narrowed_builds;        /* made so often                              */
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */
     double (*drift)[DIM];     /* [fluid][DIM] beside velocities [m/s]; NULL   */
     double *sourced; /* [fluid] rates of density that no pair gives, for a pressure that
@@ -133,7 +134,8 @@ void pack_far(const struct plan *p, int number, double *record);
  * v; their rows there are those of y before.  Nothing where there are none. */
 void moment_press(struct moment *m, struct view *v);
 
-/* press.c: adds the forces between solids that press by p2 [solids], by row, to those in work. */
+/* press.c: adds the forces between solids that press by p2 [solids], by row, to those on rows in
+ * work, after wet_take(). */
 void press_between(struct moment *m, const double *p2);
 
 /* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates,
@@ -142,8 +144,8 @@ struct sum_rates spread_places(const struct moment *m, const struct ask *ask, do
 double (*spread_velocities(const struct moment *m, double *ydot))[DIM];
 void spread_accelerations(const struct moment *m, double *ydot);
 
-/* solids.c: force of the fluid on each solid, and the power of driven walls; forces on the
- * points of one skin. */
+/* solids.c: force on each solid by those on rows, and the power of driven walls; forces on the
+ * points of one skin.  After wet_take(). */
 void solids_sum(struct moment *m);
 void solids_skin(const struct moment *m, struct moment_body *b);
 

@@ -30,7 +30,8 @@ passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, 
 passes_run passes_look_ahead, passes_ahead_power;
 
 /* push.c */
-passes_run passes_body_forces, passes_sources, passes_drift, passes_solids, passes_skins,
+passes_run passes_body_forces, passes_sources, passes_drift, passes_solid_pairs,
+    passes_solids, passes_skins,
     passes_load, passes_book, passes_half_book;
 
 /* rigid-side.c */

@@ -5,35 +5,18 @@
 
 #include <string.h>
 
-/* Owners of a group that have a neighbour in a segment: its first row says so. */
-static void mark(const struct moment *m, int group, const struct list_segment *s)
-{
-    const struct particles *p = m->particles;
-
-    for (int lane = 0; s->rows > 0 && lane < m->list->lanes; lane++)
-        if (list_place(s->j[lane]) != m->list->listed) {
-            const int row = m->list->order[m->list->group_slot[group] + lane];
-            m->work->met[particles_id_of(p, row) - p->from[KIND_WALL]] = true;
-        }
-}
-
 /* Solids that fluid meets are those with fluid in the list, as long as it stands. */
 static void narrow(struct moment *m)
 {
     const struct plan_part *wall = m->plan->passes.press;
-    const struct list *l = m->list;
     struct workspace *w = m->work;
 
-    if (w->met_list == l && w->met_builds == l->builds)
+    if (w->narrowed == m->list && w->narrowed_builds == m->list->builds)
         return;
-    memset(w->met, 0, (size_t)(m->particles->n - m->particles->from[KIND_WALL]) * sizeof *w->met);
-    for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
-        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
-            if (l->segment[s].partner == KIND_FLUID)
-                mark(m, g, &l->segment[s]);
-    wall->part->as.wall->press->narrow(wall->self, w->press, w->met);
-    w->met_list = l;
-    w->met_builds = l->builds;
+    wet_find(m);
+    wall->part->as.wall->press->narrow(wall->self, w->press, w->wet.met);
+    w->narrowed = m->list;
+    w->narrowed_builds = m->list->builds;
 }
 
 /* From densities of rows of y, both [solids], to p/rho^2. */
@@ -74,7 +57,7 @@ int passes_press(struct evaluation *e, const struct plan_field *of)
     (void)of;
     if (e->ask)
         narrow(e->m);
-    press_rows(e->m, &e->view, !e->ask || e->m->share); /* others' fluid may meet any */
+    press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m)); /* sums of others meet any */
     return STATUS_DONE;
 }
 
@@ -123,7 +106,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
         return STATUS_DONE;
     lead(e, rho);
-    press(e->m, rho, p2, e->m->share);
+    press(e->m, rho, p2, moment_is_full(e->m));
     for (int id = first; id < p->n; id++) {
         const int row = particles_row_of(p, id);
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);
@@ -132,19 +115,22 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     return STATUS_DONE;
 }
 
-/* Forces between solids by these p/rho^2 join those of pairs. */
 void press_between(struct moment *m, const double *p2)
 {
     const struct plan_part *wall = m->plan->passes.press;
     const struct particles *p = m->particles;
     struct workspace *w = m->work;
+    struct wet *wet = &w->wet;
     double (*f)[DIM] = (double (*)[DIM])w->pressed;
     const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, p2, f, w->rows);
 
     for (int k = 0; k < n; k++) {
-        const int i = w->rows[k], place = m->list->slot[p->from[KIND_WALL] + i];
-        for (int d = 0; d < DIM && place >= 0; d++)
-            w->f[(size_t)place * DIM + d] += f[i][d];
+        const int i = w->rows[k];
+        if (!wet_counts(m, p->from[KIND_WALL] + i))
+            continue;
+        wet->other[wet->others++] = p->from[KIND_WALL] + i;
+        for (int d = 0; d < DIM; d++)
+            wet->f[i][d] += f[i][d];
     }
 }
 

@@ -97,11 +97,18 @@ int passes_drift(struct evaluation *e, const struct plan_field *of)
 
 /* --- solids and bodies ------------------------------------------------------------ */
 
+int passes_solid_pairs(struct evaluation *e, const struct plan_field *of)
+{
+    (void)of;
+    wet_take(e->m);
+    if (e->m->share && !e->m->share->full)
+        share_forces(e);
+    return STATUS_DONE;
+}
+
 int passes_solids(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
-    if (e->m->share && !e->m->share->full)
-        share_forces(e);
     solids_sum(e->m);
     return STATUS_DONE;
 }

@@ -19,6 +19,7 @@ static int move_list(struct moment *m, const int *const from[KINDS])
 int moment_rearrange(struct moment *m, const int *const from[KINDS])
 {
     TRY(particles_rearrange(m->particles, from));
+    m->work->wet.list = NULL;
     if (m->own && !m->own->whole) /* else share_make() follows */
         TRY(move_list(m, from));
     if (m->solver && from[KIND_FLUID])

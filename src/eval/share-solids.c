@@ -47,13 +47,13 @@ void share_hear_wet(struct moment *m, const int *count, const int *id)
         s->wet.row[i] = particles_row_of(m->particles, s->wet.row[i]);
 }
 
-/* Between the places of solids that a rank sends and a message; returns what comes behind. */
+/* Between the rows of solids that a rank sends and a message; returns what comes behind. */
 static double *copy_forces(const struct moment *m, int rank, bool pack, double *to)
 {
     const struct moment_share *s = m->share;
 
     for (int i = s->wet.from[rank]; i < s->wet.from[rank + 1]; i++, to += DIM) {
-        double *f = m->work->f + (size_t)m->list->slot[s->wet.row[i]] * DIM;
+        double *f = m->work->wet.f[s->wet.row[i] - m->particles->from[KIND_WALL]];
         memcpy(pack ? to : f, pack ? f : to, DIM * sizeof *f);
     }
     return to;

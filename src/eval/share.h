@@ -170,7 +170,7 @@ void share_hear_wet(struct moment *m, const int *count, const int *id);
  * as powers are read before forces on solids are heard, or these are not asked for. */
 struct exact_sum *share_parts(const struct evaluation *e);
 
-/* Forces of pairs on solids, of all ranks, in their places, and with them powers, if parts of these
+/* Forces of pairs on solids, of all ranks, on their rows, and with them powers, if parts of these
  * were left. */
 void share_forces(struct evaluation *e);
 

@@ -4,34 +4,35 @@
 
 #include <string.h>
 
+static const double *force_on(const struct moment *m, int row)
+{
+    return m->work->wet.f[row - m->particles->from[KIND_WALL]];
+}
+
 /* What the fluid's forces do on a wall that moves [W]. */
-static double power_of(const struct moment *m, const struct object *o)
+static double power_of(const struct moment *m, int object)
 {
     double power = 0;
 
-    for (int c = o->from; c < o->from + o->n; c++) {
-        const int row = particles_row_of(m->particles, c), s = m->list->slot[row];
-        for (int d = 0; d < DIM && s >= 0; d++)
-            power += m->work->f[(size_t)s * DIM + d] * m->particles->u[row][d];
+    for (int k = 0; k < wet_rows(m, object); k++) {
+        const int row = wet_row(m, object, k);
+        for (int d = 0; d < DIM; d++)
+            power += force_on(m, row)[d] * m->particles->u[row][d];
     }
     return power;
 }
 
 /* The force on an object, added in order of ids: in a sum of its own, as one in memory would be
  * waited for by each particle. */
-static void sum_object(const struct moment *m, const struct object *o, double *force)
+static void sum_object(const struct moment *m, int object, double *force)
 {
-    const struct particles *all = m->particles;
-    const int first = all->from[o->kind], *row = all->row[o->kind];
-    const int *slot = m->list->slot + first;
+    const int n = wet_rows(m, object);
     double sum[DIM] = { 0 };
 
-    for (int id = o->from - first; id < o->from - first + o->n; id++) {
-        const int s = slot[row ? row[id] : id];
-        if (s < 0)
-            continue;
+    for (int k = 0; k < n; k++) {
+        const double *f = force_on(m, wet_row(m, object, k));
         for (int d = 0; d < DIM; d++)
-            sum[d] += m->work->f[(size_t)s * DIM + d];
+            sum[d] += f[d];
     }
     memcpy(force, sum, sizeof sum);
 }
@@ -53,10 +54,8 @@ void solids_turn(const double *about, const double *x, const double *f, double t
 static void sum_panel(struct moment *m, const struct plan_panel *p, double *sum, double turn[3])
 {
     for (int k = 0; k < p->n; k++) {
-        const int row = particles_row_of(m->particles, p->id[k]), s = m->list->slot[row];
-        const double *f = m->work->f + (size_t)(s < 0 ? 0 : s) * DIM;
-        if (s < 0)
-            continue;
+        const int row = particles_row_of(m->particles, p->id[k]);
+        const double *f = force_on(m, row);
         for (int d = 0; d < DIM; d++)
             sum[d] += f[d];
         solids_turn(p->about, m->particles->x[row], f, turn);
@@ -82,21 +81,19 @@ void solids_sum(struct moment *m)
     m->wall_power = 0;
     for (int i = 0; i < all->objects; i++)
         if (all->object[i].kind != KIND_FLUID && all->object[i].n > 0) /* else there may be no list */
-            sum_object(m, &all->object[i], m->force[i]);
+            sum_object(m, i, m->force[i]);
     sum_panels(m);
     for (int i = 0; i < p->walls; i++)
         if (p->wall[i].moves)
-            m->wall_power += power_of(m, &all->object[p->wall[i].object]);
+            m->wall_power += power_of(m, p->wall[i].object);
     if (m->face)
         m->wall_power += m->face->power;
 }
 
 void solids_skin(const struct moment *m, struct moment_body *b)
 {
-    for (int j = 0; j < b->skin; j++) {
-        const int row = particles_row_of(m->particles, m->particles->object[b->object].from + j);
-        const int s = m->list->slot[row];
-        for (int d = 0; d < DIM; d++)
-            b->force[j][d] = s < 0 ? 0 : m->work->f[(size_t)s * DIM + d];
-    }
+    for (int j = 0; j < b->skin; j++)
+        memcpy(b->force[j], force_on(m, particles_row_of(m->particles,
+                                                         m->particles->object[b->object].from + j)),
+               sizeof b->force[j]);
 }

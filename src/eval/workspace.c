@@ -27,9 +27,8 @@ static int take_press(const struct plan *p, struct workspace *w)
 
     w->p2 = workspace_lines(solids);
     w->pressed = workspace_lines(DIM * solids);
-    w->met = status_alloc(solids + 1, sizeof *w->met);
     w->rows = status_alloc(solids + 1, sizeof *w->rows);
-    if (!w->p2 || !w->pressed || !w->met || !w->rows)
+    if (!w->p2 || !w->pressed || !w->rows)
         return STATUS_FAILED;
     if (plan_ahead(p) > 0 && (!(w->mean = workspace_lines(solids))
                               || !(w->law = workspace_lines(solids))))
@@ -59,6 +58,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
     if (n == 0) /* a beam alone: no pairs */
         return STATUS_DONE;
     TRY(take_places(w, ranks_count() > 1 ? 1 : n + 1)); /* of many, a list tells how many a rank has */
+    TRY(wet_create(p, &w->wet));
     w->power = workspace_lines((size_t)p->slots + 1);
     if (p->passes.press)
         TRY(take_press(p, w));
@@ -124,7 +124,7 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     free(w->mean);
     free(w->law);
     free(w->pressed);
-    free(w->met);
+    wet_free(&w->wet);
     free(w->rows);
     if (w->press)
         p->passes.press->part->as.wall->press->work_free(&w->press);

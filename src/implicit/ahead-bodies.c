@@ -73,6 +73,7 @@ void ahead_bodies_yield(struct ahead *a)
 {
     struct moment *m = a->m;
 
+    wet_take(m);
     for (int i = 0; i < m->plan->bodies; i++) {
         struct moment_body *b = &m->body[i];
         solids_skin(m, b);

@@ -85,6 +85,7 @@ void release_multiply(struct release *r, const double *x, double *to)
     complete(r, 1, r->scalar);
     r->nabla->gradient(&r->job, r->kinds & ~(KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP)),
                        r->scalar, m->work->f);
+    wet_take(m);
     memset(r->vector, 0, (size_t)r->n * NABLA_STRIDE * sizeof *r->vector);
     for (int s = 0; s < r->fluid; s++)
         for (int d = 0; d < DIM; d++)

@@ -49,6 +49,8 @@ void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool wa
                                 viscous_of(m)->velocity, m->work->f);
     if (faces)
         face_complete(m, &viscous_of(m)->job, kinds, walls, m->work->f);
+    if (m->plan->bodies > 0)
+        wet_take(m);
     m->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
@@ -138,6 +140,8 @@ int viscous_assemble(struct moment *m, double gamma, const double *x, double *to
         TRY(face_ready(m, job));
         face_complete(m, job, KIND_BIT(KIND_FLUID) | KIND_BIT(KIND_SKIN), true, m->work->f);
     }
+    if (m->plan->bodies > 0)
+        wet_take(m);
     set_operator(m, gamma);
     fluid_rows(m, gamma, x, to);
     for (int i = 0, at = u->fluid; i < m->plan->bodies; at += u->operator.body[i++].n)

@@ -120,6 +120,7 @@ void viscous_book(struct moment *m, double *book)
     const struct plan_book *b = &m->plan->book;
     const int slot = viscous_of(m)->part->slot;
 
+    wet_take(m);
     solids_sum(m);
     for (int i = 0; i < b->n; i++)
         book[i] = 0;

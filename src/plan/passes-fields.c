@@ -37,6 +37,7 @@ static const struct field fields[PASS_FIELDS] = {
     { "rates of bodies", "", 0, 0 },
     { "book", "W, N", 0, 0 },
     { "book of a half", "W", 0, 0 },
+    { "push on solids", "N", DIM, KIND_SOLIDS },
 };
 
 /* Text goes on at n, which may be beyond the room. */

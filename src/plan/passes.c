@@ -159,7 +159,6 @@ int passes_make(struct plan *p, const struct pass *table)
     return to->n < 0 ? STATUS_FAILED : STATUS_DONE;
 }
 
-/* Fields of solids are not there where there are none. */
 /* What a neighbour has to bring, be it fluid or solid, in one word. */
 static unsigned one_word(unsigned fields)
 {

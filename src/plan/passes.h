@@ -37,7 +37,8 @@ enum { /* fields, by bits; name, unit, width and kinds of each: passes-fields.c 
     PASS_BODY_RATES = 1 << 20,
     PASS_BOOK = 1 << 21,
     PASS_HALF_BOOK = 1 << 22,      /* works of the laws of densities alone        */
-    PASS_FIELDS = 23
+    PASS_SOLID_PUSH = 1 << 23,     /* on each particle of solids                  */
+    PASS_FIELDS = 24
 };
 
 enum { /* what an evaluation may be asked for: struct ask of eval/moment.h */

@@ -1,0 +1,178 @@
+/* wet.c -- solids that something meets in the list of pairs.
+ *
+ * All others have a force of exactly +0 by pairs, so that sums over solids, in order of ids, do
+ * without them.  On many ranks each has pairs of its own particles, and all know all of those
+ * solids; where ranks have all rows of y, any solid may be one. */
+#include "eval/share.h"
+
+#include "base/status.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int wet_create(const struct plan *p, struct wet *wet)
+{
+    const size_t solids = (size_t)(p->particles->n - particles_count(p->particles, KIND_FLUID)) + 1;
+
+    wet->met = status_alloc(solids, sizeof *wet->met);
+    wet->has = status_alloc(solids, sizeof *wet->has);
+    wet->row = status_alloc(solids, sizeof *wet->row);
+    wet->other = status_alloc(solids, sizeof *wet->other);
+    wet->of = status_alloc((size_t)p->particles->objects + 1, sizeof *wet->of);
+    wet->f = status_alloc(solids, sizeof *wet->f);
+    return wet->met && wet->has && wet->row && wet->other && wet->of && wet->f ? STATUS_DONE
+                                                                                : STATUS_FAILED;
+}
+
+void wet_free(struct wet *wet)
+{
+    free(wet->met);
+    free(wet->has);
+    free(wet->row);
+    free(wet->other);
+    free(wet->of);
+    free(wet->f);
+    *wet = (struct wet){ 0 };
+}
+
+/* --- which they are ------------------------------------------------------------------------- */
+
+static int number_of(const struct moment *m, int row)
+{
+    return particles_id_of(m->particles, row) - m->particles->from[KIND_WALL];
+}
+
+/* Owners of a group that have a neighbour in a segment: its first row says so. */
+static void mark_owners(const struct moment *m, int group, const struct list_segment *s)
+{
+    const struct list *l = m->list;
+    struct wet *wet = &m->work->wet;
+
+    for (int lane = 0; s->rows > 0 && lane < l->lanes; lane++)
+        if (list_place(s->j[lane]) != l->listed) {
+            const int id = number_of(m, l->order[l->group_slot[group] + lane]);
+            wet->has[id] = true;
+            wet->met[id] |= s->partner == KIND_FLUID;
+        }
+}
+
+/* Solids that are neighbours of own fluid, whoever owns them. */
+static void mark_neighbours(const struct moment *m, const struct list_segment *s)
+{
+    const struct list *l = m->list;
+
+    for (int i = 0; i < s->rows * l->lanes; i++)
+        if (list_place(s->j[i]) != l->listed)
+            m->work->wet.met[number_of(m, l->order[list_place(s->j[i])])] = true;
+}
+
+static void mark(const struct moment *m)
+{
+    const struct list *l = m->list;
+    const bool shared = m->share != NULL;
+
+    for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
+        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
+            mark_owners(m, g, &l->segment[s]);
+    for (int g = 0; shared && g < l->group_from[KIND_FLUID + 1]; g++)
+        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
+            if (l->segment[s].partner != KIND_FLUID)
+                mark_neighbours(m, &l->segment[s]);
+}
+
+/* On many ranks: what all have heard, or any. */
+static void mark_known(const struct moment *m)
+{
+    const struct moment_share *s = m->share;
+    bool *has = m->work->wet.has;
+
+    if (s && s->full)
+        memset(has, true, (size_t)(s->n - m->particles->from[KIND_WALL]) * sizeof *has);
+    for (int i = 0; s && !s->full && i < s->wet.from[s->ranks]; i++)
+        has[number_of(m, s->wet.row[i])] = true;
+}
+
+static void name_rows(const struct moment *m)
+{
+    const struct particles *p = m->particles;
+    struct wet *wet = &m->work->wet;
+    int n = 0;
+
+    for (int i = 0; i < p->objects; i++) {
+        const struct object *o = &p->object[i];
+        wet->of[i] = n;
+        for (int id = o->from; o->kind != KIND_FLUID && id < o->from + o->n; id++)
+            if (wet->has[id - p->from[KIND_WALL]])
+                wet->row[n++] = particles_row_of(p, id);
+    }
+    wet->of[p->objects] = n;
+}
+
+/* Forces of before are gone. */
+static void forget(const struct moment *m)
+{
+    const int first = m->particles->from[KIND_WALL];
+    struct wet *wet = &m->work->wet;
+
+    for (int k = 0; k < wet->of[m->particles->objects]; k++)
+        memset(wet->f[wet->row[k] - first], 0, sizeof *wet->f);
+}
+
+void wet_find(struct moment *m)
+{
+    const size_t solids = (size_t)(m->particles->n - m->particles->from[KIND_WALL]);
+    struct wet *wet = &m->work->wet;
+
+    if (wet->list == m->list && wet->builds == m->list->builds)
+        return;
+    forget(m);
+    memset(wet->met, 0, solids * sizeof *wet->met);
+    memset(wet->has, 0, solids * sizeof *wet->has);
+    mark(m);
+    mark_known(m);
+    name_rows(m);
+    wet->list = m->list;
+    wet->builds = m->list->builds;
+}
+
+/* --- forces --------------------------------------------------------------------------------- */
+
+void wet_take(struct moment *m)
+{
+    const int first = m->particles->from[KIND_WALL];
+    struct wet *wet = &m->work->wet;
+
+    wet_find(m);
+    for (int k = 0; k < wet->others; k++)
+        memset(wet->f[wet->other[k] - first], 0, sizeof *wet->f);
+    wet->others = 0;
+    for (int k = 0; k < wet->of[m->particles->objects]; k++) {
+        const int row = wet->row[k], place = m->list->slot[row]; /* -1: of others, or nowhere */
+        for (int d = 0; d < DIM; d++)
+            wet->f[row - first][d] = place < 0 ? 0 : m->work->f[(size_t)place * DIM + d];
+    }
+}
+
+bool wet_counts(const struct moment *m, int row)
+{
+    const struct moment_share *s = m->share;
+
+    return s && s->packed ? list_inside(&m->list->def, s->built + (size_t)row * DIM)
+                          : m->list->slot[row] >= 0;
+}
+
+/* Where solids press each other, all rows of an object are looked at. */
+int wet_rows(const struct moment *m, int object)
+{
+    const struct wet *wet = &m->work->wet;
+
+    return wet->others > 0 ? m->particles->object[object].n : wet->of[object + 1] - wet->of[object];
+}
+
+int wet_row(const struct moment *m, int object, int k)
+{
+    const struct wet *wet = &m->work->wet;
+
+    return wet->others > 0 ? particles_row_of(m->particles, m->particles->object[object].from + k)
+                           : wet->row[wet->of[object] + k];
+}
