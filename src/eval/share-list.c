@@ -45,7 +45,7 @@ static void look_at(const struct moment *m, int row, const double *x, struct loo
     }
 }
 
-/* Own fluid, and solids, which are where they are on all ranks; ids of fluid are below theirs. */
+/* Own particles. */
 static struct look look(const struct moment *m, const struct view *v)
 {
     const struct moment_share *s = m->share;
@@ -55,8 +55,8 @@ static struct look look(const struct moment *m, const struct view *v)
 
     for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++)
         look_at(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM, &l);
-    for (int i = p->from[KIND_WALL]; i < p->n && solids_move; i++)
-        look_at(m, i, p->x[i], &l);
+    for (int i = s->from[s->me][KIND_WALL]; i < s->from[s->me][KINDS] && solids_move; i++)
+        look_at(m, s->row[i], p->x[s->row[i]], &l);
     return l;
 }
 

@@ -77,8 +77,6 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->wet.from = status_alloc((size_t)s->ranks + 1, sizeof *s->wet.from);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    for (int i = m->particles->from[KIND_WALL]; i < s->n && s->near.whole.here; i++)
-        s->near.whole.here[i] = true;
     return s->near.row && s->near.whole.here && s->now.x && s->now.u && s->now.rho && s->wet.row && s->wet.from && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }

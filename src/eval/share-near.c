@@ -1,5 +1,5 @@
-/* share-near.c -- particles that a rank has in its list: its own, all solids, and fluid that others own
- * near a box around its own.
+/* share-near.c -- particles that a rank has in its list: its own, and those of others near a box around
+ * its own.
  *
  * A list wants two of each block of space (space/drift.h) around own ones, so that this rank can judge
  * for all whether one of its pairs may be missing.  Places of others come when a list is made, and
@@ -38,6 +38,18 @@ static void hear_bounds(struct moment *m, const struct cloud *cloud, struct told
             list_widen(&whole->of[KIND_FLUID], &all[r].fluid);
             list_widen(&whole->images[KIND_FLUID], &all[r].images);
         }
+}
+
+/* Solids near own particles, which all ranks know. */
+static void mark_solids(struct moment *m, const struct cloud *cloud, const struct list_bounds *box)
+{
+    struct list_whole *whole = &m->share->near.whole;
+    const double reach = list_reach(m->own, whole);
+    const int *from = m->particles->from;
+
+    for (int k = KIND_WALL; k < KINDS; k++)
+        for (int i = from[k]; i < from[k + 1]; i++)
+            whole->here[i] = list_near(m->own, box, reach, list_home(m->own, cloud, k, i));
 }
 
 /* Calls for each own row of fluid, once for each rank that it is near to; returns how often.
@@ -107,6 +119,7 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
     struct ranks_route *route;
 
     hear_bounds(m, cloud, all);
+    mark_solids(m, cloud, &all[s->me].box);
     TRY(make_route(m, cloud, all, &route));
     ranks_route_free(&s->near.route);
     s->near.route = route;
