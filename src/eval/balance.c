@@ -267,11 +267,12 @@ int balance_carry_out(struct moment *m)
     if (status == STATUS_DONE)
         status = share_fit_own(s);
     TRY(ranks_agree(status));
-    m->work->narrowed = m->work->wet.list = NULL; /* they were of the rows before */
+    wet_forget(m);
     share_cloud(m, &cloud);
     builds = m->own->builds;
     TRY(share_make(m, &cloud, s->built));
     m->own->builds = builds;
+    wet_forget(m);
     s->near.known = s->near.made;
     b->cuts++;
     b->left = b->now;

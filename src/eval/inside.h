@@ -134,6 +134,9 @@ void pack_far(const struct plan *p, int number, double *record);
  * v; their rows there are those of y before.  Nothing where there are none. */
 void moment_press(struct moment *m, struct view *v);
 
+/* press.c: tells solids that press by more than a density of their own which ones the fluid meets. */
+void press_narrow(struct moment *m);
+
 /* press.c: adds the forces between solids that press by p2 [solids], by row, to those on rows in
  * work, after wet_take(). */
 void press_between(struct moment *m, const double *p2);

@@ -165,6 +165,7 @@ void moment_restart(struct moment *m)
     if (m->own)
         list_forget(m->own);
     m->list = m->own;
+    wet_forget(m);
     forget_forces(m);
     if (m->given)
         m->given->known = false;

@@ -6,14 +6,14 @@
 #include <string.h>
 
 /* Solids that fluid meets are those with fluid in the list, as long as it stands. */
-static void narrow(struct moment *m)
+void press_narrow(struct moment *m)
 {
     const struct plan_part *wall = m->plan->passes.press;
     struct workspace *w = m->work;
 
     if (w->narrowed == m->list && w->narrowed_builds == m->list->builds)
         return;
-    wet_find(m);
+    wet_mark(m);
     wall->part->as.wall->press->narrow(wall->self, w->press, w->wet.met);
     w->narrowed = m->list;
     w->narrowed_builds = m->list->builds;
@@ -56,7 +56,7 @@ int passes_press(struct evaluation *e, const struct plan_field *of)
 {
     (void)of;
     if (e->ask)
-        narrow(e->m);
+        press_narrow(e->m);
     press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m)); /* sums of others meet any */
     return STATUS_DONE;
 }

@@ -19,7 +19,7 @@ static int move_list(struct moment *m, const int *const from[KINDS])
 int moment_rearrange(struct moment *m, const int *const from[KINDS])
 {
     TRY(particles_rearrange(m->particles, from));
-    m->work->wet.list = NULL;
+    wet_forget(m);
     if (m->own && !m->own->whole) /* else share_make() follows */
         TRY(move_list(m, from));
     if (m->solver && from[KIND_FLUID])

@@ -10,12 +10,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
- * a density of their own, they read those of others than neighbours. */
 bool share_comes(const struct moment *m, int kind)
 {
-    return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->plan->passes.press);
+    return kind == KIND_FLUID || (m->plan->row.density[kind] >= 0 && !m->share->halo.any);
 }
 
 int share_reads(const struct moment *m, int kind)
@@ -36,20 +35,47 @@ double moment_share_read(const struct moment *m)
     return m->share ? m->share->halo.leaving : 0;
 }
 
-/* Marks rows that others own and that are neighbours of rows here. */
-static void mark_needed(const struct moment *m, bool *needed)
+/* Rows that others own and that are neighbours of rows here, of which numbers come. */
+static void mark_neighbours(const struct moment *m, const struct list_segment *of, bool *needed)
 {
-    const struct moment_share *s = m->share;
     const struct list *l = m->own;
 
+    for (int i = 0; i < of->rows * l->lanes; i++) {
+        const int j = list_place(of->j[i]);
+        if (j < l->listed && !m->share->mine[l->order[j]])
+            needed[l->order[j]] = true;
+    }
+}
+
+/* Solids that press here by densities of others than themselves: of which ones?  False: of any. */
+static bool mark_pressing(struct moment *m, bool *needed)
+{
+    const struct plan_part *wall = m->plan->passes.press;
+    const int first = m->particles->from[KIND_WALL], n = m->share->n - first;
+    bool *read = (bool *)m->share->pack, some;
+
+    memset(read, 0, (size_t)n * sizeof *read);
+    press_narrow(m);
+    some = wall->part->as.wall->press->reads(wall->self, m->work->press, read);
+    for (int id = 0; id < n && some; id++) {
+        const int row = particles_row_of(m->particles, first + id);
+        needed[row] |= read[id] && !m->share->mine[row];
+    }
+    return some;
+}
+
+/* Marks rows that others own and whose numbers are read here. */
+static void mark_needed(struct moment *m, bool *needed)
+{
+    const bool press = m->plan->passes.press != NULL;
+    const struct list *l = m->own;
+
+    m->share->halo.any = press && !mark_pressing(m, needed);
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
-            const struct list_segment *of = &l->segment[k];
-            for (int i = 0; share_comes(m, of->partner) && i < of->rows * l->lanes; i++) {
-                const int j = list_place(of->j[i]);
-                if (j < l->listed && !s->mine[l->order[j]])
-                    needed[l->order[j]] = true;
-            }
+            const int kind = l->segment[k].partner;
+            if (kind == KIND_FLUID || (!press && share_comes(m, kind)))
+                mark_neighbours(m, &l->segment[k], needed);
         }
 }
 
@@ -121,6 +147,7 @@ static int answer(struct moment *m, struct ranks_route *questions, const struct 
 
     if (status == STATUS_DONE) {
         const struct share_halo was = s->halo;
+        next->any = was.any;
         s->halo = *next;
         *next = was;
         s->halo.leaving = 0;

@@ -9,29 +9,16 @@
 
 #include <string.h>
 
-/* Own rows of a group that have a neighbour: the first row of a segment says so.  Returns how
- * many there are with n before. */
-static int note_lanes(const struct moment *m, int group, int n, int *id)
+int share_wet(struct moment *m, int *id)
 {
-    const struct list *l = m->own;
-
-    for (int lane = 0; lane < l->lanes; lane++) {
-        bool met = false;
-        for (int k = l->segment_from[group]; k < l->segment_from[group + 1]; k++)
-            met |= l->segment[k].rows > 0 && list_place(l->segment[k].j[lane]) != l->listed;
-        if (met)
-            id[n++] = particles_id_of(m->particles, l->order[l->group_slot[group] + lane]);
-    }
-    return n;
-}
-
-int share_wet(const struct moment *m, int *id)
-{
-    const struct list *l = m->own;
+    const struct moment_share *s = m->share;
+    const int first = m->particles->from[KIND_WALL];
     int n = 0;
 
-    for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
-        n = note_lanes(m, g, n, id);
+    wet_mark(m);
+    for (int i = first; i < s->n; i++)
+        if (m->work->wet.has[i - first])
+            id[n++] = i;
     return n;
 }
 

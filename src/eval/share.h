@@ -47,6 +47,7 @@ struct moment_share {
         int n, *row;       /* [n] that come, by owner                          */
         double *in;        /* [numbers that come]                              */
         double leaving;    /* numbers that passes read of rows that leave, by the plan */
+        bool any;          /* passes may read densities of any solid           */
     } halo;
     struct {
         int *row, *from;   /* [from[ranks]] solids with neighbours in the list, those of
@@ -147,8 +148,8 @@ int share_remake(const struct moment *run, struct list *list);
 
 /* share-halo.c */
 
-/* Do numbers of this kind come from neighbours that have them in y?  Where solids press by more than
- * a density of their own, they read those of others than neighbours. */
+/* Do numbers of this kind come from those ranks that have them in y?  Else all have all: where solids
+ * press by more than a density of their own, they may read that of any. */
 bool share_comes(const struct moment *m, int kind);
 
 /* Numbers that the plan's passes read of a neighbour of this kind and that come from its owner. */
@@ -161,7 +162,7 @@ int share_halo(struct moment *m, int status);
 /* share-solids.c */
 
 /* Ids of own solids that have a neighbour in the list; how many. */
-int share_wet(const struct moment *m, int *id);
+int share_wet(struct moment *m, int *id);
 
 /* All hear of those of all ranks, count [ranks], and send the forces of these alone from now on. */
 void share_hear_wet(struct moment *m, const int *count, const int *id);

@@ -116,9 +116,10 @@ static void forget(const struct moment *m)
 
     for (int k = 0; k < wet->of[m->particles->objects]; k++)
         memset(wet->f[wet->row[k] - first], 0, sizeof *wet->f);
+    wet->of[m->particles->objects] = 0;
 }
 
-void wet_find(struct moment *m)
+void wet_mark(struct moment *m)
 {
     const size_t solids = (size_t)(m->particles->n - m->particles->from[KIND_WALL]);
     struct wet *wet = &m->work->wet;
@@ -129,10 +130,25 @@ void wet_find(struct moment *m)
     memset(wet->met, 0, solids * sizeof *wet->met);
     memset(wet->has, 0, solids * sizeof *wet->has);
     mark(m);
-    mark_known(m);
-    name_rows(m);
     wet->list = m->list;
     wet->builds = m->list->builds;
+    wet->named = false;
+}
+
+void wet_find(struct moment *m)
+{
+    wet_mark(m);
+    if (m->work->wet.named)
+        return;
+    mark_known(m);
+    name_rows(m);
+    m->work->wet.named = true;
+}
+
+void wet_forget(struct moment *m)
+{
+    m->work->wet.list = NULL;
+    m->work->narrowed = NULL;
 }
 
 /* --- forces --------------------------------------------------------------------------------- */

@@ -13,6 +13,7 @@ struct plan;
 struct wet {
     const struct list *list; /* of which it is, when that had been made so often  */
     long builds;
+    bool named;              /* `of` and `row` are there                           */
     bool *met;               /* [solids] by id: fluid is a neighbour, of a pair that this rank sums */
     bool *has;               /* [solids] by id: it has neighbours, on any rank      */
     int *row, *of;           /* those of object i: row[of[i]] .. row[of[i + 1] - 1], in order
@@ -24,8 +25,13 @@ struct wet {
 int wet_create(const struct plan *p, struct wet *wet);
 void wet_free(struct wet *wet);
 
-/* Makes it that of the moment's list, where it is not; members but f and other are set. */
+/* Makes it that of the moment's list, where it is not: members met and has, for what this rank
+ * sums; all but f and other. */
+void wet_mark(struct moment *m);
 void wet_find(struct moment *m);
+
+/* The list, or the rows that it names, become others without a rebuild that is counted. */
+void wet_forget(struct moment *m);
 
 /* Forces of pairs, from places to rows; what solids press is added afterwards. */
 void wet_take(struct moment *m);

@@ -201,6 +201,10 @@ struct part_press {
      * from the first: fluid meets no others. */
     void (*narrow)(const void *self, struct part_press_work *w, const bool *met);
 
+    /* Marks solids [solids] by id whose densities press() then reads for these; others stay as
+     * they are.  False: it may be any, as solids come near to others. */
+    bool (*reads)(const void *self, const struct part_press_work *w, bool *read);
+
     /* p says where solids are now, and which particle stands in which row. */
     void (*press)(const void *self, struct part_press_work *w, const struct particles *p,
                   const struct part_pressed *io);

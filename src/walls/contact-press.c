@@ -250,3 +250,15 @@ void contact_press_narrow(const void *self, struct part_press_work *w, const boo
     (void)self;
     contact_reach_narrow(&w->reach, met);
 }
+
+bool contact_press_reads(const void *self, const struct part_press_work *w, bool *read)
+{
+    const struct contact_press_self *c = self;
+    const struct contact_slices *near = &w->reach.near;
+
+    for (int k = 0; k < near->n[CONTACT_R]; k++)
+        for (int i = near->slice[CONTACT_R][k] * CONTACT_ROWS;
+             i < (near->slice[CONTACT_R][k] + 1) * CONTACT_ROWS && i < c->mean.n; i++)
+            read[c->mean.solid[i]] = true;
+    return c->others.groups < 2;
+}

@@ -54,6 +54,7 @@ void contact_press_start(const void *self, const struct particles *p, enum kind 
 int contact_press_work(const void *self, struct part_press_work **out);
 void contact_press_work_free(struct part_press_work **work);
 void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met);
+bool contact_press_reads(const void *self, const struct part_press_work *w, bool *read);
 int contact_press_meet(const void *self, struct part_press_work *w, const struct particles *p,
                        const double *p2, double (*f)[DIM], int *row);
 void contact_press_mean(const void *self, struct part_press_work *w, const double *from,

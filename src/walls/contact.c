@@ -152,6 +152,7 @@ static const struct part_press contact_press = {
     .work = contact_press_work,
     .work_free = contact_press_work_free,
     .narrow = contact_press_narrow,
+    .reads = contact_press_reads,
     .press = press,
     .mean = contact_press_mean,
     .spread = contact_press_spread,
