@@ -31,7 +31,7 @@ struct workspace {
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */
-    struct wet wet;  /* solids that something meets, and forces on solids     */
+    struct wet_solids wet;  /* solids that something meets, and forces on solids     */
     const struct list *narrowed; /* the list that `press` knows solids of, when it had been */
     long narrowed_builds;        /* made so often                              */
     double (*sum)[PART_SUMS]; /* [n] for a summed density, by place; NULL without */

@@ -92,6 +92,9 @@ void moment_most(const struct moment *moment, int n, double *x);
  * ranks ask together. */
 const double *moment_whole(struct moment *moment, const double *y);
 
+/* The same on the first rank, for what it alone writes; on others y itself. */
+const double *moment_first(struct moment *moment, const double *y);
+
 /* Takes all memory that a run's evaluations need; the plan must outlive it. */
 int moment_create(const struct plan *plan, struct moment **out);
 void moment_free(struct moment **moment); /* NULL is welcome */

@@ -120,7 +120,7 @@ void press_between(struct moment *m, const double *p2)
     const struct plan_part *wall = m->plan->passes.press;
     const struct particles *p = m->particles;
     struct workspace *w = m->work;
-    struct wet *wet = &w->wet;
+    struct wet_solids *wet = &w->wet;
     double (*f)[DIM] = (double (*)[DIM])w->pressed;
     const int n = wall->part->as.wall->press->meet(wall->self, w->press, p, p2, f, w->rows);
 

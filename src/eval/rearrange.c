@@ -32,7 +32,7 @@ int moment_follow(struct moment *m, const struct moment *run)
     const int *from[KINDS];
 
     memcpy(from, run->particles->id, sizeof from);
-    return run->particles->own ? particles_rearrange(m->particles, from) : STATUS_DONE;
+    return run->particles->id[KIND_FLUID] ? particles_rearrange(m->particles, from) : STATUS_DONE;
 }
 
 int moment_kind(const struct moment *m, int row)

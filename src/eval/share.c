@@ -40,40 +40,54 @@ int share_fit_own(struct moment_share *s)
 
 /* --- from all to all -------------------------------------------------------------------- */
 
-/* Rows of the kinds first .. last - 1, counted from the first of them on; with none, nothing. */
-static void gather(struct moment_share *s, const struct particles *p, int first, int last, size_t c,
+/* Messages packed, count [ranks] of them: to all, or to the first rank; has this one heard? */
+static bool send(struct moment_share *s, bool all, size_t bytes)
+{
+    (all ? ranks_gather : ranks_bring)(s->count, bytes, s->pack, s->all);
+    return all || s->me == 0;
+}
+
+static void gather(struct moment_share *s, const struct particles *p, enum kind k, bool all, size_t c,
                    const double *from, double *to)
 {
-    const int row = p->from[first], mine = s->from[s->me][first];
+    const int row = p->from[k], mine = s->from[s->me][k];
     const double *at = s->all;
 
-    if (p->from[last] == row)
+    if (particles_count(p, k) == 0)
         return;
     for (int r = 0; r < s->ranks; r++)
-        s->count[r] = s->from[r][last] - s->from[r][first];
+        s->count[r] = s->from[r][k + 1] - s->from[r][k];
     for (int i = 0; i < s->count[s->me]; i++)
         memcpy(s->pack + (size_t)i * c, from + (size_t)(s->row[mine + i] - row) * c, c * sizeof *from);
-    ranks_gather(s->count, c * sizeof *from, s->pack, s->all);
+    if (!send(s, all, c * sizeof *from))
+        return;
     for (int r = 0; r < s->ranks; r++)
-        for (int i = s->from[r][first]; i < s->from[r][last]; i++, at += c)
+        for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++, at += c)
             memcpy(to + (size_t)(s->row[i] - row) * c, at, c * sizeof *to);
 }
 
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to)
 {
-    gather(s, p, (int)k, (int)k + 1, c, from, to);
+    gather(s, p, k, true, c, from, to);
 }
 
 /* Where the list was made, of rows that were not near, too: for a moment that looks, and for a cut. */
-void share_built(struct moment *m)
+static void hear_built(struct moment *m, bool all)
 {
     struct moment_share *s = m->share;
 
-    if (!s->packed || s->near.known == s->near.made)
+    if (!s->packed || s->near.known == s->near.made || (!all && s->near.first == s->near.made))
         return;
-    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
-    s->near.known = s->near.made;
+    gather(s, m->particles, KIND_FLUID, all, DIM, s->built, s->built);
+    s->near.first = s->near.made;
+    if (all)
+        s->near.known = s->near.made;
+}
+
+void share_built(struct moment *m)
+{
+    hear_built(m, true);
 }
 
 /* Rows of y that a rank has, between y and a message; returns what comes behind. */
@@ -107,23 +121,34 @@ static int numbers_of(const struct moment *m, int rank)
     return n;
 }
 
-const double *moment_whole(struct moment *m, const double *y)
+static const double *hear_whole(struct moment *m, bool all, const double *y)
 {
     struct moment_share *s = m->share;
     double *at;
 
     if (!s || s->full)
         return y;
-    share_built(m);
-    memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
+    hear_built(m, all);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = numbers_of(m, r);
-    copy_rows(m, s->me, true, s->whole, s->pack);
-    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
+    copy_rows(m, s->me, true, (double *)y, s->pack);
+    if (!send(s, all, sizeof *s->all))
+        return y;
+    memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
     at = s->all;
     for (int r = 0; r < s->ranks; r++)
         at = copy_rows(m, r, false, s->whole, at);
     return s->whole;
+}
+
+const double *moment_whole(struct moment *m, const double *y)
+{
+    return hear_whole(m, true, y);
+}
+
+const double *moment_first(struct moment *m, const double *y)
+{
+    return hear_whole(m, false, y);
 }
 
 void share_silence(const struct moment *m, double *ydot)

@@ -72,7 +72,8 @@ struct moment_share {
         struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
         int n, *row;       /* [n] rows that come                               */
         struct list_whole whole;
-        long made, known;  /* so far; when `built` was last known of all rows   */
+        long made, known, first; /* so far; when `built` was last known of all rows, to all and
+                              to the first rank                                */
     } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */

@@ -32,7 +32,7 @@ static void move_skin(struct moment *m, const struct moment_body *b, double t, c
     const struct object *o = &all->object[b->object];
     double (*x)[DIM] = m->work->points, (*u)[DIM] = m->work->speeds;
 
-    if (!all->own) {
+    if (!all->id[o->kind]) { /* rows are ids */
         b->kind->move(b->body, b->work, &m->layout, t, y, all->x + o->from, all->u + o->from);
         return;
     }

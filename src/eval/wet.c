@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-int wet_create(const struct plan *p, struct wet *wet)
+int wet_create(const struct plan *p, struct wet_solids *wet)
 {
     const size_t solids = (size_t)(p->particles->n - particles_count(p->particles, KIND_FLUID)) + 1;
 
@@ -24,7 +24,7 @@ int wet_create(const struct plan *p, struct wet *wet)
                                                                                 : STATUS_FAILED;
 }
 
-void wet_free(struct wet *wet)
+void wet_free(struct wet_solids *wet)
 {
     free(wet->met);
     free(wet->has);
@@ -32,7 +32,7 @@ void wet_free(struct wet *wet)
     free(wet->other);
     free(wet->of);
     free(wet->f);
-    *wet = (struct wet){ 0 };
+    *wet = (struct wet_solids){ 0 };
 }
 
 /* --- which they are ------------------------------------------------------------------------- */
@@ -46,7 +46,7 @@ static int number_of(const struct moment *m, int row)
 static void mark_owners(const struct moment *m, int group, const struct list_segment *s)
 {
     const struct list *l = m->list;
-    struct wet *wet = &m->work->wet;
+    struct wet_solids *wet = &m->work->wet;
 
     for (int lane = 0; s->rows > 0 && lane < l->lanes; lane++)
         if (list_place(s->j[lane]) != l->listed) {
@@ -95,7 +95,7 @@ static void mark_known(const struct moment *m)
 static void name_rows(const struct moment *m)
 {
     const struct particles *p = m->particles;
-    struct wet *wet = &m->work->wet;
+    struct wet_solids *wet = &m->work->wet;
     int n = 0;
 
     for (int i = 0; i < p->objects; i++) {
@@ -112,7 +112,7 @@ static void name_rows(const struct moment *m)
 static void forget(const struct moment *m)
 {
     const int first = m->particles->from[KIND_WALL];
-    struct wet *wet = &m->work->wet;
+    struct wet_solids *wet = &m->work->wet;
 
     for (int k = 0; k < wet->of[m->particles->objects]; k++)
         memset(wet->f[wet->row[k] - first], 0, sizeof *wet->f);
@@ -122,7 +122,7 @@ static void forget(const struct moment *m)
 void wet_mark(struct moment *m)
 {
     const size_t solids = (size_t)(m->particles->n - m->particles->from[KIND_WALL]);
-    struct wet *wet = &m->work->wet;
+    struct wet_solids *wet = &m->work->wet;
 
     if (wet->list == m->list && wet->builds == m->list->builds)
         return;
@@ -156,7 +156,7 @@ void wet_forget(struct moment *m)
 void wet_take(struct moment *m)
 {
     const int first = m->particles->from[KIND_WALL];
-    struct wet *wet = &m->work->wet;
+    struct wet_solids *wet = &m->work->wet;
 
     wet_find(m);
     for (int k = 0; k < wet->others; k++)
@@ -180,14 +180,14 @@ bool wet_counts(const struct moment *m, int row)
 /* Where solids press each other, all rows of an object are looked at. */
 int wet_rows(const struct moment *m, int object)
 {
-    const struct wet *wet = &m->work->wet;
+    const struct wet_solids *wet = &m->work->wet;
 
     return wet->others > 0 ? m->particles->object[object].n : wet->of[object + 1] - wet->of[object];
 }
 
 int wet_row(const struct moment *m, int object, int k)
 {
-    const struct wet *wet = &m->work->wet;
+    const struct wet_solids *wet = &m->work->wet;
 
     return wet->others > 0 ? particles_row_of(m->particles, m->particles->object[object].from + k)
                            : wet->row[wet->of[object] + k];

@@ -10,7 +10,7 @@ struct moment;
 struct plan;
 
 /* Of a workspace.  [solids] counts from the first solid, by row or by id. */
-struct wet {
+struct wet_solids {
     const struct list *list; /* of which it is, when that had been made so often  */
     long builds;
     bool named;              /* `of` and `row` are there                           */
@@ -22,8 +22,8 @@ struct wet {
     int others, *other;      /* [solids] rows that solids press, likewise counted  */
 };
 
-int wet_create(const struct plan *p, struct wet *wet);
-void wet_free(struct wet *wet);
+int wet_create(const struct plan *p, struct wet_solids *wet);
+void wet_free(struct wet_solids *wet);
 
 /* Makes it that of the moment's list, where it is not: members met and has, for what this rank
  * sums; all but f and other. */

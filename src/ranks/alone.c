@@ -79,6 +79,11 @@ void ranks_gather(const int *count, size_t bytes, const void *mine, void *all)
     memcpy(all, mine, (size_t)count[0] * bytes);
 }
 
+void ranks_bring(const int *count, size_t bytes, const void *mine, void *all)
+{
+    memcpy(all, mine, (size_t)count[0] * bytes);
+}
+
 /* No cut and no route has a member: there is nothing to know of them. */
 int ranks_cut_create(struct ranks_cut **cut, int dim, int n, const double *x,
                      const double *weight)

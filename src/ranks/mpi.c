@@ -175,7 +175,8 @@ void ranks_add(int n, int64_t *x)
     MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
 }
 
-void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
+/* From all to `root`, or to all where that is below 0. */
+static void gather(int root, const int *rows, size_t bytes, const void *mine, void *all)
 {
     int first[count];
     MPI_Datatype row;
@@ -190,6 +191,19 @@ void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
     ranks_traffic_gather(rows[me] * (double)bytes);
     MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
     MPI_Type_commit(&row);
-    MPI_Allgatherv(mine, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
+    if (root < 0)
+        MPI_Allgatherv(mine, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
+    else
+        MPI_Gatherv(mine, rows[me], row, all, rows, first, row, root, MPI_COMM_WORLD);
     MPI_Type_free(&row);
+}
+
+void ranks_gather(const int *rows, size_t bytes, const void *mine, void *all)
+{
+    gather(-1, rows, bytes, mine, all);
+}
+
+void ranks_bring(const int *rows, size_t bytes, const void *mine, void *all)
+{
+    gather(0, rows, bytes, mine, all);
 }

@@ -60,6 +60,9 @@ void ranks_add(int n, int64_t *x);
  * rank 0 first.  mine [count[ranks_me()]] may not overlap it. */
 void ranks_gather(const int *count, size_t bytes, const void *mine, void *all);
 
+/* The same to the first rank alone: elsewhere `all` is not touched. */
+void ranks_bring(const int *count, size_t bytes, const void *mine, void *all);
+
 /* --- where each works ------------------------------------------------------------------ */
 
 /* Space cut into boxes that fill it, one a rank. */

@@ -74,6 +74,24 @@ static int agree(struct run *r)
     return release_start(r->moment, r->y);
 }
 
+/* One of many ranks needs its own rows of r->y alone from now on: the rest gives its memory back. */
+static int forget_others(struct run *r)
+{
+    if (!moment_is_packed(r->moment))
+        return STATUS_DONE;
+    free(r->y);
+    r->y = status_alloc(plan_size(r->plan), sizeof *r->y);
+    return r->y ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int write_start(struct run *r)
+{
+    if (!run_ranks_writes())
+        return STATUS_DONE;
+    TRY(outputs_start(r->outputs, r->moment, 0, r->y));
+    return run_write_used(r);
+}
+
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
@@ -84,10 +102,8 @@ int run_start(struct run *r)
     choose_times(r);
     TRY(ranks_agree(open_outputs(r, false)));
     run_keep_extremes(r, 0, r->y);
-    if (!run_ranks_writes())
-        return STATUS_DONE;
-    TRY(outputs_start(r->outputs, r->moment, 0, r->y));
-    return run_write_used(r);
+    TRY(ranks_agree(write_start(r)));
+    return ranks_agree(forget_others(r));
 }
 
 static int agree_again(struct run *r, struct archive *from)
@@ -104,5 +120,6 @@ int run_start_again(struct run *r, struct archive *from)
     TRY(r->method->restart(r->self, r->past.tally.t, r->y, &r->pace));
     run_ranks_begin(r);
     TRY(ranks_agree(open_outputs(r, true)));
-    return ranks_agree(checkpoint_load_past(r, from));
+    TRY(ranks_agree(checkpoint_load_past(r, from)));
+    return ranks_agree(forget_others(r));
 }

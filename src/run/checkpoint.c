@@ -158,12 +158,13 @@ int checkpoint_write(struct run *r)
 {
     const double t = r->past.tally.t;
     const bool by_clock = t < checkpoint_next(r) && t < r->until;
-
+    const double *y = run_state_written(r);
     int status = STATUS_DONE;
 
-    moment_by_id(r->moment, run_state(r), r->y);
-    if (run_ranks_writes())
+    if (run_ranks_writes()) {
+        moment_by_id(r->moment, y, r->y);
         status = outputs_checkpoint(r->outputs, t, by_clock ? "clock" : "time");
+    }
     count(r);
     r->past.spent[0] = run_cpu() - r->cpu_start;
     r->past.spent[1] = run_clock() - r->clock_start;

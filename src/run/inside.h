@@ -49,6 +49,12 @@ static inline const double *run_state(const struct run *r)
     return moment_whole(r->moment, r->method->state(r->self));
 }
 
+/* The same for the first rank, which writes; on others own rows alone are right. */
+static inline const double *run_state_written(const struct run *r)
+{
+    return moment_first(r->moment, r->method->state(r->self));
+}
+
 /* Reads the scene, makes the plan and finds the method; writes nothing. */
 int run_prepare(struct run *r, const struct run_order *order);
 /* The same, but a plan that would take long to make is not made: then survey->large, and r->plan

@@ -63,7 +63,7 @@ static int write_due(struct run *r, double t)
                 return stopped(r, stop_asked(), "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
-            TRY(write_one(r, i, due, due < t ? moment_whole(r->moment, r->y) : run_state(r)));
+            TRY(write_one(r, i, due, due < t ? moment_first(r->moment, r->y) : run_state_written(r)));
         }
     return STATUS_DONE;
 }
@@ -124,7 +124,7 @@ static int first_of(int status, int next)
 
 static int report(struct run *r, int status, const char *message)
 {
-    const double *y = run_state(r);
+    const double *y = run_state_written(r);
     int constants;
 
     if (!run_ranks_writes())
@@ -165,7 +165,7 @@ static int go(struct run *r, struct progress *progress)
 /* The last row of a run that ended early: where it ended. */
 static void write_end(struct run *r)
 {
-    const double *y = run_state(r);
+    const double *y = run_state_written(r);
 
     if (run_ranks_writes() && r->past.tally.t > outputs_sheet(r->outputs)->t)
         outputs_rows(r->outputs, r->moment, r->past.tally.t, y);
@@ -176,6 +176,13 @@ static int end(struct run *r, int status, const char *message)
 {
     status = first_of(status, report(r, status, message));
     return first_of(status, outputs_close(&r->outputs));
+}
+
+static int doubt(struct run *r)
+{
+    const double *y = run_state_written(r);
+
+    return run_ranks_writes() ? run_doubt_end(r, y) : STATUS_DONE;
 }
 
 int run_carry_out(const struct run_order *order, struct archive *from)
@@ -205,7 +212,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         run_explain(&r, status, message);
         write_end(&r);
     }
-    if (status == STATUS_DONE && (status = run_doubt_end(&r, run_state(&r))) != STATUS_DONE)
+    if (status == STATUS_DONE && (status = doubt(&r)) != STATUS_DONE)
         snprintf(message, sizeof message, "%s", status_message());
     status = end(&r, status, message);
     if (run_ranks_writes())

@@ -4,8 +4,6 @@
 
 #include "base/status.h"
 
-#include <string.h>
-
 /* Where f jumps, or y does, a segment ends, and the method starts anew. */
 static int jump(struct run *r)
 {
@@ -14,7 +12,7 @@ static int jump(struct run *r)
     if (t < r->event)
         return STATUS_DONE;
     r->event = plan_event(r->plan, t);
-    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
+    moment_take(r->moment, r->method->state(r->self), r->y);
     TRY(moment_event(r->moment, t, r->y));
     return r->method->restart(r->self, t, r->y, NULL);
 }
@@ -26,7 +24,7 @@ static int settle(struct run *r)
 
     if (!moment_lacks(r->moment, t, r->method->state(r->self)))
         return STATUS_DONE;
-    memcpy(r->y, r->method->state(r->self), (size_t)moment_size(r->moment) * sizeof *r->y);
+    moment_take(r->moment, r->method->state(r->self), r->y);
     TRY(moment_settle(r->moment, t, r->y));
     return r->method->restart(r->self, t, r->y, NULL);
 }

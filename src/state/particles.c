@@ -32,15 +32,22 @@ static size_t place_fixed(struct particles *p, char *block)
     return used;
 }
 
-/* What moves. */
+/* What moves; rows that are rearranged bring their own. */
 static size_t place_moving(struct particles *p, char *block)
 {
     const size_t n = p->n;
     size_t used = 0;
 
-    take(block, &used, sizeof *p);
     p->x = take(block, &used, n * sizeof *p->x);
     p->u = take(block, &used, n * sizeof *p->u);
+    return used;
+}
+
+static size_t place_objects(struct particles *p, char *block)
+{
+    size_t used = 0;
+
+    take(block, &used, sizeof *p);
     p->object = take(block, &used, p->objects * sizeof *p->object);
     return used;
 }
@@ -70,7 +77,13 @@ int particles_create_beside(const struct particles *of, struct particles **out)
 {
     const int first = of->from[KIND_FLUID + 1];
 
-    TRY(create(*of, place_moving, out));
+    TRY(create(*of, place_objects, out));
+    (*out)->own = status_alloc(place_moving(*out, NULL) + 1, 1);
+    if (!(*out)->own) {
+        particles_free(out);
+        return STATUS_FAILED;
+    }
+    place_moving(*out, (*out)->own);
     memcpy((*out)->object, of->object, of->objects * sizeof *of->object);
     memcpy((*out)->x + first, of->x0 + first, (of->n - first) * sizeof *of->x0);
     return STATUS_DONE;

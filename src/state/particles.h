@@ -40,7 +40,8 @@ struct particles {
     int *id[KINDS];       /* [count of kind] of the particle in a row, both counted
                              from from[kind]; NULL: rows are ids               */
     int *row[KINDS];      /* [count of kind] of the particle with an id, likewise */
-    void *own;            /* memory of rows that were rearranged               */
+    void *own;            /* of a moment: memory of what moves, and of rows that were
+                             rearranged                                        */
     int objects;
     struct object *object; /* [objects] in creation order                     */
 };

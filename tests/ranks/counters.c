@@ -16,16 +16,28 @@ int MPI_Allreduce(const void *from, void *to, int n, MPI_Datatype type, MPI_Op o
     return PMPI_Allreduce(from, to, n, type, op, comm);
 }
 
-int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
-                   const int first[], MPI_Datatype to_type, MPI_Comm comm)
+static void count_gather(const int count[], MPI_Datatype type, MPI_Comm comm)
 {
     int size, ranks;
 
-    MPI_Type_size(to_type, &size);
+    MPI_Type_size(type, &size);
     MPI_Comm_size(comm, &ranks);
     gathers++;
     for (int r = 0; r < ranks; r++)
         gathered += (long)count[r] * size;
+}
+
+int MPI_Gatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
+                const int first[], MPI_Datatype to_type, int root, MPI_Comm comm)
+{
+    count_gather(count, to_type, comm);
+    return PMPI_Gatherv(from, n, type, to, count, first, to_type, root, comm);
+}
+
+int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
+                   const int first[], MPI_Datatype to_type, MPI_Comm comm)
+{
+    count_gather(count, to_type, comm);
     return PMPI_Allgatherv(from, n, type, to, count, first, to_type, comm);
 }
 

@@ -104,6 +104,14 @@ static void all_get_all(void)
         for (int i = 0; i < count[r]; i++)
             good &= all[n++] == 10 * r + i;
     claim(good, "rows of all ranks stand in their order");
+    for (int i = 0; i < n; i++)
+        all[i] = -1;
+    ranks_bring(count, sizeof *mine, mine, all);
+    n = 0;
+    for (int r = 0; r < ranks; r++)
+        for (int i = 0; i < count[r]; i++)
+            good &= all[n++] == (me == 0 ? 10 * r + i : -1);
+    claim(good, "... or come to the first rank alone");
 }
 
 static void the_largest_is_known_to_all(void)
