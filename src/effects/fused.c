@@ -116,14 +116,21 @@ LOOP(rate_pressure_artificial, density_rate_row, pressure_force_row, artificial_
      NULL)
 LOOP(rate_pressure_laminar, density_rate_row, pressure_force_row, laminar_viscosity_row, NULL)
 LOOP(rate_pressure_diffusion, density_rate_row, pressure_force_row, density_diffusion_row, NULL)
+LOOP(rate_pressure_diffusion_upright, density_rate_row, pressure_force_row,
+     density_diffusion_upright_row, NULL)
 LOOP(rate_pressure_artificial_diffusion, density_rate_row, pressure_force_row,
      artificial_viscosity_row, density_diffusion_row)
+LOOP(rate_pressure_artificial_diffusion_upright, density_rate_row, pressure_force_row,
+     artificial_viscosity_row, density_diffusion_upright_row)
 LOOP(rate_pressure_laminar_diffusion, density_rate_row, pressure_force_row,
      laminar_viscosity_row, density_diffusion_row)
+LOOP(rate_pressure_laminar_diffusion_upright, density_rate_row, pressure_force_row,
+     laminar_viscosity_row, density_diffusion_upright_row)
 LOOP(pressure_artificial, pressure_force_row, artificial_viscosity_row, NULL, NULL)
 LOOP(pressure_laminar, pressure_force_row, laminar_viscosity_row, NULL, NULL)
 LOOP(pressure_alone, pressure_force_row, NULL, NULL, NULL)
 LOOP(rate_diffusion, density_rate_row, density_diffusion_row, NULL, NULL)
+LOOP(rate_diffusion_upright, density_rate_row, density_diffusion_upright_row, NULL, NULL)
 
 #define RATE &LANE_NAME(effects_continuity)
 #define PRESSURE &LANE_NAME(effects_pressure_force)
@@ -138,17 +145,20 @@ extern const struct part LANE_NAME(effects_continuity), LANE_NAME(effects_pressu
 static const struct {
     const struct part *part[MOST + 1]; /* parts with these laws, in table order, NULL-ended */
     loop *laws;
+    loop *upright; /* where diffusion, the last law, has no slope but that along the last direction */
 } fused[] = {
-    { { RATE, PRESSURE }, rate_pressure },
-    { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial },
-    { { RATE, PRESSURE, LAMINAR }, rate_pressure_laminar },
-    { { RATE, PRESSURE, DIFFUSION }, rate_pressure_diffusion },
-    { { RATE, PRESSURE, ARTIFICIAL, DIFFUSION }, rate_pressure_artificial_diffusion },
-    { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion },
-    { { PRESSURE, ARTIFICIAL }, pressure_artificial },
-    { { PRESSURE, LAMINAR }, pressure_laminar },
-    { { PRESSURE }, pressure_alone },
-    { { RATE, DIFFUSION }, rate_diffusion },
+    { { RATE, PRESSURE }, rate_pressure, NULL },
+    { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial, NULL },
+    { { RATE, PRESSURE, LAMINAR }, rate_pressure_laminar, NULL },
+    { { RATE, PRESSURE, DIFFUSION }, rate_pressure_diffusion, rate_pressure_diffusion_upright },
+    { { RATE, PRESSURE, ARTIFICIAL, DIFFUSION }, rate_pressure_artificial_diffusion,
+      rate_pressure_artificial_diffusion_upright },
+    { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion,
+      rate_pressure_laminar_diffusion_upright },
+    { { PRESSURE, ARTIFICIAL }, pressure_artificial, NULL },
+    { { PRESSURE, LAMINAR }, pressure_laminar, NULL },
+    { { PRESSURE }, pressure_alone, NULL },
+    { { RATE, DIFFUSION }, rate_diffusion, rate_diffusion_upright },
 };
 
 /* A part that chose another law than its usual one is another part here. */
@@ -167,7 +177,8 @@ static loop *find(const struct pairs_table *table)
 {
     for (size_t i = 0; i < sizeof fused / sizeof *fused; i++)
         if (same(table, fused[i].part))
-            return fused[i].laws;
+            return fused[i].upright && density_diffusion_is_upright(table->work[table->n - 1].self)
+                   ? fused[i].upright : fused[i].laws;
     return NULL;
 }
 
