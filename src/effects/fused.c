@@ -15,7 +15,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { MOST = 4 }; /* laws in one loop: more do not fit into the registers */
+enum {
+    MOST = 4,            /* laws in one loop: more do not fit into the registers    */
+    AHEAD = LANES == 16, /* the next row is under way while laws wait for this one's division:
+                            for that 32 registers are enough, and 16 too few         */
+};
 
 #ifdef SINGLE
 /* From the list, one after the other: to form a row takes less time than to store it and read
@@ -73,7 +77,26 @@ LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_s
 }
 #endif
 
-/* The laws are constants, NULL behind the last; so is `alike`. */
+/* Of the laws of one loop: registers, not memory. */
+struct sums {
+    struct sum one, two, three, four;
+};
+
+/* Adds what the laws give on one row.  They are constants, NULL behind the last. */
+LANES_INLINE void add_row(const struct pairs_work *w, const struct side *a, const struct row *row,
+                          struct sums *to, pairs_row_law *first, pairs_row_law *second,
+                          pairs_row_law *third, pairs_row_law *fourth)
+{
+    first(w[0].self, a, row, &to->one);
+    if (second)
+        second(w[1].self, a, row, &to->two);
+    if (third)
+        third(w[2].self, a, row, &to->three);
+    if (fourth)
+        fourth(w[3].self, a, row, &to->four);
+}
+
+/* The laws are constants; so is `alike`.  With AHEAD there is a row. */
 LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source *of, bool alike,
                       int n, struct sum *sum, pairs_row_law *first, pairs_row_law *second,
                       pairs_row_law *third, pairs_row_law *fourth)
@@ -81,28 +104,29 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
     const struct pairs_work *w = table->work;
     const struct side *a = owners(of);
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
-    /* registers, not memory */
-    struct sum one = sum[w[0].slot], two = second ? sum[w[1].slot] : one;
-    struct sum three = third ? sum[w[2].slot] : one, four = fourth ? sum[w[3].slot] : one;
+    struct sums s = { .one = sum[w[0].slot] };
+    struct row row;
 
-    for (int k = 0; k < n; k++) {
-        const struct row row = row_of(&c, of, alike, k);
+    s.two = second ? sum[w[1].slot] : s.one;
+    s.three = third ? sum[w[2].slot] : s.one;
+    s.four = fourth ? sum[w[3].slot] : s.one;
+    if (AHEAD)
+        row = row_of(&c, of, alike, 0);
+    for (int k = AHEAD; k < n; k++) {
+        const struct row next = row_of(&c, of, alike, k);
 
-        first(w[0].self, a, &row, &one);
-        if (second)
-            second(w[1].self, a, &row, &two);
-        if (third)
-            third(w[2].self, a, &row, &three);
-        if (fourth)
-            fourth(w[3].self, a, &row, &four);
+        add_row(w, a, AHEAD ? &row : &next, &s, first, second, third, fourth);
+        row = next;
     }
-    sum[w[0].slot] = one;
+    if (AHEAD)
+        add_row(w, a, &row, &s, first, second, third, fourth);
+    sum[w[0].slot] = s.one;
     if (second)
-        sum[w[1].slot] = two;
+        sum[w[1].slot] = s.two;
     if (third)
-        sum[w[2].slot] = three;
+        sum[w[2].slot] = s.three;
     if (fourth)
-        sum[w[3].slot] = four;
+        sum[w[3].slot] = s.four;
 }
 
 #define LOOP(name, ...)                                                                    \
