@@ -7,6 +7,8 @@
 
 #include "space/pairs.h"
 
+#include <stdbool.h>
+
 struct density_diffusion {
     double delta;
     double strength; /* delta hs c0               [m^2/s]    */
@@ -14,16 +16,41 @@ struct density_diffusion {
     double rate;     /* fastest decay             [1/s]      */
 };
 
-LANES_INLINE void density_diffusion_row(const void *self, const struct side *a,
-                                        const struct row *b, struct sum *to)
+/* Of what gravity alone makes of the densities: slopes from direction `from` on are not 0. */
+LANES_INLINE void density_diffusion_from(const struct density_diffusion *s, int from,
+                                         const struct side *a, const struct row *b,
+                                         struct sum *to)
 {
-    const struct density_diffusion *s = self;
-    lanes hydrostatic = (real)s->slope[0] * b->x[0];
+    lanes hydrostatic = (real)s->slope[from] * b->x[from];
 
-    for (int d = 1; d < DIM; d++)
+    for (int d = from + 1; d < DIM; d++)
         hydrostatic += (real)s->slope[d] * b->x[d];
     to->drho += (real)s->strength * (a->irho + b->irho) * (a->rho - b->rho - hydrostatic)
               * (b->gw_r2 * b->r2);
+}
+
+LANES_INLINE void density_diffusion_row(const void *self, const struct side *a,
+                                        const struct row *b, struct sum *to)
+{
+    density_diffusion_from(self, 0, a, b, to);
+}
+
+/* Does gravity pull along the last direction, or nowhere? */
+LANES_INLINE bool density_diffusion_is_upright(const void *self)
+{
+    const struct density_diffusion *s = self;
+    bool upright = true;
+
+    for (int d = 0; d < DIM - 1; d++)
+        upright &= s->slope[d] == 0;
+    return upright;
+}
+
+/* Then this gives the same: to subtract a 0 changes nothing. */
+LANES_INLINE void density_diffusion_upright_row(const void *self, const struct side *a,
+                                                const struct row *b, struct sum *to)
+{
+    density_diffusion_from(self, DIM - 1, a, b, to);
 }
 
 #endif

@@ -15,7 +15,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { MOST = 4 }; /* laws in one loop: more do not fit into the registers */
+enum {
+    MOST = 4,            /* laws in one loop: more do not fit into the registers    */
+    AHEAD = LANES == 16, /* the next row is under way while laws wait for this one's division:
+                            for that 32 registers are enough, and 16 too few         */
+};
 
 #ifdef SINGLE
 /* From the list, one after the other: to form a row takes less time than to store it and read
@@ -73,7 +77,26 @@ LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_s
 }
 #endif
 
-/* The laws are constants, NULL behind the last; so is `alike`. */
+/* Of the laws of one loop: registers, not memory. */
+struct sums {
+    struct sum one, two, three, four;
+};
+
+/* Adds what the laws give on one row.  They are constants, NULL behind the last. */
+LANES_INLINE void add_row(const struct pairs_work *w, const struct side *a, const struct row *row,
+                          struct sums *to, pairs_row_law *first, pairs_row_law *second,
+                          pairs_row_law *third, pairs_row_law *fourth)
+{
+    first(w[0].self, a, row, &to->one);
+    if (second)
+        second(w[1].self, a, row, &to->two);
+    if (third)
+        third(w[2].self, a, row, &to->three);
+    if (fourth)
+        fourth(w[3].self, a, row, &to->four);
+}
+
+/* The laws are constants; so is `alike`.  With AHEAD there is a row. */
 LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source *of, bool alike,
                       int n, struct sum *sum, pairs_row_law *first, pairs_row_law *second,
                       pairs_row_law *third, pairs_row_law *fourth)
@@ -81,28 +104,29 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
     const struct pairs_work *w = table->work;
     const struct side *a = owners(of);
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
-    /* registers, not memory */
-    struct sum one = sum[w[0].slot], two = second ? sum[w[1].slot] : one;
-    struct sum three = third ? sum[w[2].slot] : one, four = fourth ? sum[w[3].slot] : one;
+    struct sums s = { .one = sum[w[0].slot] };
+    struct row row;
 
-    for (int k = 0; k < n; k++) {
-        const struct row row = row_of(&c, of, alike, k);
+    s.two = second ? sum[w[1].slot] : s.one;
+    s.three = third ? sum[w[2].slot] : s.one;
+    s.four = fourth ? sum[w[3].slot] : s.one;
+    if (AHEAD)
+        row = row_of(&c, of, alike, 0);
+    for (int k = AHEAD; k < n; k++) {
+        const struct row next = row_of(&c, of, alike, k);
 
-        first(w[0].self, a, &row, &one);
-        if (second)
-            second(w[1].self, a, &row, &two);
-        if (third)
-            third(w[2].self, a, &row, &three);
-        if (fourth)
-            fourth(w[3].self, a, &row, &four);
+        add_row(w, a, AHEAD ? &row : &next, &s, first, second, third, fourth);
+        row = next;
     }
-    sum[w[0].slot] = one;
+    if (AHEAD)
+        add_row(w, a, &row, &s, first, second, third, fourth);
+    sum[w[0].slot] = s.one;
     if (second)
-        sum[w[1].slot] = two;
+        sum[w[1].slot] = s.two;
     if (third)
-        sum[w[2].slot] = three;
+        sum[w[2].slot] = s.three;
     if (fourth)
-        sum[w[3].slot] = four;
+        sum[w[3].slot] = s.four;
 }
 
 #define LOOP(name, ...)                                                                    \
@@ -116,14 +140,21 @@ LOOP(rate_pressure_artificial, density_rate_row, pressure_force_row, artificial_
      NULL)
 LOOP(rate_pressure_laminar, density_rate_row, pressure_force_row, laminar_viscosity_row, NULL)
 LOOP(rate_pressure_diffusion, density_rate_row, pressure_force_row, density_diffusion_row, NULL)
+LOOP(rate_pressure_diffusion_upright, density_rate_row, pressure_force_row,
+     density_diffusion_upright_row, NULL)
 LOOP(rate_pressure_artificial_diffusion, density_rate_row, pressure_force_row,
      artificial_viscosity_row, density_diffusion_row)
+LOOP(rate_pressure_artificial_diffusion_upright, density_rate_row, pressure_force_row,
+     artificial_viscosity_row, density_diffusion_upright_row)
 LOOP(rate_pressure_laminar_diffusion, density_rate_row, pressure_force_row,
      laminar_viscosity_row, density_diffusion_row)
+LOOP(rate_pressure_laminar_diffusion_upright, density_rate_row, pressure_force_row,
+     laminar_viscosity_row, density_diffusion_upright_row)
 LOOP(pressure_artificial, pressure_force_row, artificial_viscosity_row, NULL, NULL)
 LOOP(pressure_laminar, pressure_force_row, laminar_viscosity_row, NULL, NULL)
 LOOP(pressure_alone, pressure_force_row, NULL, NULL, NULL)
 LOOP(rate_diffusion, density_rate_row, density_diffusion_row, NULL, NULL)
+LOOP(rate_diffusion_upright, density_rate_row, density_diffusion_upright_row, NULL, NULL)
 
 #define RATE &LANE_NAME(effects_continuity)
 #define PRESSURE &LANE_NAME(effects_pressure_force)
@@ -138,17 +169,20 @@ extern const struct part LANE_NAME(effects_continuity), LANE_NAME(effects_pressu
 static const struct {
     const struct part *part[MOST + 1]; /* parts with these laws, in table order, NULL-ended */
     loop *laws;
+    loop *upright; /* where diffusion, the last law, has no slope but that along the last direction */
 } fused[] = {
-    { { RATE, PRESSURE }, rate_pressure },
-    { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial },
-    { { RATE, PRESSURE, LAMINAR }, rate_pressure_laminar },
-    { { RATE, PRESSURE, DIFFUSION }, rate_pressure_diffusion },
-    { { RATE, PRESSURE, ARTIFICIAL, DIFFUSION }, rate_pressure_artificial_diffusion },
-    { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion },
-    { { PRESSURE, ARTIFICIAL }, pressure_artificial },
-    { { PRESSURE, LAMINAR }, pressure_laminar },
-    { { PRESSURE }, pressure_alone },
-    { { RATE, DIFFUSION }, rate_diffusion },
+    { { RATE, PRESSURE }, rate_pressure, NULL },
+    { { RATE, PRESSURE, ARTIFICIAL }, rate_pressure_artificial, NULL },
+    { { RATE, PRESSURE, LAMINAR }, rate_pressure_laminar, NULL },
+    { { RATE, PRESSURE, DIFFUSION }, rate_pressure_diffusion, rate_pressure_diffusion_upright },
+    { { RATE, PRESSURE, ARTIFICIAL, DIFFUSION }, rate_pressure_artificial_diffusion,
+      rate_pressure_artificial_diffusion_upright },
+    { { RATE, PRESSURE, LAMINAR, DIFFUSION }, rate_pressure_laminar_diffusion,
+      rate_pressure_laminar_diffusion_upright },
+    { { PRESSURE, ARTIFICIAL }, pressure_artificial, NULL },
+    { { PRESSURE, LAMINAR }, pressure_laminar, NULL },
+    { { PRESSURE }, pressure_alone, NULL },
+    { { RATE, DIFFUSION }, rate_diffusion, rate_diffusion_upright },
 };
 
 /* A part that chose another law than its usual one is another part here. */
@@ -167,7 +201,8 @@ static loop *find(const struct pairs_table *table)
 {
     for (size_t i = 0; i < sizeof fused / sizeof *fused; i++)
         if (same(table, fused[i].part))
-            return fused[i].laws;
+            return fused[i].upright && density_diffusion_is_upright(table->work[table->n - 1].self)
+                   ? fused[i].upright : fused[i].laws;
     return NULL;
 }
 

@@ -51,26 +51,6 @@ static void put_pressure(const struct record_source *of, int from, int to, const
         record[(size_t)s * RECORD + RECORD_P2] = p2[of->order[s] - of->first];
 }
 
-/* Densities of the places from..to-1 (NULL: all rho0); are they within bounds?  What the
- * packer will read is scattered, so the loop asks for it. */
-static bool take_densities(const struct moment *m, const struct record_source *of,
-                           const double *given, int from, int to, double *rho)
-{
-    const double low = m->density[0], high = m->density[1], rho0 = m->plan->scales.rho0;
-    const double *x = of->x, *u = of->u;
-    const int *order = of->order, first = of->first;
-    bool good = true;
-
-    for (int s = from; s < to; s++) {
-        const int i = order[s] - first;
-        __builtin_prefetch(x + (size_t)i * DIM);
-        __builtin_prefetch(u + (size_t)i * DIM);
-        rho[s - from] = given ? given[i] : rho0;
-        good &= (rho[s - from] >= low) & (rho[s - from] <= high);
-    }
-    return good;
-}
-
 /* The first density out of bounds, of the place `from` and following; there is one. */
 static int first_bad(const struct moment *m, const double *rho, int from)
 {
@@ -87,15 +67,19 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
 {
     const struct plan *p = m->plan;
     const struct record_source of = {
-        m->list->order, v->p->from[k], v->x[k], v->u[k], v->p->m,
-        (const double (*)[DIM])m->list->offset, &p->list_def,
+        .order = m->list->order, .first = v->p->from[k], .x = v->x[k], .u = v->u[k],
+        .m = v->p->m, .mass = p->table.mass, .rho = v->rho[k], .rho0 = p->scales.rho0,
+        .bounds = { m->density[0], m->density[1] },
+        .offset = (const double (*)[DIM])m->list->offset, .def = &p->list_def,
     };
-    double rho[CHUNK], press[CHUNK] = { 0 };
+    double rho[CHUNK], press[CHUNK];
 
-    if (!take_densities(m, &of, v->rho[k], from, to, rho))
+    if (!p->engine->sum->densities(&of, from, to, rho))
         return first_bad(m, rho, from);
     if (p->pressure)
         p->pressure->part->as.pressure->pressures(p->pressure->self, to - from, rho, press);
+    else
+        memset(press, 0, sizeof press);
     const bool inside = p->engine->sum->pack(&of, from, to, rho, press, m->work->record);
     if (v->p2[k])
         put_pressure(&of, from, to, v->p2[k], m->work->record);

@@ -4,6 +4,7 @@
 #ifndef KERNELS_WENDLAND_C2_H
 #define KERNELS_WENDLAND_C2_H
 
+#include "base/lanes-max.h"
 #include "kernels/rows.h"
 
 struct wendland_c2 {
@@ -23,7 +24,7 @@ LANES_INLINE struct wendland_c2 wendland_c2_make(double support, double scale)
 /* m W'(r)/r, 0 beyond the support. */
 LANES_INLINE lanes wendland_c2_gradient(const struct wendland_c2 *c, lanes r, lanes m)
 {
-    const lanes t = lanes_positive(1 - c->inverse * r);
+    const lanes t = lanes_positive_at_once(1 - c->inverse * r);
 
     return c->factor * m * t * (t * t);
 }

@@ -146,6 +146,7 @@ static void arrange(struct pairs_table *table, bool fuse)
 
 const struct sum_engine LANE_NAME(sum_engine_single) = {
     .lanes = LANES, .list = &LANE_NAME(list_engine), .pack = LANE_NAME(record_pack),
+    .densities = LANE_NAME(record_densities),
     .arrange = arrange, .pairs = sum_pairs,
     .field = LANE_NAME(sum_field),
 };

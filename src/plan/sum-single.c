@@ -33,17 +33,19 @@ static void arrange(struct pairs_table *table, bool fuse)
     table->straight = fuse ? fused_straight(table) : NULL;
 }
 
-static struct walk start(const struct list *list, int g, bool both)
+/* Here and below structs are filled member by member where they stand: a copy of what was
+ * just written in parts would wait for all of them. */
+static void start(const struct list *list, int g, bool both, struct walk *w)
 {
-    struct walk w = { .list = list };
+    w->list = list;
+    for (int h = 0; h < 2; h++) {
+        const bool has = h == 0 || both;
 
-    for (int h = 0; h < 1 + both; h++) {
-        w.next[h] = list->segment + list->segment_from[g + h];
-        w.last[h] = list->segment + list->segment_from[g + h + 1];
+        w->next[h] = has ? list->segment + list->segment_from[g + h] : NULL;
+        w->last[h] = has ? list->segment + list->segment_from[g + h + 1] : NULL;
     }
     for (int l = 0; l < SINGLE_HALF; l++)
-        w.nowhere[l] = list_entry(list->listed);
-    return w;
+        w->nowhere[l] = list_entry(list->listed);
 }
 
 static struct single_owners owners(const struct list *list, int g, bool both)
@@ -66,19 +68,16 @@ static int partner_of(const struct walk *w)
 }
 
 /* Where rows of that partner stand, and how many of each half; dummies where one has none. */
-static struct single_places take(struct walk *w, int partner, int *rows)
+static void take(struct walk *w, int partner, struct single_places from[2], int *rows)
 {
-    struct single_places from;
-
     for (int h = 0; h < 2; h++) {
         const bool has = w->next[h] < w->last[h] && w->next[h]->partner == partner;
 
         rows[h] = has ? w->next[h]->rows : 0;
-        from.j[h] = has ? w->next[h]->j : w->nowhere;
-        from.step[h] = has ? SINGLE_HALF : 0;
+        from[h].j = has ? w->next[h]->j : w->nowhere;
+        from[h].step = has ? SINGLE_HALF : 0;
         w->next[h] += has;
     }
-    return from;
 }
 
 static int least(int a, int b)
@@ -88,24 +87,24 @@ static int least(int a, int b)
 
 /* How many rows come next that both halves have, or one, and dummies beside it; at most
  * `most`. */
-static int come(const struct walk *w, struct single_places *from, const int *rows, int most)
+static int come(const struct walk *w, struct single_places from[2], const int *rows, int most)
 {
     for (int h = 0; h < 2; h++) {
         if (rows[h] > 0) {
             most = least(most, rows[h]);
         } else {
-            from->j[h] = w->nowhere;
-            from->step[h] = 0;
+            from[h].j = w->nowhere;
+            from[h].step = 0;
         }
     }
     return most;
 }
 
 /* n rows are done. */
-static void leave(struct single_places *from, int *rows, int n)
+static void leave(struct single_places from[2], int *rows, int n)
 {
     for (int h = 0; h < 2; h++) {
-        from->j[h] += from->step[h] * (size_t)n;
+        from[h].j += from[h].step * (size_t)n;
         rows[h] -= n;
     }
 }
@@ -117,7 +116,7 @@ static bool left(const int *rows)
 
 /* The next rows of both halves, at most as many as there is room for. */
 static void fill(const struct walk *w, const struct single_records *all,
-                 struct single_places *from, int *rows, const struct single_side *own,
+                 struct single_places from[2], int *rows, const struct single_side *own,
                  unsigned needs, struct block *b)
 {
     b->n = 0;
@@ -137,26 +136,31 @@ static void groups(const struct sum_job *job, const float *record, int g, bool b
     const struct pairs_table *tables = job->table + (size_t)job->list->group_kind[g] * KINDS;
     const struct single_records all = { record, (real)single_count(job->list), (real)job->mass };
     const struct single_owners at = owners(job->list, g, both);
-    struct walk w = start(job->list, g, both);
     struct sum *part = (struct sum *)sum;
     struct single_side own;
+    struct pairs_source of;
+    struct walk w;
     struct block b;
 
+    start(job->list, g, both, &w);
+    of.all = &all;
+    of.own = &own;
     single_rows_side(&all, &at, &own);
     memset(part, 0, (size_t)job->slots * sizeof *part);
     for (int partner = partner_of(&w), rows[2]; partner >= 0; partner = partner_of(&w)) {
         const struct pairs_table *table = &tables[partner];
-        struct single_places from = take(&w, partner, rows);
 
+        take(&w, partner, of.from, rows);
         if (table->n == 0) /* the list also serves summed densities */
             continue;
         while (table->straight && left(rows)) {
-            const int n = come(&w, &from, rows, INT_MAX);
-            table->straight(table, &(struct pairs_source){ &all, from, &own }, n, part);
-            leave(&from, rows, n);
+            const int n = come(&w, of.from, rows, INT_MAX);
+
+            table->straight(table, &of, n, part);
+            leave(of.from, rows, n);
         }
         while (left(rows)) {
-            fill(&w, &all, &from, rows, &own, table->needs, &b);
+            fill(&w, &all, of.from, rows, &own, table->needs, &b);
             table->laws(table, &own.a, &b, part);
         }
     }

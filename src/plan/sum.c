@@ -71,6 +71,7 @@ static int sum_pairs(const struct sum_job *job, struct sum_scratch *scratch)
 
 const struct sum_engine LANE_NAME(sum_engine) = {
     .lanes = LANES, .list = &LANE_NAME(list_engine), .pack = LANE_NAME(record_pack),
+    .densities = LANE_NAME(record_densities),
     .arrange = arrange, .pairs = sum_pairs,
     .field = LANE_NAME(sum_field),
 };

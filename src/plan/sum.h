@@ -82,6 +82,7 @@ struct sum_engine {
     int lanes;
     const struct list_engine *list;
     record_packer *pack;
+    record_densities *densities; /* comes before pack: what it is given */
 
     /* How the laws of a table are run, before pairs() meets it and after each change
      * of it; `fuse`: in one loop where there is one (effects/fused.h), the same bits. */

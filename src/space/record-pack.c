@@ -24,7 +24,7 @@ static inline bool pack_one(const struct record_source *of, int s, double rho, d
 #endif
     r[RECORD_RHO] = rho;
     r[RECORD_P2] = pressure * irho * irho;
-    r[RECORD_M] = of->m[of->order[s]];
+    r[RECORD_M] = of->mass > 0 ? of->mass : of->m[of->order[s]];
     r[RECORD_IRHO] = irho;
     return list_inside(of->def, x);
 }
@@ -68,9 +68,14 @@ static inline void write_rest(four rho, four p2, four m, four irho, double *r)
         memcpy(r + l * RECORD + RECORD_RHO, &rest[l], sizeof rest[l]);
 }
 
-/* Places s..s+3; the bits of what is inside of low..high. */
-LANES_INLINE four_bits pack_four(const struct record_source *of, int s, four low, four high,
-                                 four rho, four pressure, double *r)
+LANES_INLINE four masses(const struct record_source *of, const int *c)
+{
+    return (four){ of->m[c[0]], of->m[c[1]], of->m[c[2]], of->m[c[3]] };
+}
+
+/* Places s..s+3; the bits of what is inside of low..high.  `alike`, a constant: masses are. */
+LANES_INLINE four_bits pack_four(const struct record_source *of, bool alike, int s, four low,
+                                 four high, four rho, four pressure, double *r)
 {
     const int *c = of->order + s;
     const four irho = 1 / rho;
@@ -83,7 +88,7 @@ LANES_INLINE four_bits pack_four(const struct record_source *of, int s, four low
         inside &= (xu >= low) & (xu <= high);
         memcpy(r + l * RECORD, &xu, sizeof xu);
     }
-    const four m = { of->m[c[0]], of->m[c[1]], of->m[c[2]], of->m[c[3]] };
+    const four m = alike ? of->mass - (four){ 0 } : masses(of, c);
     write_rest(rho, pressure * irho * irho, m, irho, r);
     return inside;
 }
@@ -98,13 +103,51 @@ static int pack_fours(const struct record_source *given, int from, int to, const
     four_bits all = ~(four_bits){ 0 };
     int s = from;
 
+    for (; s + 4 <= to && !of.offset && of.mass > 0; s += 4)
+        all &= pack_four(&of, true, s, low, high, load(rho + s - from),
+                         load(pressure + s - from), record + (size_t)s * RECORD);
     for (; s + 4 <= to && !of.offset; s += 4)
-        all &= pack_four(&of, s, low, high, load(rho + s - from), load(pressure + s - from),
-                         record + (size_t)s * RECORD);
+        all &= pack_four(&of, false, s, low, high, load(rho + s - from),
+                         load(pressure + s - from), record + (size_t)s * RECORD);
     *inside = all[0] & all[1] & all[2] & all[3];
     return s;
 }
+
+/* As many as there are whole fours of; returns the place after them. */
+static int read_fours(const struct record_source *given, int from, int to, double *rho, bool *good)
+{
+    const struct record_source of = *given; /* stays in registers */
+    const four low = of.bounds[0] - (four){ 0 }, high = of.bounds[1] - (four){ 0 };
+    four_bits all = ~(four_bits){ 0 };
+    int s = from;
+
+    for (; s + 4 <= to && of.rho; s += 4) {
+        const int *c = of.order + s;
+        const double *x[4];
+
+        for (int l = 0; l < 4; l++) {
+            const size_t row = (size_t)(c[l] - of.first);
+            __builtin_prefetch(of.x + row * DIM);
+            __builtin_prefetch(of.u + row * DIM);
+            x[l] = of.rho + row;
+        }
+        const four r = { *x[0], *x[1], *x[2], *x[3] };
+        all &= (r >= low) & (r <= high);
+        memcpy(rho + s - from, &r, sizeof r);
+    }
+    *good = all[0] & all[1] & all[2] & all[3];
+    return s;
+}
 #else
+static int read_fours(const struct record_source *of, int from, int to, double *rho, bool *good)
+{
+    (void)of;
+    (void)to;
+    (void)rho;
+    *good = true;
+    return from;
+}
+
 static int pack_fours(const struct record_source *of, int from, int to, const double *rho,
                       const double *pressure, double *record, bool *inside)
 {
@@ -126,4 +169,20 @@ bool LANE_NAME(record_pack)(const struct record_source *of, int from, int to, co
     for (int s = pack_fours(of, from, to, rho, pressure, record, &inside); s < to; s++)
         inside &= pack_one(of, s, rho[s - from], pressure[s - from], record + (size_t)s * RECORD);
     return inside;
+}
+
+bool LANE_NAME(record_densities)(const struct record_source *of, int from, int to, double *rho)
+{
+    bool good;
+
+    for (int s = read_fours(of, from, to, rho, &good); s < to; s++) {
+        const size_t row = (size_t)(of->order[s] - of->first);
+        const double r = of->rho ? of->rho[row] : of->rho0;
+
+        __builtin_prefetch(of->x + row * DIM);
+        __builtin_prefetch(of->u + row * DIM);
+        good &= (r >= of->bounds[0]) & (r <= of->bounds[1]);
+        rho[s - from] = r;
+    }
+    return good;
 }

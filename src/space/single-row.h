@@ -202,7 +202,7 @@ LANES_INLINE void single_row_at(const float *const of[LANES], const struct singl
 /* Rows of both halves for the owners at hand. */
 struct pairs_source {
     const struct single_records *all;
-    struct single_places from;
+    struct single_places from[2];
     const struct single_side *own;
 };
 
@@ -210,11 +210,11 @@ struct pairs_source {
 LANES_INLINE void single_row(const struct pairs_source *rows, bool alike, int k,
                              struct whole_row *to)
 {
-    const struct single_places *from = &rows->from;
+    const struct single_places *from = rows->from;
     const float *of[LANES];
 
-    single_find(rows->all, alike, from->j[0] + (size_t)k * from->step[0],
-                from->j[1] + (size_t)k * from->step[1], of);
+    single_find(rows->all, alike, from[0].j + (size_t)k * from[0].step,
+                from[1].j + (size_t)k * from[1].step, of);
     single_row_at(of, rows->all, alike, rows->own, to);
 }
 

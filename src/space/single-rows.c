@@ -73,23 +73,23 @@ LANES_INLINE void fill_row(const float *const of[LANES], const struct single_rec
 }
 
 LANES_INLINE void fill(const struct single_records *all, bool alike,
-                       const struct single_places *from, int n, const struct single_side *own,
+                       const struct single_places from[2], int n, const struct single_side *own,
                        unsigned needs, struct block *b, int at)
 {
-    const int *first = from->j[0], *second = from->j[1];
+    const int *first = from[0].j, *second = from[1].j;
 
     for (int k = at; k < at + n; k++) {
         const float *of[LANES];
 
         single_find(all, alike, first, second, of);
         fill_row(of, all, alike, own, needs, b, k);
-        first += from->step[0];
-        second += from->step[1];
+        first += from[0].step;
+        second += from[1].step;
     }
 }
 
 /* Fewer kinds of rows than in double precision: a needless store costs less here. */
-void single_rows_fill(const struct single_records *all, const struct single_places *from, int n,
+void single_rows_fill(const struct single_records *all, const struct single_places from[2], int n,
                       const struct single_side *own, unsigned needs, struct block *b, int at)
 {
     enum { PLAIN = NEED_XV | NEED_RHO, USUAL = PLAIN | NEED_IRHO,

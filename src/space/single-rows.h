@@ -20,11 +20,11 @@ struct single_side {
     struct side a;
 };
 
-/* Places from which n rows are taken: of each half [n][SINGLE_HALF], or, with a step of 0,
- * the same row again and again. */
+/* Places from which rows of one half are taken: [n][SINGLE_HALF], or, with a step of 0, the
+ * same row again and again. */
 struct single_places {
-    const int *j[2];
-    size_t step[2];
+    const int *j;
+    size_t step;
 };
 
 /* Records of all, as single_pack() left them. */
@@ -40,7 +40,7 @@ void single_rows_side(const struct single_records *of, const struct single_owner
 
 /* Fills rows at..at+n-1 of b with what `needs` (NEED_ bits) ask for, but for kernels. */
 #define single_rows_fill LANE_NAME(single_rows_fill)
-void single_rows_fill(const struct single_records *of, const struct single_places *from, int n,
+void single_rows_fill(const struct single_records *of, const struct single_places from[2], int n,
                       const struct single_side *own, unsigned needs, struct block *b, int at);
 
 #endif
