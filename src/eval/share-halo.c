@@ -35,14 +35,27 @@ double moment_share_read(const struct moment *m)
     return m->share ? m->share->halo.leaving : 0;
 }
 
+/* Places whose particles others own: most entries of rows ask for one, and few are. */
+static const bool *note_others(const struct moment *m)
+{
+    const struct list *l = m->own;
+    bool *other = (bool *)m->share->all;
+
+    for (int s = 0; s < l->listed; s++)
+        other[s] = !m->share->mine[l->order[s]];
+    other[l->listed] = false; /* the dummy */
+    return other;
+}
+
 /* Rows that others own and that are neighbours of rows here, of which numbers come. */
-static void mark_neighbours(const struct moment *m, const struct list_segment *of, bool *needed)
+static void mark_neighbours(const struct moment *m, const struct list_segment *of, const bool *other,
+                            bool *needed)
 {
     const struct list *l = m->own;
 
     for (int i = 0; i < of->rows * l->lanes; i++) {
         const int j = list_place(of->j[i]);
-        if (j < l->listed && !m->share->mine[l->order[j]])
+        if (other[j])
             needed[l->order[j]] = true;
     }
 }
@@ -69,13 +82,14 @@ static void mark_needed(struct moment *m, bool *needed)
 {
     const bool press = m->plan->passes.press != NULL;
     const struct list *l = m->own;
+    const bool *other = note_others(m);
 
     m->share->halo.any = press && !mark_pressing(m, needed);
     for (int g = 0; g < l->groups; g++)
         for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
             const int kind = l->segment[k].partner;
             if (kind == KIND_FLUID || (!press && share_comes(m, kind)))
-                mark_neighbours(m, &l->segment[k], needed);
+                mark_neighbours(m, &l->segment[k], other, needed);
         }
 }
 

@@ -130,7 +130,7 @@ double moment_share_bytes(const struct moment *m)
         return 0;
     return m->share->n * (m->share->full ? common : common + halo + travels)
            + (m->share->packed ? rows * m->share->n : 0)
-           + (m->share->full ? 0 : layout_size(&m->layout) * (double)sizeof(double));
+           + (m->share->full || m->share->me > 0 ? 0 : layout_size(&m->layout) * (double)sizeof(double));
 }
 
 double moment_share_spared(const struct moment *m)
