@@ -275,7 +275,6 @@ fi
 if grep -q __asan_init "$top_builddir/stiffwater-2d"; then
     echo "skipped: memory is not what it is under a sanitizer"
 else
-    export MALLOC_MMAP_THRESHOLD_=131072
     ranks 3 "$top_builddir/stiffwater-2d-mpi" check "$scenes/dam-break.scene"
     told=$(sed -n 's/^memory: about \([0-9.]*\) MB.*/\1/p' "$out/said")
     asked=$(sed -n 's/^ *\([0-9]*\) questions to all.*/\1/p' "$out/said")
@@ -284,7 +283,6 @@ else
     taken=$(awk -v kb="$(value taken peak_rss_kb)" 'BEGIN { print 1024e-6 * kb }')
     claim "memory of the first rank, told and taken" "$told > 0.9 * $taken && $told < 1.1 * $taken"
     claim "questions of a right-hand side" "$asked == 1"
-    unset MALLOC_MMAP_THRESHOLD_
 fi
 
 # What goes to partners is what passes declare to read of neighbours, and no more.

@@ -5,6 +5,7 @@
 
 #include "base/status.h"
 
+#include <malloc.h>
 #include <math.h>
 #include <mpi.h>
 #include <signal.h>
@@ -23,6 +24,18 @@ static int refuse_copies(void)
                   "PMIx (Slurm: srun --mpi=pmix)" });
 }
 
+/* Arrays of all particles of which a rank writes its own rows take memory for these alone, as long as
+ * they come from the system, zeroed, and not from what was freed before. */
+static void keep_untouched(void)
+{
+#ifdef M_MMAP_THRESHOLD
+    enum { FROM = 1 << 17 }; /* bytes, what the C library begins with */
+
+    if (count > 1)
+        mallopt(M_MMAP_THRESHOLD, FROM); /* and stays so */
+#endif
+}
+
 int ranks_begin(int *argc, char ***argv)
 {
     int level;
@@ -31,6 +44,7 @@ int ranks_begin(int *argc, char ***argv)
     MPI_Comm_size(MPI_COMM_WORLD, &count);
     MPI_Comm_rank(MPI_COMM_WORLD, &me);
     status_hush(me > 0);
+    keep_untouched();
     return refuse_copies();
 }
 
