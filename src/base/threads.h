@@ -35,6 +35,18 @@ static inline int threads_all(void)
 #endif
 }
 
+/* Things from .. to-1 of n that this thread of its region has. */
+struct threads_part {
+    int from, to;
+};
+
+static inline struct threads_part threads_part(int n)
+{
+    const long me = threads_me(), all = threads_all();
+
+    return (struct threads_part){ (int)(n * me / all), (int)(n * (me + 1) / all) };
+}
+
 /* The threads of a region wait for each other; one that is alone need not: a barrier of the
  * library's would be a call of the system even then. */
 static inline void threads_meet(void)

@@ -19,12 +19,13 @@ static const struct param params[] = {
     { 0 },
 };
 
-static void accelerate(const void *self, const struct view *v, int n, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, int from, int to,
+                       double (*rate)[DIM])
 {
     const struct central_force *s = self;
     const double *x = v->x[KIND_FLUID];
 
-    for (int i = 0; i < n; i++)
+    for (int i = from; i < to; i++)
         for (int d = 0; d < DIM; d++)
             rate[i][d] -= s->omega * s->omega * (x[i * DIM + d] - s->centre[d]);
 }

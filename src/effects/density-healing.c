@@ -45,12 +45,12 @@ static int prepare(void *self, const struct scales *scales)
 }
 
 /* (D5) */
-static void densify(const void *self, const struct view *v, int n, double *rate)
+static void densify(const void *self, const struct view *v, int from, int to, double *rate)
 {
     const struct density_healing *s = self;
     const double *rho = v->rho[KIND_FLUID];
 
-    for (int i = 0; i < n; i++) {
+    for (int i = from; i < to; i++) {
         const double lack = s->rho0 - rho[i], x = lack > 0 ? lack : 0, x2 = x * x;
         rate[i] += s->rate * x * x2 / (x2 + s->square);
     }

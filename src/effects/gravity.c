@@ -19,12 +19,13 @@ static int prepare(void *self, const struct scales *scales)
     return 0;
 }
 
-static void accelerate(const void *self, const struct view *v, int n, double (*rate)[DIM])
+static void accelerate(const void *self, const struct view *v, int from, int to,
+                       double (*rate)[DIM])
 {
     const struct gravity *s = self;
 
     (void)v;
-    for (int i = 0; i < n; i++)
+    for (int i = from; i < to; i++)
         for (int d = 0; d < DIM; d++)
             rate[i][d] += s->g[d];
 }

@@ -110,7 +110,7 @@ static double field_rate(const struct blame *b, const struct plan_part *part)
     if (b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
     memset(b->rate, 0, (size_t)n * sizeof *b->rate);
-    part->part->as.force->accelerate(part->self, b->v, n, b->rate);
+    part->part->as.force->accelerate(part->self, b->v, 0, n, b->rate);
     return size_of(b->rate[b->particle]);
 }
 
@@ -122,7 +122,7 @@ static double source_rate(const struct blame *b, const struct plan_part *part)
     if (!b->density || b->particle >= b->m->particles->from[KIND_FLUID + 1])
         return 0;
     memset(rate, 0, (size_t)n * sizeof *rate);
-    part->part->as.source->densify(part->self, b->v, n, rate);
+    part->part->as.source->densify(part->self, b->v, 0, n, rate);
     return fabs(rate[b->particle]);
 }
 

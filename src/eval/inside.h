@@ -141,11 +141,15 @@ void press_narrow(struct moment *m);
  * work, after wet_take(). */
 void press_between(struct moment *m, const double *p2);
 
-/* spread.c: where sums over pairs write rates of the fluid at once; its velocities' rates,
- * and the forces of pairs brought there. */
+/* spread.c: where sums over pairs write rates of the fluid at once; there, those of particles
+ * outside are 0; its velocities' rates, and the forces of pairs brought there. */
 struct sum_rates spread_places(const struct moment *m, const struct ask *ask, double *ydot);
+void spread_stop(const struct moment *m, struct sum_rates to);
 double (*spread_velocities(const struct moment *m, double *ydot))[DIM];
 void spread_accelerations(const struct moment *m, double *ydot);
+
+/* spread.c: what one thread of its region brings from places, and x' = u. */
+void spread_part(const struct moment *m, const struct ask *ask, const struct view *v, double *ydot);
 
 /* solids.c: force on each solid by those on rows, and the power of driven walls; forces on the
  * points of one skin.  After wet_take(). */

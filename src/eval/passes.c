@@ -51,20 +51,12 @@ static bool apart(const struct plan *p)
     return p->stiff != NULL;
 }
 
-static bool sources(const struct plan *p)
-{
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->as.source)
-            return true;
-    return false;
-}
-
 /* Body forces other than the weight give momentum, which is added up over all particles. */
 static bool pulls(const struct plan *p)
 {
     for (int i = 0; i < p->parts; i++)
         if (p->part[i].part->as.force && !p->part[i].part->as.force->weight)
-            return true;
+            return fluid(p);
     return false;
 }
 
@@ -131,14 +123,12 @@ const struct pass passes_table[] = {
     0, 0, 0, PASS_FORCE | PASS_POWER,
     PASS_FOR_APART, apart, passes_apart, always },
 { "rates of the fluid", PASS_POINTWISE,
-    PASS_FORCE | PASS_VELOCITY, 0, PASS_ACCELERATION | PASS_POSITION_RATE, PASS_DENSITY_RATE,
+    PASS_FORCE | PLACES | PASS_VELOCITY | PASS_DENSITY, 0, PASS_ACCELERATION | PASS_POSITION_RATE,
+    PASS_DENSITY_RATE,
     EXPLICIT, fluid, passes_fluid, NULL },
-{ "body forces", PASS_POINTWISE,
+{ "other body forces", PASS_POINTWISE,
     PLACES | PASS_VELOCITY, 0, 0, PASS_ACCELERATION,
-    FORCES, fluid, passes_body_forces, pulls },
-{ "sources of density", PASS_POINTWISE,
-    PLACES | PASS_VELOCITY | PASS_DENSITY, 0, 0, PASS_DENSITY_RATE,
-    MOVES | PASS_FOR_DENSITIES, sources, passes_sources, NULL },
+    FORCES, pulls, passes_pulls, always },
 { "power that looks ahead", PASS_POINTWISE,
     PASS_DENSITY_RATE, 0, 0, PASS_POWER,
     PASS_FOR_RATES | PASS_FOR_APART, looks_ahead, passes_ahead_power, NULL },

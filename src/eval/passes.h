@@ -22,23 +22,23 @@ typedef int passes_run(struct evaluation *e, const struct plan_field *of);
 passes_run passes_motion, passes_press, passes_press_ahead, passes_meet, passes_list, passes_records,
     passes_sum;
 
-/* laws.c, spread.c */
-passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, passes_apart,
-    passes_fluid;
+/* laws.c */
+passes_run passes_ahead, passes_others, passes_slip, passes_laws, passes_faces, passes_apart;
+
+/* fluid.c */
+passes_run passes_fluid, passes_pulls;
 
 /* ahead.c */
 passes_run passes_look_ahead, passes_ahead_power;
 
 /* push.c */
-passes_run passes_body_forces, passes_sources, passes_drift, passes_solid_pairs,
-    passes_solids, passes_skins,
-    passes_load, passes_book, passes_half_book;
+passes_run passes_drift, passes_solid_pairs, passes_solids, passes_skins, passes_load, passes_book,
+    passes_half_book;
 
 /* rigid-side.c */
 passes_run passes_contacts;
 
-/* push.c: body forces at this view, added to rates of velocities of ydot; m->pull is what
- * those that are not the weight pull with in all. */
+/* fluid.c: body forces at this view, the weight first, added to rates of velocities of ydot. */
 void passes_add_body_forces(struct evaluation *e);
 
 #endif

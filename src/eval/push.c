@@ -1,4 +1,4 @@
-/* push.c -- what follows from forces: body forces, sources of density, drift, solids and bodies, the book. */
+/* push.c -- what follows from forces: drift, solids and bodies, the book. */
 #include "eval/share.h"
 
 #include "base/status.h"
@@ -6,62 +6,6 @@
 #include <string.h>
 
 /* --- the fluid ------------------------------------------------------------------- */
-
-/* Momentum of the fluid if rates were velocities. */
-static void add_momentum(const struct particles *all, double sign, const double (*udot)[DIM],
-                         double *sum)
-{
-    for (int id = 0; id < particles_count(all, KIND_FLUID); id++) {
-        const int i = particles_row(all, KIND_FLUID, id);
-        for (int d = 0; d < DIM; d++)
-            sum[d] += sign * all->m[i] * udot[i][d];
-    }
-}
-
-void passes_add_body_forces(struct evaluation *e)
-{
-    struct moment *m = e->m;
-    double (*udot)[DIM] = spread_velocities(m, e->ydot);
-
-    memset(m->pull, 0, sizeof m->pull);
-    for (int i = 0; i < m->plan->parts; i++) {
-        const struct plan_part *one = &m->plan->part[i];
-        const struct part_force *force = one->part->as.force;
-        if (!force)
-            continue;
-        if (!force->weight)
-            add_momentum(e->view.p, -1, (const double (*)[DIM])udot, m->pull);
-        force->accelerate(one->self, &e->view, moment_rows_of(m, KIND_FLUID), udot);
-        if (!force->weight)
-            add_momentum(e->view.p, 1, (const double (*)[DIM])udot, m->pull);
-    }
-}
-
-int passes_body_forces(struct evaluation *e, const struct plan_field *of)
-{
-    (void)of;
-    passes_add_body_forces(e);
-    return STATUS_DONE;
-}
-
-/* Rates of density that no pair gives. */
-int passes_sources(struct evaluation *e, const struct plan_field *of)
-{
-    const struct plan *p = e->m->plan;
-    const int n = moment_rows_of(e->m, KIND_FLUID);
-    double *rate = e->ydot + layout_at(&e->m->layout, p->row.density[KIND_FLUID]);
-    double *apart = e->m->work->sourced, *to = apart ? apart : rate;
-
-    (void)of;
-    if (apart)
-        memset(apart, 0, (size_t)n * sizeof *apart);
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->as.source)
-            p->part[i].part->as.source->densify(p->part[i].self, &e->view, n, to);
-    for (int i = 0; apart && i < n; i++)
-        rate[i] += apart[i];
-    return STATUS_DONE;
-}
 
 /* Positions move with more than the velocity. */
 static void add_drift(const struct moment *m, const struct view *v, double *ydot)

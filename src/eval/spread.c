@@ -1,12 +1,10 @@
 /* spread.c -- from the order of the pair list to that of y: rates of particles. */
-#include "eval/passes.h"
+#include "eval/inside.h"
 
-#include "base/status.h"
 #include "base/threads.h"
+#include "base/waiting.h"
 
 #include <string.h>
-
-enum { COPIED = 4096 }; /* numbers at a time */
 
 /* Rates of the fluid that sums over pairs write to ydot at once: where its viscosity acts
  * at faces, forces are not known before these have added theirs. */
@@ -26,7 +24,7 @@ struct sum_rates spread_places(const struct moment *m, const struct ask *ask, do
 }
 
 /* Particles outside the domain are excluded from all sums. */
-static void stop_outsiders(const struct moment *m, struct sum_rates to)
+void spread_stop(const struct moment *m, struct sum_rates to)
 {
     const struct list *l = m->list;
     const int n = particles_count(m->particles, KIND_FLUID);
@@ -49,13 +47,10 @@ double (*spread_velocities(const struct moment *m, double *ydot))[DIM]
 /* x' = u. */
 static void copy_velocities(const struct moment *m, const struct view *v, double *ydot)
 {
-    const int n = DIM * moment_rows_of(m, KIND_FLUID);
-    double *xdot = ydot + layout_at(&m->layout, m->plan->row.x);
+    const struct threads_part part = threads_part(DIM * moment_rows_of(m, KIND_FLUID));
 
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < n; i += COPIED)
-        memcpy(xdot + i, v->u[KIND_FLUID] + i,
-               (size_t)(n - i < COPIED ? n - i : COPIED) * sizeof *xdot);
+    memcpy(ydot + layout_at(&m->layout, m->plan->row.x) + part.from,
+           v->u[KIND_FLUID] + part.from, (size_t)(part.to - part.from) * sizeof *ydot);
 }
 
 /* u' = f/m from places: one pass in the order of ydot, as scattered writes wait longer
@@ -64,11 +59,10 @@ static void spread_forces(const struct moment *m, double *ydot)
 {
     const struct list *l = m->list;
     const double *f = m->work->f;
-    const int n = particles_count(m->particles, KIND_FLUID);
+    const struct threads_part part = threads_part(particles_count(m->particles, KIND_FLUID));
     double (*udot)[DIM] = spread_velocities(m, ydot);
 
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int i = 0; i < n; i++) {
+    for (int i = part.from; i < part.to; i++) {
         const int s = l->slot[i]; /* -1: has left the domain */
         const double im = 1 / m->particles->m[i];
         for (int d = 0; d < DIM; d++)
@@ -84,14 +78,14 @@ static void spread_densities(const struct moment *m, double *ydot)
     const double *drho = m->work->drho;
 
     for (int k = KIND_FLUID + 1; k < KINDS; k++) {
-        const int first = m->particles->from[k], n = moment_rows_of(m, (enum kind)k);
+        const struct threads_part part = threads_part(moment_rows_of(m, (enum kind)k));
+        const int *slot = l->slot + m->particles->from[k];
         double *rhodot;
         if (row->density[k] < 0)
             continue;
         rhodot = ydot + layout_at(&m->layout, row->density[k]);
-#pragma omp parallel for schedule(static) if (n > 4096)
-        for (int i = 0; i < n; i++)
-            rhodot[i] = l->slot[first + i] < 0 ? 0 : drho[l->slot[first + i]];
+        for (int i = part.from; i < part.to; i++)
+            rhodot[i] = slot[i] < 0 ? 0 : drho[slot[i]];
     }
 }
 
@@ -99,22 +93,19 @@ void spread_accelerations(const struct moment *m, double *ydot)
 {
     const struct ask ask = { .rates = ASK_VELOCITIES };
 
-    stop_outsiders(m, spread_places(m, &ask, ydot));
+    spread_stop(m, spread_places(m, &ask, ydot));
     if (m->face)
-        spread_forces(m, ydot);
+        THREADS(waiting_repays(particles_count(m->particles, KIND_FLUID)),
+                spread_forces(m, ydot));
 }
 
 /* Halves move nothing. */
-int passes_fluid(struct evaluation *e, const struct plan_field *of)
+void spread_part(const struct moment *m, const struct ask *ask, const struct view *v, double *ydot)
 {
-    (void)of;
-    stop_outsiders(e->m, e->job.to);
-    if (e->ask->rates == 0)
-        THREADS(DIM * particles_count(e->view.p, KIND_FLUID) > 4 * COPIED,
-                copy_velocities(e->m, &e->view, e->ydot));
-    if (e->ask->rates != ASK_DENSITIES && e->m->face)
-        spread_forces(e->m, e->ydot);
-    if (e->ask->rates != ASK_VELOCITIES)
-        spread_densities(e->m, e->ydot);
-    return STATUS_DONE;
+    if (ask->rates == 0)
+        copy_velocities(m, v, ydot);
+    if (ask->rates != ASK_DENSITIES && m->face)
+        spread_forces(m, ydot);
+    if (ask->rates != ASK_VELOCITIES)
+        spread_densities(m, ydot);
 }

@@ -110,9 +110,10 @@ struct part_summed {
 
 /* A force on the fluid that no pair gives. */
 struct part_force {
-    /* Adds to the acceleration of the fluid in its first n rows, rate [n][DIM] [m/s^2]: on many
-     * ranks, those of one. */
-    void (*accelerate)(const void *self, const struct view *v, int n, double (*rate)[DIM]);
+    /* Adds to the acceleration of the fluid in its rows from .. to-1, rate [to][DIM] [m/s^2]: each
+     * thread has some of them, and on many ranks all are those of one. */
+    void (*accelerate)(const void *self, const struct view *v, int from, int to,
+                       double (*rate)[DIM]);
     bool placed;              /* depends on the place, and so does not repeat */
     bool weight;              /* the scene's `gravity` calls for it, not its name;
                                  the books know what it gives                 */
@@ -121,8 +122,8 @@ struct part_force {
 /* A rate of density of the fluid that no pair gives.  It acts where the pressure is 0, so
  * that it has no power: the book has no column for it. */
 struct part_source {
-    /* Adds to the rate of density of the fluid in its first n rows, rate [n] [kg/m^D/s]. */
-    void (*densify)(const void *self, const struct view *v, int n, double *rate);
+    /* Adds to the rate of density of the fluid in its rows from .. to-1, rate [to] [kg/m^D/s]. */
+    void (*densify)(const void *self, const struct view *v, int from, int to, double *rate);
 };
 
 /* Densities that are replaced between two segments, at times of its own. */
