@@ -1,6 +1,6 @@
 /* share-solids.c -- forces on solids, and powers, from all to all.
  *
- * Solids that no fluid meets in the list have a force of exactly +0 on all ranks, and that of solids
+ * Solids that nothing meets in the list (wet.h) have a force of exactly +0 on all ranks, and that of solids
  * between each other is found by each rank for itself: neither is sent. */
 #include "eval/share.h"
 

@@ -2,8 +2,9 @@
  *
  * All ranks hold y and the particles in full, but each answers for its own rows: it owns them,
  * finds their neighbours and gives their rates; in rates, rows of others are 0.  What pairs
- * read of neighbours that others own comes with each evaluation (the halo), what solids press
- * with and are pressed with from all to all.  The list of pairs has own rows and those near them in the
+ * read of neighbours that others own comes with each evaluation (the halo), and so do densities that
+ * solids press by, unless these may be any solids'; forces on solids go from all to all.  The list of
+ * pairs has own rows and those near them in the
  * order that they have on one rank, and is made anew when it is there, so no sum changes a bit.
  *
  * Where something wants numbers of all particles (`full`), all ranks have the whole of y and of
