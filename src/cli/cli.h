@@ -61,6 +61,10 @@ void cli_beside(char *path, size_t size, int dimension, const char *kind);
  * that is no file, which only one of them could read. */
 int cli_exec_ranks(const struct cli *c, int dimension, char **argv);
 
+/* The program that is started next has its memory in large pages, if the system has them and
+ * GLIBC_TUNABLES does not say otherwise (glibc.malloc.hugetlb=0). */
+void cli_huge_pages(void);
+
 /* Directory with data/ and plots/: beside this program in a build tree, else where
  * it was installed.  Static. */
 const char *cli_data(void);

@@ -64,6 +64,7 @@ int cli_exec(int dimension, char **argv)
         snprintf(path, sizeof path, "%s/../libexec/stiffwater/stiffwater-%dd", own, dimension);
     if (access(path, X_OK) != 0)
         snprintf(path, sizeof path, "%s/stiffwater-%dd", STIFFWATER_LIBEXECDIR, dimension);
+    cli_huge_pages();
     execv(path, argv);
     return status_fail(STATUS_IO, "%s: %s; the programs stiffwater-2d and stiffwater-3d belong "
                        "beside stiffwater or into %s: install again", path, strerror(errno),

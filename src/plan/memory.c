@@ -157,9 +157,14 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
     out->sums += pressed(p) + solved(p);
 }
 
+double plan_memory_paged(double bytes)
+{
+    return 1.04 * bytes;
+}
+
 double plan_memory_sum(const struct plan_memory *m)
 {
-    return m->state + m->lists + m->sums + m->particles + m->outputs;
+    return plan_memory_paged(m->state + m->lists + m->sums + m->particles + m->outputs);
 }
 
 double plan_memory_each(const struct plan *p, bool fluid)

@@ -20,6 +20,11 @@ struct plan_memory {
 /* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list
  * as it is, moment_pairs(); 0: as a full lattice would make it. */
 void plan_memory(const struct plan *plan, double pairs, int vectors, struct plan_memory *out);
+
+/* So many bytes in large pages, of which the last of an array is not full; measured. */
+double plan_memory_paged(double bytes);
+
+/* All of it, paged. */
 double plan_memory_sum(const struct plan_memory *m);
 
 #endif

@@ -111,7 +111,7 @@ static void print_cost(struct run *r, double seconds)
 }
 
 /* What writing files takes in any case: code of HDF5, and the blocks it works in [bytes]. */
-static const double later = 9e6;
+static const double later = 12e6, later_without_particles = 3.5e6;
 
 static void print_bytes(const char *what, double bytes)
 {
@@ -125,7 +125,7 @@ static void print_memory(const struct run *r, double program)
     struct plan_memory m;
     char state[40];
 
-    program += n > 0 ? later : 2e6;
+    program += n > 0 ? later : later_without_particles;
     plan_memory(r->plan, moment_pairs(r->moment), vectors, &m);
     printf("memory: about %.3g MB at its peak", (program + plan_memory_sum(&m)) / 1e6);
     if (n > 0)
@@ -140,6 +140,8 @@ static void print_memory(const struct run *r, double program)
     print_bytes("sums over pairs", m.sums);
     print_bytes("particles as they were placed", m.particles);
     print_bytes("outputs", m.outputs);
+    print_bytes("large pages that are not full",
+                plan_memory_sum(&m) - m.state - m.lists - m.sums - m.particles - m.outputs);
 }
 
 static void say_title(const char *title)
