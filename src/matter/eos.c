@@ -61,11 +61,16 @@ double eos_density(const struct eos *e, double p)
 }
 
 /* c = c0 (rho/rho0)^((gamma - 1)/2), from dp/drho of (E2). */
+static inline double third_power(double c0, double s)
+{
+    return c0 * s * s * s;
+}
+
 double eos_sound(const struct eos *e, double rho)
 {
     const double s = rho / e->rho0;
 
-    return e->gamma == 7 ? e->c0 * s * s * s : e->c0 * pow(s, 0.5 * (e->gamma - 1));
+    return e->gamma == 7 ? third_power(e->c0, s) : e->c0 * pow(s, 0.5 * (e->gamma - 1));
 }
 
 /* With s = rho/rho0 and L = ln s the integral of (E2) is
@@ -116,11 +121,27 @@ static inline __attribute__((always_inline)) void loops(const struct eos *e, int
     }
 }
 
-typedef void eos_loops(const struct eos *e, int n, const double *rho, double *p);
+static inline __attribute__((always_inline)) void sound_loop(const struct eos *e, int n,
+                                                             const double *restrict rho,
+                                                             double *restrict c)
+{
+    const double rho0 = e->rho0, c0 = e->c0;
+
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+        c[i] = third_power(c0, rho[i] / rho0);
+}
+
+typedef void eos_loops(const struct eos *e, int n, const double *rho, double *to);
 
 static void narrow(const struct eos *e, int n, const double *rho, double *p)
 {
     loops(e, n, rho, p);
+}
+
+static void narrow_sounds(const struct eos *e, int n, const double *rho, double *c)
+{
+    sound_loop(e, n, rho, c);
 }
 
 #if defined __x86_64__ && defined __GNUC__
@@ -130,24 +151,42 @@ static __attribute__((target("avx2"))) void wide(const struct eos *e, int n, con
     loops(e, n, rho, p);
 }
 
-static eos_loops *best(void)
+static __attribute__((target("avx2"))) void wide_sounds(const struct eos *e, int n,
+                                                        const double *rho, double *c)
 {
-    return __builtin_cpu_supports("avx2") ? wide : narrow;
+    sound_loop(e, n, rho, c);
+}
+
+static bool is_wide(void)
+{
+    return __builtin_cpu_supports("avx2");
 }
 #else
-static eos_loops *best(void)
+#define wide narrow
+#define wide_sounds narrow_sounds
+
+static bool is_wide(void)
 {
-    return narrow;
+    return false;
 }
 #endif
 
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p)
 {
     if (e->gamma == 7 || e->gamma == 1)
-        best()(e, n, rho, p);
+        (is_wide() ? wide : narrow)(e, n, rho, p);
     else
         for (int i = 0; i < n; i++)
             p[i] = eos_pressure(e, rho[i]);
+}
+
+void eos_sounds(const struct eos *e, int n, const double *rho, double *c)
+{
+    if (e->gamma == 7)
+        (is_wide() ? wide_sounds : narrow_sounds)(e, n, rho, c);
+    else
+        for (int i = 0; i < n; i++)
+            c[i] = eos_sound(e, rho[i]);
 }
 
 /* rho dp/drho = gamma (p + B), of (E2). */

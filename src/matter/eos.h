@@ -24,6 +24,9 @@ double eos_energy(const struct eos *e, double rho);
 /* p[i] = eos_pressure(rho[i]), n of them; without pow() when gamma is 7. */
 void eos_pressures(const struct eos *e, int n, const double *rho, double *p);
 
+/* c[i] = eos_sound(rho[i]), n of them. */
+void eos_sounds(const struct eos *e, int n, const double *rho, double *c);
+
 /* modulus[i] = rho dp/drho [Pa] at the pressure p[i], n of them; 0 for p <= 0 when clamped. */
 void eos_moduli(const struct eos *e, int n, const double *p, double *modulus);
 

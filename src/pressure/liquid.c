@@ -38,20 +38,37 @@ struct fastest {
     int id;
 };
 
-/* Of rows from..to-1. */
+/* Row i, where sound has the speed c, against the fastest so far. */
+static inline void take(const struct view *v, int i, double c, double u2, struct fastest *most)
+{
+    const int *id = v->p->id[KIND_FLUID];
+    const double speed = c + sqrt(u2);
+
+    if (speed > most->speed || (speed == most->speed && id && id[i] < most->id))
+        *most = (struct fastest){ speed, id ? id[i] : i };
+}
+
+/* Of rows from..to-1.  Few need a root: all others are slower by more than roundings. */
 static struct fastest find_fastest(const struct liquid *l, const struct view *v, int from, int to)
 {
-    const double *u = v->u[KIND_FLUID], *rho = v->rho[KIND_FLUID];
-    const int *id = v->p->id[KIND_FLUID];
+    enum { BLOCK = 256 };
+    const double *u = v->u[KIND_FLUID];
     struct fastest most = { -1, -1 };
+    double c[BLOCK];
 
-    for (int i = from; i < to; i++) {
-        double u2 = 0;
-        for (int d = 0; d < DIM; d++)
-            u2 += u[i * DIM + d] * u[i * DIM + d];
-        const double speed = eos_sound(&l->eos, rho[i]) + sqrt(u2);
-        if (speed > most.speed || (speed == most.speed && id && id[i] < most.id))
-            most = (struct fastest){ speed, id ? id[i] : i };
+    for (int at = from; at < to; at += BLOCK) {
+        const int n = to - at < BLOCK ? to - at : BLOCK;
+
+        eos_sounds(&l->eos, n, v->rho[KIND_FLUID] + at, c);
+        for (int k = 0; k < n; k++) {
+            const double need = most.speed * (1 - 1e-12) - c[k];
+            double u2 = 0;
+
+            for (int d = 0; d < DIM; d++)
+                u2 += u[(at + k) * DIM + d] * u[(at + k) * DIM + d];
+            if (need <= 0 || u2 >= need * need)
+                take(v, at + k, c[k], u2, &most);
+        }
     }
     return most;
 }

@@ -239,7 +239,7 @@ static void clamped_energy_has_no_corner(void **state)
 
 static void batches_have_the_bits_of_single_calls(void **state)
 {
-    double rho[67], p[67], moduli[67];
+    double rho[67], p[67], moduli[67], sound[67];
 
     (void)state;
     for (int k = 0; k < 2 * GAMMAS; k++) {
@@ -254,6 +254,9 @@ static void batches_have_the_bits_of_single_calls(void **state)
         eos_moduli(&e, 67, p, moduli);
         for (int i = 0; i < 67; i++)
             assert_true(moduli[i] == modulus(&e, rho[i]));
+        eos_sounds(&e, 67, rho, sound);
+        for (int i = 0; i < 67; i++)
+            assert_true(sound[i] == eos_sound(&e, rho[i]));
     }
 }
 
