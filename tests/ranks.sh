@@ -102,8 +102,8 @@ bits() {
 }
 
 # Water that falls, hits a wall and climbs it; the same with a pressure that is solved for, beside a
-# piston, and in three dimensions; in a tank that moves; without any wall, all round; in three
-# dimensions.
+# piston, and in three dimensions; in a tank that moves; without any wall, all round; that leaves the
+# domain and comes back; in three dimensions.
 if [ -n "$long" ]; then numbers='1 2 3 4 8' fall=0.25; else numbers='1 2 3 4' fall=0.05; fi
 same dam 2 dam-break spacing=0.005 until=$fall
 at_length same pressed 2 mps-dam-break spacing=7.3e-3 until=0.1
@@ -113,6 +113,7 @@ at_length same pushed 2 wave-maker until=0.05 method=mps walls=own-density 'wall
 same cube 3 ../../tests/scenes/still-cube until=0.02
 at_length same tank 2 sloshing-tank until=0.3
 same vortex 2 taylor-green until=0.2
+same jump 2 ../../tests/scenes/jumping-drops
 at_length same drop 2 elliptic-drop until=0.002
 same column 3 dam-break-3d spacing=0.0555 until=0.02
 
