@@ -56,6 +56,17 @@ static inline void threads_meet(void)
     }
 }
 
+/* `call` of one thread of a region after the other. */
+#define THREADS_IN_TURN(call)                                                              \
+    do {                                                                                   \
+        if (threads_all() == 1) {                                                          \
+            call;                                                                          \
+        } else {                                                                           \
+            _Pragma("omp critical")                                                        \
+            call;                                                                          \
+        }                                                                                  \
+    } while (0)
+
 /* `call` on all threads where the work is worth it.  A region is a call of the library even
  * for one thread, and a right-hand side has a dozen: where the program has one, the call is made
  * at once. */

@@ -73,22 +73,29 @@ static struct fastest find_fastest(const struct liquid *l, const struct view *v,
     return most;
 }
 
+static void keep_faster(struct fastest *all, const struct fastest *mine)
+{
+    if (mine->speed > all->speed || (mine->speed == all->speed && mine->id < all->id))
+        *all = *mine;
+}
+
+/* Of this thread's rows. */
+static void find_part(const struct liquid *l, const struct view *v, int n, struct fastest *all)
+{
+    const struct threads_part part = threads_part(n);
+    const struct fastest mine = find_fastest(l, v, part.from, part.to);
+
+    THREADS_IN_TURN(keep_faster(all, &mine));
+}
+
 /* Sound and flow together, sound where it is: it is faster in what is pressed. */
 void liquid_limit(const void *self, const struct view *v, struct limit *out)
 {
     const struct liquid *l = self;
-    const long n = particles_count(v->p, KIND_FLUID) - v->others;
+    const int n = particles_count(v->p, KIND_FLUID) - v->others;
     struct fastest most = { -1, -1 };
 
-#pragma omp parallel if (waiting_repays(n))
-    {
-        const long t = threads_me(), of = threads_all();
-        const struct fastest mine = find_fastest(l, v, (int)(n * t / of), (int)(n * (t + 1) / of));
-
-#pragma omp critical
-        if (mine.speed > most.speed || (mine.speed == most.speed && mine.id < most.id))
-            most = mine;
-    }
+    THREADS(waiting_repays(n), find_part(l, v, n, &most));
     if (most.speed < 0)
         return;
     out->where = most.id;

@@ -5,6 +5,7 @@
 #include "space/cells.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -17,35 +18,60 @@ enum { FINE = 3 };
 /* Particles of one kind from which sorting repays waking the threads. */
 enum { WORTH_THREADS = 4096 };
 
-/* Marks particles inside, and the box around them; returns how many. */
-static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
+/* A box around particles, and how many they are. */
+struct around {
+    double low[DIM], high[DIM];
+    int inside;
+};
+
+static void widen(struct around *to, const double *low, const double *high, int inside)
 {
-    const int from = list->def.from[kind], to = list->def.from[kind + 1];
-    const struct list_whole *whole = list->whole;
-    double least[DIM], most[DIM];
-    int inside = 0;
+    for (int d = 0; d < DIM; d++) {
+        to->low[d] = low[d] < to->low[d] ? low[d] : to->low[d];
+        to->high[d] = high[d] > to->high[d] ? high[d] : to->high[d];
+    }
+    to->inside += inside;
+}
+
+static struct around nothing(void)
+{
+    struct around none = { .inside = 0 };
 
     for (int d = 0; d < DIM; d++) {
-        least[d] = INFINITY;
-        most[d] = -INFINITY;
+        none.low[d] = INFINITY;
+        none.high[d] = -INFINITY;
     }
-#pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS) \
-    reduction(min : least) reduction(max : most) reduction(+ : inside)
-    for (int i = from; i < to; i++) {
+    return none;
+}
+
+/* Marks particles inside of this thread's rows. */
+static void mark_part(struct list *list, const struct cloud *cloud, int kind, struct around *all)
+{
+    const int first = list->def.from[kind];
+    const struct threads_part part = threads_part(list->def.from[kind + 1] - first);
+    const struct list_whole *whole = list->whole;
+    struct around mine = nothing();
+
+    for (int i = first + part.from; i < first + part.to; i++) {
         const double *x = list_home(list, cloud, kind, i);
 
         list->slot[i] = (!whole || whole->here[i]) && list_inside(&list->def, x) ? 0 : -1;
-        if (list->slot[i] < 0)
-            continue;
-        inside++;
-        for (int d = 0; d < DIM; d++) {
-            least[d] = x[d] < least[d] ? x[d] : least[d];
-            most[d] = x[d] > most[d] ? x[d] : most[d];
-        }
+        if (list->slot[i] == 0)
+            widen(&mine, x, x, 1);
     }
-    memcpy(low, least, sizeof least);
-    memcpy(high, most, sizeof most);
-    return inside;
+    THREADS_IN_TURN(widen(all, mine.low, mine.high, mine.inside));
+}
+
+/* Marks particles inside, and the box around them; returns how many. */
+static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
+{
+    struct around all = nothing();
+
+    THREADS(list->def.from[kind + 1] - list->def.from[kind] > WORTH_THREADS,
+            mark_part(list, cloud, kind, &all));
+    memcpy(low, all.low, sizeof all.low);
+    memcpy(high, all.high, sizeof all.high);
+    return all.inside;
 }
 
 /* Cells of a grid over low..high, coarser until there are at most `most`. */
@@ -116,14 +142,23 @@ void cells_add_up(struct cells *c, int first)
         c->start[k] += c->start[k - 1];
 }
 
+/* Of this thread's rows: which cell each is in. */
+static void rank_part(struct list *list, const struct cloud *cloud, int kind,
+                      const struct cells *c)
+{
+    const int first = list->def.from[kind];
+    const struct threads_part part = threads_part(list->def.from[kind + 1] - first);
+
+    for (int i = first + part.from; i < first + part.to; i++)
+        if (list->slot[i] >= 0)
+            list->slot[i] = cells_rank(c, list_home(list, cloud, kind, i));
+}
+
 static void count(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
     const int from = list->def.from[kind], to = list->def.from[kind + 1];
 
-#pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS)
-    for (int i = from; i < to; i++)
-        if (list->slot[i] >= 0)
-            list->slot[i] = cells_rank(c, list_home(list, cloud, kind, i));
+    THREADS(to - from > WORTH_THREADS, rank_part(list, cloud, kind, c));
     for (int i = from; i < to; i++)
         if (list->slot[i] >= 0)
             c->start[list->slot[i] + 2]++;
@@ -172,13 +207,13 @@ static void place(struct list *list, const struct cloud *cloud, int kind, struct
             place_row(list, c, from + k);
 }
 
-/* Where all particles are, now that all places are known. */
-static void note_places(struct list *list, const struct cloud *cloud, int kind)
+/* Of this thread's rows: where they are, now that all places are known. */
+static void note_part(struct list *list, const struct cloud *cloud, int kind)
 {
-    const int from = list->def.from[kind], to = list->def.from[kind + 1];
+    const int from = list->def.from[kind];
+    const struct threads_part part = threads_part(list->def.from[kind + 1] - from);
 
-#pragma omp parallel for schedule(static) if (to - from > WORTH_THREADS)
-    for (int i = from; i < to; i++) {
+    for (int i = from + part.from; i < from + part.to; i++) {
         const double *x = cloud->x[kind] + (size_t)DIM * (size_t)(i - from);
         double *built = list->own->built + (size_t)DIM * (size_t)i;
 
@@ -196,6 +231,7 @@ int cells_sort(struct list *list, const struct cloud *cloud)
     for (int kind = 0; kind < KINDS; kind++) {
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
+        const int particles = list->def.from[kind + 1] - list->def.from[kind];
         const int inside = bounds(list, cloud, kind, c->low, high);
         double n = inside;
 
@@ -208,7 +244,7 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         TRY(cells_grid(list, c, high, n));
         count(list, cloud, kind, c);
         place(list, cloud, kind, c);
-        note_places(list, cloud, kind);
+        THREADS(particles > WORTH_THREADS, note_part(list, cloud, kind));
         list->start[kind + 1] = list->start[kind] + inside;
     }
     return STATUS_DONE;
