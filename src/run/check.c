@@ -110,7 +110,8 @@ static void print_cost(struct run *r, double seconds)
     }
 }
 
-/* What writing files takes in any case: code of HDF5, and the blocks it works in [bytes]. */
+/* What a run takes in any case: code of HDF5, the blocks it works in, and large pages that small
+ * arrays share [bytes]. */
 static const double later = 12e6, later_without_particles = 3.5e6;
 
 static void print_bytes(const char *what, double bytes)
