@@ -52,7 +52,6 @@ int cli_exec_ranks(const struct cli *c, int dimension, char **argv)
     if (access(path, X_OK) != 0)
         return refuse_program(dimension, path);
     share_cores(c);
-    cli_huge_pages();
     snprintf(ranks, sizeof ranks, "%d", c->ranks);
     char *const first[WORDS] = { "mpirun.openmpi", "-q", "--oversubscribe", "--bind-to", "none", "-n",
                                  ranks, path };

@@ -157,14 +157,9 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
     out->sums += pressed(p) + solved(p);
 }
 
-double plan_memory_paged(double bytes)
-{
-    return 1.04 * bytes;
-}
-
 double plan_memory_sum(const struct plan_memory *m)
 {
-    return plan_memory_paged(m->state + m->lists + m->sums + m->particles + m->outputs);
+    return 1.04 * (m->state + m->lists + m->sums + m->particles + m->outputs);
 }
 
 double plan_memory_each(const struct plan *p, bool fluid)

@@ -21,10 +21,7 @@ struct plan_memory {
  * as it is, moment_pairs(); 0: as a full lattice would make it. */
 void plan_memory(const struct plan *plan, double pairs, int vectors, struct plan_memory *out);
 
-/* So many bytes in large pages, of which the last of an array is not full; measured. */
-double plan_memory_paged(double bytes);
-
-/* All of it, paged. */
+/* All of it in large pages, of which the last of an array is not full; measured. */
 double plan_memory_sum(const struct plan_memory *m);
 
 #endif

@@ -63,13 +63,10 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
-    return rank->program + messages + writing
-           + plan_memory_paged(rank->shared + own.state + own.sums - (first ? 0 : rank->absent)
-                               + own.particles
-                               - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
-                               + own.lists / 2
-                               + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
-                               + (first ? own.outputs : 0));
+    return rank->program + messages + writing + rank->shared + own.state + own.sums
+           - (first ? 0 : rank->absent) + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
+           + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
+           + (first ? own.outputs : 0);
 }
 
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)

@@ -110,9 +110,9 @@ static void print_cost(struct run *r, double seconds)
     }
 }
 
-/* What a run takes in any case: code of HDF5, the blocks it works in, and large pages that small
- * arrays share [bytes]. */
-static const double later = 12e6, later_without_particles = 3.5e6;
+/* What writing files takes in any case: code of HDF5, and the blocks it works in; and what large
+ * pages of small arrays do, which ranks have not [bytes]. */
+static const double later = 9e6, pages = 3e6, without_particles = 3.5e6;
 
 static void print_bytes(const char *what, double bytes)
 {
@@ -126,7 +126,7 @@ static void print_memory(const struct run *r, double program)
     struct plan_memory m;
     char state[40];
 
-    program += n > 0 ? later : later_without_particles;
+    program += n > 0 ? later + pages : without_particles;
     plan_memory(r->plan, moment_pairs(r->moment), vectors, &m);
     printf("memory: about %.3g MB at its peak", (program + plan_memory_sum(&m)) / 1e6);
     if (n > 0)
@@ -174,7 +174,7 @@ static void print_survey(const struct run_order *order, const struct plan_survey
         printf("  %-32s %8.3g\n", s->object[i].name, s->object[i].n);
     printf("spacing %g m, support %g m, mass %g kg%s\nsound %g m/s, reference speed %g m/s\n",
            s->dx, s->support, s->mass, DIM == 2 ? " per metre" : "", s->c0, s->speed);
-    printf("memory: about %.3g MB at its peak\n", (program + later + s->bytes) / 1e6);
+    printf("memory: about %.3g MB at its peak\n", (program + later + pages + s->bytes) / 1e6);
     run_sample_print(order, s);
     puts("This scene is too large for a look at all its particles, which a check makes of up to 1.5 "
          "million\nin a few seconds and 1 GB: whether they overlap, and what a right-hand side refuses, is "
