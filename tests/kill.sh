@@ -75,7 +75,7 @@ else "$STIFFWATER" resume "$out/dir" -q 2>"$out/said"; fi
 rm -f "$out"/dir/*.part "$out"/dir/*/*.part
 for directory in whole dir; do # without warnings: one may say that a kill fell between two renames
     sed '/"warnings": \[$/,/^  \]/d; /"warnings"/d' "$out/$directory/run.json" |
-        grep -v '"cpu_s"\|"wall_s"\|"peak_rss_kb"' >"$out/$directory.json"
+        grep -v '"cpu_s"\|"wall_s"\|"threads_mean"\|"peak_rss_kb"' >"$out/$directory.json"
 done
 if diff -r -q -x run.json -x 'checkpoint*.h5' "$out/whole" "$out/dir" &&
     diff "$out/whole.json" "$out/dir.json"; then good "all files are those of a run left alone"

@@ -14,7 +14,7 @@ deep=$top_srcdir/tests/scenes/small-3d.scene
 # checkpoint was damaged is one
 report() {
     sed '/"warnings": \[$/,/^  \]/d; /"warnings"/d' "$1/run.json" |
-        grep -v '"cpu_s"\|"wall_s"\|"peak_rss_kb"'
+        grep -v '"cpu_s"\|"wall_s"\|"threads_mean"\|"peak_rss_kb"'
 }
 
 # alike WORDS ONE OTHER: all their files, but for checkpoints and clocks

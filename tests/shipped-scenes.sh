@@ -66,7 +66,7 @@ books()
 {
     [ "$(value "$1" status)" = "done" ] || complain "$1: status $(value "$1" status)"
     for key in message scene version method table norm tol threads t_end state_size steps rejected \
-        rhs_explicit rhs_implicit pair_passes rebuilds cpu_s wall_s mean_step error stability \
+        rhs_explicit rhs_implicit pair_passes rebuilds cpu_s wall_s threads_mean mean_step error stability \
         output escaped energy_initial energy_defect energy_defect_max momentum_defect density_min \
         density_max peak_rss_kb state_hash; do
         grep -q "\"$key\":" "$1/run.json" || complain "$1/run.json has no $key"

@@ -8,7 +8,8 @@ static const struct argp_option run_options[] = {
     { "method", 'm', "NAME", 0, "Time integration, see `stiffwater list methods`", 0 },
     { "tol", 't', "X", 0, "Error allowed in a step", 0 },
     { "until", 'u', "T", 0, "Time at which the run ends [s]", 0 },
-    { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads (default: as many as make the run faster); the results do not "
+      "depend on it", 0 },
     { "ranks", 'P', "N", 0, "Processes that share the run, by Open MPI's mpirun; the results do not "
       "depend on it", 0 },
     { "force", 'f', NULL, 0, "Take a directory with files that are no run's; they stay, unless they "
@@ -19,7 +20,8 @@ static const struct argp_option run_options[] = {
 
 static const struct argp_option resume_options[] = {
     { "until", 'u', "T", 0, "Time at which the run ends [s] (default: as it was to)", 0 },
-    { "threads", 'n', "N", 0, "OpenMP threads; the results do not depend on it", 0 },
+    { "threads", 'n', "N", 0, "OpenMP threads (default: as many as make the run faster); the results do not "
+      "depend on it", 0 },
     { "ranks", 'P', "N", 0, "Processes that share the run from here on, whatever their number was; "
       "the results do not depend on it", 0 },
     { "quiet", 'q', NULL, 0, "No progress line", 0 },

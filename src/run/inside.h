@@ -8,6 +8,7 @@
 #include "run/outputs.h"
 #include "run/past.h"
 #include "run/run.h"
+#include "run/team.h"
 #include "time/method.h"
 
 #include <stdio.h>
@@ -40,6 +41,8 @@ struct run {
     long rejected;           /* by methods of runs that this one goes on from */
     char table[96];
     bool force;              /* as run_order has it                           */
+    struct team team;        /* threads                                       */
+    long passes;             /* over pairs, after the last step               */
 };
 
 /* The state that the method has reached, of all ranks, which ask together; lent until the next
@@ -74,6 +77,10 @@ void run_explain(const struct run *r, int status, char *message);
 
 /* Where the results of a run are and what came out, on standard output. */
 void run_sum_up(const struct run *r, const struct run_order *order, int status);
+
+/* threads.c: once, before the first step; after each, which took so many seconds by the clock. */
+void run_threads_start(struct run *r, const struct run_order *order);
+void run_threads_step(struct run *r, double seconds);
 
 /* segments.c: after a step, ends a segment where one ends there, and begins the next. */
 int run_next_segment(struct run *r);

@@ -12,22 +12,10 @@
 
 #include <math.h>
 #include <string.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #ifndef PACKAGE_VERSION
 #define PACKAGE_VERSION "unknown"
 #endif
-
-static int threads(void)
-{
-#ifdef _OPENMP
-    return omp_get_max_threads();
-#else
-    return 1;
-#endif
-}
 
 static void write_what(struct json *j, const struct run *r, int status, const char *message)
 {
@@ -45,7 +33,7 @@ static void write_what(struct json *j, const struct run *r, int status, const ch
     json_text(j, "norm", s->norm);
     json_number(j, "tol", s->tol);
     json_text(j, "precision", plan_precision(r->plan));
-    json_integer(j, "threads", threads());
+    json_integer(j, "threads", r->team.most);
     json_integer(j, "ranks", ranks_count());
     json_number(j, "t_end", r->past.tally.t);
 }
@@ -84,6 +72,7 @@ static void write_work(struct json *j, const struct run *r)
     json_integer(j, "refused", c->refused);
     json_number(j, "cpu_s", run_cpu() - r->cpu_start);
     json_number(j, "wall_s", run_clock() - r->clock_start);
+    json_number(j, "threads_mean", team_mean(&r->team));
     json_number(j, "mean_step", r->past.tally.steps ? r->past.tally.t / r->past.tally.steps : 0);
     json_integer(j, "checkpoints", r->past.checkpoints.written);
     json_integer(j, "checkpoints_by_clock", r->past.checkpoints.by_clock);

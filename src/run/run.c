@@ -97,10 +97,12 @@ static int look(struct run *r, const struct method_step *step)
 
 static int one_step(struct run *r, struct progress *progress)
 {
+    const double before = run_clock();
     struct method_step step;
 
     run_ranks_wish(r);
     TRY(step_on(r, &step));
+    run_threads_step(r, run_clock() - before);
     step.rejected += r->rejected;
     r->pace = step.pace;
     r->past.tally.t = step.t;
@@ -205,6 +207,7 @@ int run_carry_out(const struct run_order *order, struct archive *from)
         return status;
     }
     run_carved(&r, quiet ? NULL : stderr);
+    run_threads_start(&r, order);
     progress_start(&progress, stderr, r.past.tally.t, r.until, quiet);
     status = go(&r, &progress);
     progress_end(&progress, r.past.tally.t);

@@ -12,6 +12,16 @@ static void print_warnings(void)
         printf("%s  %s\n", i == 0 ? "warnings:\n" : "", status_warning(i));
 }
 
+/* Where fewer did than could have. */
+static void print_threads(const struct team *team)
+{
+    const double mean = team_mean(team);
+
+    if (mean < 0.95 * team->most)
+        printf("threads: %.2g of %d in the mean, as more were no faster; --threads N takes N\n", mean,
+               team->most);
+}
+
 void run_sum_up(const struct run *r, const struct run_order *order, int status)
 {
     struct numbers n;
@@ -23,6 +33,7 @@ void run_sum_up(const struct run *r, const struct run_order *order, int status)
            status == STATUS_DONE ? "done" : status == STATUS_STOPPED ? "stopped" : "failed",
            r->past.tally.t, r->until, run_clock() - r->clock_start, r->directory);
     numbers_print(&n, stdout);
+    print_threads(&r->team);
     print_warnings();
     printf("next: stiffwater plot %s, or report for one page with all of it\n", r->directory);
     fflush(stdout);
