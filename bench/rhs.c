@@ -407,7 +407,7 @@ static void threads_help(void)
 
         of.single = single;
         two_threads(&of);
-        of.n = 5000;
+        of.n = 6000; /* 6,889 particles with walls */
         two_threads(&of);
     }
 }
