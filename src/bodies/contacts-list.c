@@ -141,7 +141,9 @@ static const char *place_of(const struct contacts *c, const struct contacts_scen
                         : part < s->bodies + s->walls ? s->wall[part - s->bodies].where
                                                       : NULL;
 
-    snprintf(text, 280, where ? " (%.256s)" : "", where);
+    text[0] = '\0';
+    if (where)
+        snprintf(text, 280, " (%.256s)", where);
     return text;
 }
 

@@ -10,15 +10,17 @@
 enum { AHEAD = 512, LINE = 64 / sizeof(int) };
 
 typedef int quad __attribute__((vector_size(16), may_alias));
-typedef int row __attribute__((vector_size(4 * LANES)));
-/* As entries; behind the last neighbour stands anything, which may not overflow. */
-typedef unsigned quad_entries __attribute__((vector_size(16)));
-typedef unsigned row_entries __attribute__((vector_size(4 * LANES)));
 
 static inline quad four(const int *near)
 {
     return *(const quad *)near;
 }
+
+/* Four neighbours of each lane to four rows, as entries; behind the last neighbour stands anything,
+ * which may not overflow. */
+#if LANES > 2
+typedef int row __attribute__((vector_size(4 * LANES)));
+typedef unsigned row_entries __attribute__((vector_size(4 * LANES)));
 
 static inline void store(int *to, row neighbours)
 {
@@ -27,8 +29,6 @@ static inline void store(int *to, row neighbours)
     memcpy(to, &entries, sizeof entries);
 }
 
-/* Four neighbours of each lane to four rows. */
-#if LANES > 2
 #if LANES == 8
 /* Lanes l and l + 4 side by side. */
 static inline row part(int *const near[LANES], int l, int k)
@@ -75,6 +75,8 @@ static inline void transpose(int *const near[LANES], int k, int *to)
     store(to + 3 * LANES, second(second(a, c), second(b, d)));
 }
 #else
+typedef unsigned quad_entries __attribute__((vector_size(16)));
+
 static inline void transpose(int *const near[LANES], int k, int *to)
 {
     const quad a = four(near[0] + k), b = four(near[1] + k);
