@@ -64,6 +64,7 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
         && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
         && list_grow((void **)&drift->first, &drift->first_room, blocks, sizeof *drift->first)
         && list_grow((void **)&drift->moving, &drift->moving_room, blocks, sizeof *drift->moving)
+        && list_grow((void **)&drift->thread, &drift->thread_room, blocks, sizeof *drift->thread)
         && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
         && list_grow((void **)&drift->range, &drift->range_room, blocks,
                      2 * DIM * sizeof *drift->range))
@@ -111,12 +112,17 @@ static void find_blocks(const struct list *list, const struct cloud *cloud, stru
         }
 }
 
-/* The places from..to-1 become members of their blocks. */
+/* The places from..to-1 become members of their blocks, those of this thread. */
 static void add_members(const struct list *list, struct drift *drift, int from, int to, bool moves)
 {
-    for (int s = from; s < to; s++) {
-        const int b = drift->block[s], m = drift->end[b]++;
+    const int me = threads_me();
 
+    for (int s = from; s < to; s++) {
+        const int b = drift->block[s];
+
+        if (drift->thread[b] != me)
+            continue;
+        const int m = drift->end[b]++;
         drift->first[b] += s < list->start[1];
         drift->moving[b] += moves;
         drift->member[m] = s;
@@ -136,27 +142,41 @@ static void add_kinds(const struct list *list, struct drift *drift, bool moves)
             add_members(list, drift, list->image[kind], list->image[kind + 1], moves);
 }
 
+/* Shares blocks out to threads, by members; tells each where its members begin. */
+static void begin_blocks(const struct list *list, struct drift *drift, int threads)
+{
+    int next = 0;
+
+    for (int k = 0; k < drift->useds; k++) {
+        const int b = drift->used[k];
+        drift->thread[b] = (int)((long)next * threads / list->listed);
+        drift->end[b] = next;
+        drift->first[b] = 0;
+        memset(drift->range + (size_t)b * 2 * DIM, 0, 2 * DIM * sizeof *drift->range);
+        next += drift->count[b];
+    }
+}
+
+static void add_all(const struct list *list, struct drift *drift)
+{
+#pragma omp single nowait
+    begin_blocks(list, drift, threads_all());
+    threads_meet();
+    add_kinds(list, drift, true);
+    add_kinds(list, drift, false);
+}
+
 /* Members of each block, one block after the other, each in the order of places: what is near
  * in space is near in memory. */
 static void gather_members(const struct list *list, struct drift *drift)
 {
-    int next = 0;
-
     drift->useds = 0;
     for (int s = 0; s < list->listed; s++) {
         const int b = drift->block[s];
         drift->used[drift->useds] = b; /* without a branch: written over if it is there already */
         drift->useds += drift->count[b]++ == 0;
     }
-    for (int k = 0; k < drift->useds; k++) {
-        const int b = drift->used[k];
-        drift->end[b] = next;
-        drift->first[b] = 0;
-        memset(drift->range + (size_t)b * 2 * DIM, 0, 2 * DIM * sizeof *drift->range);
-        next += drift->count[b];
-    }
-    add_kinds(list, drift, true);
-    add_kinds(list, drift, false);
+    THREADS(waiting_repays(list->listed / 4), add_all(list, drift));
 }
 
 int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING])
@@ -218,6 +238,7 @@ void drift_free(struct drift *drift)
     free(drift->block);
     free(drift->member);
     free(drift->row);
+    free(drift->thread);
     free(drift->was);
     free(drift->end);
     free(drift->count);

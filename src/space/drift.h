@@ -32,13 +32,14 @@ struct drift {
                               unless they are images                         */
     int *moving;           /* [blocks] of them, those that can move: they come before those
                               that stand still                               */
+    int *thread;           /* [blocks] of them, the thread that gathers it when it is made  */
     int *used;             /* [useds] blocks that are compared: something can move there, or
                               in one behind that touches it                  */
     int useds;
     double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
     size_t block_room, member_room, row_room, was_room, end_room, count_room, first_room,
-        moving_room, used_room, range_room;
+        moving_room, thread_room, used_room, range_room;
 };
 
 /* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no
