@@ -63,6 +63,9 @@ enum moment_rows {
  * STATUS_FAILED, on all. */
 int moment_share(struct moment *moment, double *y, enum moment_rows rows);
 
+/* Each has all particles for itself again; not after MOMENT_OWN. */
+void moment_unshare(struct moment *moment);
+
 /* What this rank has of vectors of the size of y; lent until the next call. */
 struct vector_own moment_own(const struct moment *moment);
 

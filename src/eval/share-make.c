@@ -188,3 +188,13 @@ int moment_share(struct moment *m, double *y, enum moment_rows rows)
     attach(m);
     return STATUS_DONE;
 }
+
+void moment_unshare(struct moment *m)
+{
+    if (!m->share)
+        return;
+    m->own->mine = NULL;
+    m->own->complete = NULL;
+    m->own->others = NULL;
+    share_free(&m->share);
+}

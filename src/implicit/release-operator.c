@@ -203,6 +203,16 @@ static void drive_kind(struct release *r, int k)
     }
 }
 
+static int drive_bodies(struct release *r)
+{
+    const struct moment *m = r->m;
+
+    for (int i = 0; i < m->plan->bodies; i++)
+        if (yields(&m->body[i]))
+            TRY(drive_body(r, &m->body[i]));
+    return STATUS_DONE;
+}
+
 int release_assemble(struct release *r, const double *y)
 {
     struct moment *m = r->m;
@@ -213,9 +223,7 @@ int release_assemble(struct release *r, const double *y)
     memset(r->vector, 0, (size_t)r->n * NABLA_STRIDE * sizeof *r->vector);
     for (int k = 0; k < KINDS; k++)
         drive_kind(r, k);
-    for (int i = 0; i < m->plan->bodies; i++)
-        if (yields(&m->body[i]))
-            TRY(drive_body(r, &m->body[i]));
+    TRY(moment_agree(m, drive_bodies(r)));
     diverge(r, r->drive);
     set_operator(r);
     return STATUS_DONE;

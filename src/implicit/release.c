@@ -255,7 +255,7 @@ static int solve(struct moment *m, double *y)
     if (rates_fields(m, 0, y, &v) != STATUS_DONE)
         return status_fail(STATUS_FAILED, "the start: %s", moment_refusal(m));
     set(&r, m);
-    status = take_memory(&r);
+    status = moment_agree(m, take_memory(&r));
     if (status == STATUS_DONE)
         status = release_assemble(&r, y);
     if (status == STATUS_DONE) {
@@ -275,7 +275,9 @@ int release_start(struct moment *m, double *y)
     plan_start(m->plan, y);
     if (!is_asked(m->plan))
         return STATUS_DONE;
+    TRY(moment_share(m, y, MOMENT_ALL)); /* sums over pairs, as they are nearly all of the work */
     status = solve(m, y);
+    moment_unshare(m);
     moment_restart(m);
     return status;
 }

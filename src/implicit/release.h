@@ -17,7 +17,8 @@
 struct moment;
 
 /* y [moment_size()] at t = 0 of a fresh moment, which is as fresh afterwards, but for its
- * counters.  STATUS_FAILED: no memory, or no such pressure is found. */
+ * counters.  All ranks together, and on all STATUS_FAILED: no memory, or no such pressure is
+ * found. */
 int release_start(struct moment *m, double *y);
 
 #endif

@@ -70,8 +70,7 @@ static int agree(struct run *r)
 {
     TRY(checkpoint_agree(r));
     TRY(run_disk_agree(r));
-    TRY(tables_agree(r->plan));
-    return release_start(r->moment, r->y);
+    return tables_agree(r->plan);
 }
 
 /* One of many ranks needs its own rows of r->y alone from now on: the rest gives its memory back. */
@@ -95,6 +94,7 @@ static int write_start(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
+    TRY(release_start(r->moment, r->y));
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));

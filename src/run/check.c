@@ -191,9 +191,9 @@ static int check(struct run *r, const struct run_order *order, double program)
         status = run_disk_agree(r);
     if (status == STATUS_DONE)
         status = tables_agree(r->plan);
+    status = ranks_agree(status);
     if (status == STATUS_DONE)
         status = start(r);
-    status = ranks_agree(status);
     if (status == STATUS_DONE)
         status = moment_share(r->moment, r->y, run_ranks_rows(r));
     if (status == STATUS_DONE)
