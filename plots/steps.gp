@@ -20,7 +20,7 @@ set ylabel 'step length [s]'
 set logscale y
 set format y '10^{%T}'
 set mytics 10
-set key bottom right Left reverse opaque samplen 1.5 title 'limited by' left
+set key below Left reverse samplen 1.5 title 'limited by:' left maxrows 1
 faint(k) = '#90'.substr(pick(k), 2, 7)   # so that points under points are seen
 plot for [k = 1:3] table using 1:(is(word(limiters, k)) ? $2 : NaN) skip 2 \
     with points pt 7 ps 0.5 lc rgb faint(k) notitle, \
