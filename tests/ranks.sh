@@ -291,6 +291,20 @@ else
     claim "questions of a right-hand side" "$asked == 1"
 fi
 
+# So of each rank, where fluid is let go: it has all rows for that, gives back what it took, and has its own
+# rows alone afterwards.
+if [ -e "$out/counters.so" ] && ! grep -q __asan_init "$top_builddir/stiffwater-3d"; then
+    ranks 3 "$top_builddir/stiffwater-3d-mpi" check "$scenes/dam-break-3d.scene" spacing=0.037
+    told=$(sed -n 's/^memory: about \([0-9.]*\) MB.*/\1/p' "$out/said")
+    others=$(sed -n 's/.*first rank, at most \([0-9.]*\) MB.*/\1/p' "$out/said")
+    ranks 3 -x LD_PRELOAD="$out/counters.so" "$top_builddir/stiffwater-3d-mpi" run "$scenes/dam-break-3d.scene" \
+        spacing=0.037 until=1e-3 output.fields=100 output.snapshots=0 -q -o "$out/let-go"
+    taken=$(awk -v kb="$(value let-go peak_rss_kb)" 'BEGIN { print 1024e-6 * kb }')
+    claim "memory of the first rank in 3D, told and taken" "$told > 0.9 * $taken && $told < 1.1 * $taken"
+    taken=$(sed -n 's/.*others \([0-9]*\) kB.*/\1/p' "$out/said" | awk '{ print 1024e-6 * $1 }')
+    claim "memory of the others" "$others > 0.9 * $taken && $others < 1.1 * $taken"
+fi
+
 # What goes to partners is what passes declare to read of neighbours, and no more.
 for walls in own-density contact; do
     ranks 3 "$top_builddir/stiffwater-2d-mpi" check "$scenes/dam-break.scene" spacing=0.01 walls=$walls

@@ -231,19 +231,26 @@ int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *bloc
     return STATUS_DONE;
 }
 
+static void swap_places(double *x, double *y)
+{
+    double was[DIM];
+
+    memcpy(was, x, sizeof was);
+    memcpy(x, y, sizeof was);
+    memcpy(y, was, sizeof was);
+}
+
 /* Owners, and places where the list was made, of the rows as they will be. */
 static void move_rows(const struct moment *m)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
     const struct balance_move *b = s->move;
-    double *was = s->all;
-
-    memcpy(was, s->built, (size_t)s->n * DIM * sizeof *was);
     for (int k = 0; k < KINDS; k++)
         for (int i = p->from[k]; i < p->from[k + 1]; i++) {
             const int row = b->travel[k].route ? p->from[k] + b->from[i] : i;
-            memcpy(s->built + (size_t)i * DIM, was + (size_t)row * DIM, DIM * sizeof *was);
+            if (row > i) /* they change places in pairs */
+                swap_places(s->built + (size_t)i * DIM, s->built + (size_t)row * DIM);
             s->mine[i] = b->owner[particles_id_of(p, row)] == s->me;
         }
 }

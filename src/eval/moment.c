@@ -177,6 +177,20 @@ void moment_restart(struct moment *m)
     memset(m->culprit, 0, sizeof m->culprit);
 }
 
+int moment_renew(struct moment **moment)
+{
+    const struct plan *plan = (*moment)->plan;
+    const struct moment_counts counts = (*moment)->counts;
+    const long builds = (*moment)->own ? (*moment)->own->builds : 0;
+
+    moment_free(moment);
+    TRY(moment_create(plan, moment));
+    (*moment)->counts = counts;
+    if ((*moment)->own)
+        (*moment)->own->builds = builds;
+    return STATUS_DONE;
+}
+
 /* --- what is asked of it --------------------------------------------------------- */
 
 const struct plan *moment_plan(const struct moment *m)
@@ -201,7 +215,13 @@ int moment_stiff_ranges(const struct moment *m, int most, long (*range)[2])
 
 void moment_weights(const struct moment *m, double tol, double *weight)
 {
-    layout_weights(&m->layout, tol, weight);
+    int rows[LAYOUT_ROWS];
+
+    for (int i = 0; i < m->layout.rows; i++) {
+        const int k = moment_kind(m, i);
+        rows[i] = k < KINDS ? moment_rows_of(m, (enum kind)k) : m->layout.row[i].n;
+    }
+    layout_weights(&m->layout, tol, rows, weight);
 }
 
 const char *moment_entry(const struct moment *m, long i)

@@ -69,8 +69,10 @@ void moment_unshare(struct moment *moment);
 /* What this rank has of vectors of the size of y; lent until the next call. */
 struct vector_own moment_own(const struct moment *moment);
 
-/* `to` becomes y in what this rank has. */
+/* `to` becomes y in what this rank has; or the sum of terms c x, by vector_combine(). */
 void moment_take(const struct moment *moment, const double *y, double *to);
+void moment_combine(const struct moment *moment, int terms, const double *c, const double *const *x,
+                    double *to);
 
 /* Rows of a kind of this rank's alone?  Numbers of y that a rank has. */
 bool moment_is_packed(const struct moment *moment);
@@ -79,6 +81,9 @@ double moment_numbers(const struct moment *moment);
 /* Is each rank given the rates of all rows?  Bytes of what a moment is shared with; 0 on one rank. */
 bool moment_is_full(const struct moment *moment);
 double moment_share_bytes(const struct moment *moment);
+
+/* The same if each had all rows, as while fluid is let go. */
+double moment_share_bytes_all(const struct moment *moment);
 
 /* Bytes that sums over pairs do without, as the list has a part of the particles. */
 double moment_share_spared(const struct moment *moment);
@@ -107,6 +112,10 @@ void moment_free(struct moment **moment); /* NULL is welcome */
  * gone, the observer is as before its first look.  What a run has counted stays. */
 void moment_restart(struct moment *moment);
 
+/* The same by a new moment in its place, so that arrays which are written in part from now on take
+ * memory for that part alone.  STATUS_FAILED: there is none, *moment is NULL. */
+int moment_renew(struct moment **moment);
+
 /* From now on an evaluation that begins when quit() says so has no answer. */
 void moment_quit(struct moment *moment, bool (*quit)(void));
 
@@ -119,7 +128,7 @@ const struct layout *moment_layout(const struct moment *moment); /* lent        
 /* Those of plan_stiff_ranges(): all other entries have f_I = 0. */
 int moment_stiff_ranges(const struct moment *moment, int most, long (*range)[2]);
 
-/* Error weights for a tolerance, constant during a segment. */
+/* Error weights for a tolerance, constant during a segment, of what this rank has. */
 void moment_weights(const struct moment *moment, double tol, double *weight);
 
 /* "velocity of fluid.water particle 17" for entry i of y; static buffer. */

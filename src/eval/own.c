@@ -156,6 +156,22 @@ void moment_take(const struct moment *m, const double *y, double *to)
         vector_copy(own.piece[k][1] - own.piece[k][0], y + own.piece[k][0], to + own.piece[k][0]);
 }
 
+void moment_combine(const struct moment *m, int terms, const double *c, const double *const *x,
+                    double *to)
+{
+    const struct vector_own own = moment_own(m);
+    const double *part[terms];
+
+    if (own.pieces == 0)
+        vector_combine(terms, c, x, layout_size(&m->layout), to);
+    for (int k = 0; k < own.pieces; k++) {
+        const long from = own.piece[k][0];
+        for (int i = 0; i < terms; i++)
+            part[i] = x[i] + from;
+        vector_combine(terms, c, part, own.piece[k][1] - from, to + from);
+    }
+}
+
 bool moment_is_packed(const struct moment *m)
 {
     return m->share && m->share->packed;

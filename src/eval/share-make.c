@@ -117,20 +117,33 @@ static void find_owners(const struct moment *m, const double *y, const struct ra
     }
 }
 
-/* As take_memory() has it, with a share of rows that travel and as many that come. */
+static double owners_bytes(const struct moment_share *s)
+{
+    return (double)s->n * (sizeof *s->mine + sizeof *s->owner + sizeof *s->row + sizeof *s->built);
+}
+
+/* What is written of the arrays of take_memory(), and of those of a cut: all of what any rank may own, of
+ * what comes the pages in which it is scattered, which with fluid are most, and of messages own rows. */
 double moment_share_bytes(const struct moment *m)
 {
-    const double common = sizeof(bool) + 2 * sizeof(int)
-                          + (DIM + 2 * SHARE_WIDEST) * sizeof(double);
-    const double halo = sizeof(int) + sizeof(bool) + (2 * DIM + 1) * sizeof(double);
-    const double rows = 8 * (1 + DIM) + 5 + 16 * DIM + 8; /* particles in an order of their own */
-    const double travels = 2.0 * SHARE_HALO * sizeof(double) / ranks_count();
+    const struct moment_share *s = m->share;
+    const double n = s ? s->n : 0, fluid = s ? m->particles->from[KIND_FLUID + 1] : 0;
+    const double part = 1.0 / ranks_count(), number = sizeof(double);
+    const double rows = 8 * (1 + DIM) + 5 + 8; /* particles in an order of their own, to look at, too */
 
-    if (!m->share)
-        return 0;
-    return m->share->n * (m->share->full ? common : common + halo + travels)
-           + (m->share->packed ? rows * m->share->n : 0)
-           + (m->share->full || m->share->me > 0 ? 0 : layout_size(&m->layout) * (double)sizeof(double));
+    if (!s || s->full)
+        return moment_share_bytes_all(m);
+    return owners_bytes(s) + n * (number + sizeof *s->near.whole.here + 3 * sizeof(int))
+           + (3 * DIM * fluid + 2 * SHARE_HALO * n * part) * number
+           + (s->packed ? n * rows * (s->me > 0 ? 1 : 2) : 0)
+           + (s->me > 0 ? 0 : 2 * layout_size(&m->layout) * number);
+}
+
+double moment_share_bytes_all(const struct moment *m)
+{
+    const struct moment_share *s = m->share;
+
+    return s ? owners_bytes(s) + s->n * SHARE_WIDEST * (1 + 1.0 / s->ranks) * sizeof(double) : 0;
 }
 
 double moment_share_spared(const struct moment *m)

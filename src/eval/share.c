@@ -134,7 +134,7 @@ static const double *hear_whole(struct moment *m, bool all, const double *y)
     copy_rows(m, s->me, true, (double *)y, s->pack);
     if (!send(s, all, sizeof *s->all))
         return y;
-    memmove(s->whole, y, (size_t)layout_size(&m->layout) * sizeof *y);
+    moment_take(m, y, s->whole);
     at = s->all;
     for (int r = 0; r < s->ranks; r++)
         at = copy_rows(m, r, false, s->whole, at);

@@ -211,6 +211,8 @@ static int find(struct release *r)
 {
     double change = 0, whole = pushes(r);
 
+    free(r->ydot);
+    r->ydot = NULL; /* before the solver writes its vectors */
     look(r);
     for (int i = 0; i < ROUNDS; i++) {
         TRY(solve_round(r));
@@ -266,6 +268,14 @@ static int solve(struct moment *m, double *y)
         status = write_densities(&r, y);
     free_memory(&r);
     return status;
+}
+
+double release_memory(const struct plan *p)
+{
+    const double n = p->particles->n, fluid = particles_count(p->particles, KIND_FLUID);
+    const double solver = 6; /* vectors that conjugate gradients have */
+
+    return is_asked(p) ? sizeof(double) * (n * (8 + NABLA_STRIDE) + fluid * (3 + solver)) : 0;
 }
 
 int release_start(struct moment *m, double *y)

@@ -15,10 +15,14 @@
 #define IMPLICIT_RELEASE_H
 
 struct moment;
+struct plan;
 
 /* y [moment_size()] at t = 0 of a fresh moment, which is as fresh afterwards, but for its
  * counters.  All ranks together, and on all STATUS_FAILED: no memory, or no such pressure is
  * found. */
 int release_start(struct moment *m, double *y);
+
+/* Bytes that it works in, beside the moment and y; 0: no fluid is let go. */
+double release_memory(const struct plan *p);
 
 #endif

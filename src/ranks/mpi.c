@@ -25,14 +25,18 @@ static int refuse_copies(void)
 }
 
 /* Arrays of all particles of which a rank writes its own rows take memory for these alone, as long as
- * they come from the system, zeroed, and not from what was freed before. */
+ * they come from the system, zeroed, and not from what was freed before.  SuperLU_DIST, which comes with
+ * HYPRE, has the C library ask the system for no array by itself, and give nothing back. */
 static void keep_untouched(void)
 {
-#ifdef M_MMAP_THRESHOLD
-    enum { FROM = 1 << 17 }; /* bytes, what the C library begins with */
+#if defined M_MMAP_THRESHOLD && defined M_MMAP_MAX && defined M_TRIM_THRESHOLD
+    enum { FROM = 1 << 17, MOST = 1 << 16 }; /* bytes, arrays: what the C library begins with */
 
-    if (count > 1)
+    if (count > 1) {
+        mallopt(M_MMAP_MAX, MOST);
+        mallopt(M_TRIM_THRESHOLD, FROM);
         mallopt(M_MMAP_THRESHOLD, FROM); /* and stays so */
+    }
 #endif
 }
 

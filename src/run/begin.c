@@ -65,6 +65,13 @@ static int open_outputs(struct run *r, bool again)
     return outputs_open(&r->outputs, r->plan, &home, &r->past);
 }
 
+/* On many ranks in arrays of all particles, of which each needs a part later. */
+static int let_go(struct run *r)
+{
+    TRY(release_start(r->moment, r->y));
+    return ranks_agree(ranks_count() > 1 ? moment_renew(&r->moment) : STATUS_DONE);
+}
+
 /* What can be refused before ranks share anything. */
 static int agree(struct run *r)
 {
@@ -94,7 +101,7 @@ static int write_start(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
-    TRY(release_start(r->moment, r->y));
+    TRY(let_go(r));
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));

@@ -2,6 +2,7 @@
 #include "run/check-ranks.h"
 
 #include "base/status.h"
+#include "implicit/release.h"
 #include "plan/memory.h"
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
@@ -52,21 +53,42 @@ static int ask_once(struct run *r, struct rank *me)
     return status;
 }
 
-/* Weights of a method are there in full.  The first rank has the outputs; to look at all particles it has a list of all pairs, and so has
+/* Where solids are, and how they move, of a second moment. */
+static double stand(const struct run *r)
+{
+    const struct particles *p = plan_particles(r->plan);
+
+    return 8.0 * 2 * DIM * (p->n - particles_count(p, KIND_FLUID));
+}
+
+/* While fluid is let go, where it is; else 0.  Pairs are those of own rows. */
+static double before(const struct run *r, const struct rank *rank, const struct plan_memory *own)
+{
+    const double release = release_memory(r->plan);
+
+    return release > 0 ? release + rank->program + messages + 8.0 * plan_size(r->plan) + own->particles
+                             - stand(r) + own->lists / 2 + own->sums + moment_share_bytes_all(r->moment)
+                       : 0;
+}
+
+/* The first rank has the outputs; to look at all particles it has another moment, with a list of all pairs, and so has
  * each rank that may look at sums over sums for itself. */
 static double memory_of(const struct run *r, const struct rank *rank, double writing,
                         double all)
 {
     const int vectors = r->method->room.vectors(r->method, r->plan);
-    const bool first = writing > 0;
+    const bool first = writing > 0, looks = first || moment_is_full(r->moment);
     struct plan_memory own, whole;
+    double takes;
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
-    return rank->program + messages + writing + rank->shared + own.state + own.sums
-           - (first ? 0 : rank->absent) + own.particles - (r->method->room.sparing ? 8 * rank->spared * (vectors - 1) : 0)
-           + own.lists / 2 + (first || moment_is_full(r->moment) ? whole.lists / 2 : 0)
-           + (first ? own.outputs : 0);
+    takes = rank->program + messages + writing + rank->shared + own.state + own.particles + own.sums
+            + own.lists / 2;
+    if (r->method->room.sparing) /* y and looked at rates are whole on the first rank */
+        takes -= 8 * rank->spared * (first ? vectors : vectors + 2);
+    takes += looks ? whole.lists / 2 : -stand(r);
+    return fmax(takes + (first ? own.outputs : -rank->absent), before(r, rank, &own));
 }
 
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)

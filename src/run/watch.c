@@ -51,5 +51,5 @@ int run_watch(struct run *r, double t, const double *y)
         r->past.tally.doubted[i] = 1;
     }
     TRY(observe_meeting(r->moment, t, y));
-    return observe_runaway(r->moment, t, y);
+    return observe_may_run_away(r->moment, r->fastest) ? observe_runaway(r->moment, t, y) : STATUS_DONE;
 }

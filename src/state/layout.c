@@ -62,13 +62,13 @@ long layout_at(const struct layout *l, int row)
     return l->row[row].offset;
 }
 
-void layout_weights(const struct layout *l, double tol, double *weight)
+void layout_weights(const struct layout *l, double tol, const int *rows, double *weight)
 {
     for (int i = 0; i < l->rows; i++) {
         const struct layout_row *row = &l->row[i];
         const double w = row->scale > 0 ? 1 / (tol * row->scale) : unseen;
 
-        for (long k = 0; k < length(row); k++)
+        for (long k = 0; k < (rows ? (long)rows[i] * row->components : length(row)); k++)
             weight[row->offset + k] = w;
     }
 }

@@ -37,8 +37,9 @@ void layout_done(struct layout *l);
 long layout_size(const struct layout *l);
 long layout_at(const struct layout *l, int row); /* offset of a block */
 
-/* Weight 1/(tol*scale) of every entry; quadratures get 1e-12. */
-void layout_weights(const struct layout *l, double tol, double *weight);
+/* Weight 1/(tol*scale) of every entry; quadratures get 1e-12.  rows [l->rows]: of the first so many
+ * things of each block; NULL: of all. */
+void layout_weights(const struct layout *l, double tol, const int *rows, double *weight);
 
 /* Block that holds y[i], and which of its n things that is; NULL beyond y. */
 const struct layout_row *layout_find(const struct layout *l, long i, int *which);

@@ -143,10 +143,64 @@ static void move_kind(const struct particles *p, enum kind k, const int *from,
     move_rows(sizeof *p->u, first, n, from, p->u, to->u);
 }
 
+/* --- rows that change places in pairs ------------------------------------------------------- */
+
+static bool in_pairs(const struct particles *p, const int *const from[KINDS])
+{
+    bool all = true;
+
+    for (int k = 0; k < KINDS; k++)
+        for (int i = 0; from[k] && i < particles_count(p, k); i++)
+            all &= from[k][from[k][i]] == i;
+    return all;
+}
+
+static void swap_rows(size_t bytes, void *of, int i, int j)
+{
+    char *x = (char *)of + i * bytes, *y = (char *)of + j * bytes, was[DIM * sizeof(double)];
+
+    memcpy(was, x, bytes);
+    memcpy(x, y, bytes);
+    memcpy(y, was, bytes);
+}
+
+/* Rows i and j, counted over all kinds. */
+static void swap(struct particles *p, enum kind k, int i, int j)
+{
+    const int first = p->from[k];
+
+    swap_rows(sizeof *p->m, p->m, i, j);
+    swap_rows(sizeof *p->x0, p->x0, i, j);
+    swap_rows(sizeof *p->object_of, p->object_of, i, j);
+    swap_rows(sizeof *p->dye, p->dye, i, j);
+    swap_rows(sizeof *p->id[k], p->id[k], i - first, j - first);
+    p->row[k][p->id[k][i - first]] = i - first;
+    p->row[k][p->id[k][j - first]] = j - first;
+    if (k == KIND_FLUID)
+        return;
+    swap_rows(sizeof *p->x, p->x, i, j);
+    swap_rows(sizeof *p->u, p->u, i, j);
+}
+
+static void swap_kind(struct particles *p, enum kind k, const int *from)
+{
+    const int first = p->from[k];
+
+    for (int i = 0; from && i < particles_count(p, k); i++)
+        if (from[i] > i)
+            swap(p, k, first + i, first + from[i]);
+}
+
+/* Where rows are its own already, and change places in pairs, no other memory is needed. */
 int particles_rearrange(struct particles *p, const int *const from[KINDS])
 {
     struct particles to = *p;
 
+    if (p->id[KIND_FLUID] && in_pairs(p, from)) {
+        for (int k = 0; k < KINDS; k++)
+            swap_kind(p, k, from[k]);
+        return STATUS_DONE;
+    }
     to.own = status_alloc(place_rows(&to, NULL) + 1, 1);
     if (!to.own)
         return STATUS_FAILED;

@@ -56,7 +56,7 @@ static void line_at(const struct arkode *a, double s, double *y)
     const double c[2] = { s, 1 - s };
     const double *const x[2] = { vector_read(a->node[0].y), vector_read(a->node[1].y) };
 
-    vector_combine(2, c, x, a->n, y);
+    moment_combine(a->moment, 2, c, x, y);
 }
 
 /* False when rates are missing. */
@@ -76,7 +76,7 @@ static bool hermite_at(const struct arkode *a, double t, double *y)
         x[k] = vector_read(a->node[k].y);
         x[nodes + k] = vector_read(a->node[k].f);
     }
-    vector_combine(2 * nodes, c, x, a->n, y);
+    moment_combine(a->moment, 2 * nodes, c, x, y);
     return true;
 }
 
@@ -86,7 +86,7 @@ int arkode_at(void *self, double t, double *y)
     const struct arkode_node *now = &a->node[0], *old = &a->node[1];
 
     if (t == now->t || (a->known > 1 && t == old->t)) {
-        vector_copy(a->n, vector_read(t == now->t ? now->y : old->y), y);
+        moment_take(a->moment, vector_read(t == now->t ? now->y : old->y), y);
         return STATUS_DONE;
     }
     if (a->known < 2 || !(t > old->t && t < now->t))

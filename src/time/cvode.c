@@ -178,14 +178,14 @@ int cvode_at(void *self, double t, double *y)
     struct cvode *c = self;
 
     if (t == c->t) {
-        vector_copy(c->n, vector_data(c->y), y);
+        moment_take(c->rates.moment, vector_data(c->y), y);
         return STATUS_DONE;
     }
     if (!(c->h > 0 && t >= c->t - c->h * (1 + 1e-12) && t < c->t)
         || CVodeGetDky(c->cvode, t, 0, c->spare) != 0)
         return status_fail(STATUS_FAILED, "the state at t = %.9g s was asked for, which does not "
                                           "lie in the last step (to %.9g s)", t, c->t);
-    vector_copy(c->n, vector_data(c->spare), y);
+    moment_take(c->rates.moment, vector_data(c->spare), y);
     return STATUS_DONE;
 }
 

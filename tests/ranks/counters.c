@@ -3,10 +3,12 @@
  *
  *     allreduces N gathers N gathered N exchanges N messages N bytes N
  *
- * of the first rank.  An exchange is one use of a route, messages and bytes are what it sends; gathered
- * are the bytes of all ranks that it has heard in gathers. */
+ * of the first rank, and the most memory that one of the others had: others N kB.  An exchange is one use
+ * of a route, messages and bytes are what it sends; gathered are the bytes of all ranks that it has heard
+ * in gathers. */
 #include <mpi.h>
 #include <stdio.h>
+#include <sys/resource.h>
 
 static long allreduces, gathers, gathered, exchanges, messages, bytes;
 
@@ -58,11 +60,16 @@ int MPI_Neighbor_alltoallv(const void *from, const int count[], const int first[
 
 int MPI_Finalize(void)
 {
+    struct rusage used;
+    long others;
     int me;
 
     MPI_Comm_rank(MPI_COMM_WORLD, &me);
+    getrusage(RUSAGE_SELF, &used);
+    others = me > 0 ? used.ru_maxrss : 0;
+    PMPI_Reduce(me > 0 ? &others : MPI_IN_PLACE, &others, 1, MPI_LONG, MPI_MAX, 0, MPI_COMM_WORLD);
     if (me == 0)
-        fprintf(stderr, "allreduces %ld gathers %ld gathered %ld exchanges %ld messages %ld bytes %ld\n",
-                allreduces, gathers, gathered, exchanges, messages, bytes);
+        fprintf(stderr, "allreduces %ld gathers %ld gathered %ld exchanges %ld messages %ld bytes %ld\n"
+                "others %ld kB\n", allreduces, gathers, gathered, exchanges, messages, bytes, others);
     return PMPI_Finalize();
 }

@@ -59,7 +59,7 @@ static void weights_are_one_over_tol_times_scale(void **state)
     double weight[28];
 
     (void)state;
-    layout_weights(&l, 1e-3, weight);
+    layout_weights(&l, 1e-3, NULL, weight);
     assert_near(weight[0], 1e5, 1e-9);
     assert_near(weight[7], 1e5, 1e-9);
     assert_near(weight[8], 1e4, 1e-9);

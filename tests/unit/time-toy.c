@@ -247,6 +247,12 @@ void moment_take(const struct moment *p, const double *y, double *to)
     memcpy(to, y, (size_t)moment_size(p) * sizeof *to);
 }
 
+void moment_combine(const struct moment *p, int terms, const double *c, const double *const *x,
+                    double *to)
+{
+    vector_combine(terms, c, x, moment_size(p), to);
+}
+
 const struct plan *moment_plan(const struct moment *p)
 {
     return (const struct plan *)p;
@@ -328,7 +334,7 @@ void moment_swing(const struct moment *p, double most, struct limit *out)
 
 void moment_weights(const struct moment *p, double tol, double *weight)
 {
-    layout_weights(&p->layout, tol, weight);
+    layout_weights(&p->layout, tol, NULL, weight);
 }
 
 int moment_id(const struct moment *p, int row, int which)
