@@ -39,7 +39,7 @@ done
 # what a run costs, from fewer particles: right-hand sides as 1/spacing, their time as particles,
 # of those that it was measured with
 costs() {
-    sed -n 's/.*about \([0-9]*\) right-hand sides of \([0-9.e+]*\) ms.*/\1 \2/p
+    sed -n 's/.*: \([0-9]*\) right-hand sides (smooth flow).* of \([0-9.e+-]*\) ms.*/\1 \2/p
             s/.*from \([0-9]*\) particles at a spacing of [^ ]* m, .* take \([0-9.e+-]*\) ms/\1 \2/p' "$out/$1.said"
 }
 look fine "$scenes/dam-break.scene" spacing=4e-5

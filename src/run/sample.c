@@ -19,16 +19,17 @@ enum { MOST = 20000, COARSEST = 64 };
 
 static const double patience = 1; /* [s] */
 
-/* With the default methods a second takes 1.6 right-hand sides in units of the
- * fastest wave's rate while the flow is smooth and 2.5 when it is violent
- * (measured on dam breaks of 1,800 and 5,000 particles); vector operations and
- * outputs add a third to their time, and lists of 3D as much as they take. */
+/* With the default methods a second takes 1.5 right-hand sides in units of the fastest wave's rate
+ * while the flow is smooth (floating-box, sloshing-tank: 1.48, 1.51), 2.1 to 2.4 in toth-beam and
+ * dam-break-3d, and 3.4 in dam-break.  Vector operations, outputs and new lists add 0.2 of their
+ * time (floating-box, toth-beam) to 0.9 (dam-break), in 3D 0.8. */
 void run_cost_print(double until, double rate, double seconds)
 {
-    const double rhs = 2 * until * rate;
+    const double few = 1.5 * until * rate, many = 3.4 * until * rate;
+    const double least = DIM == 2 ? 1.2 : 1.8, most = DIM == 2 ? 1.8 : 2;
 
-    printf("expected for %g s: about %.0f right-hand sides of %.3g ms, %.3g CPU s", until, rhs,
-           1e3 * seconds, (DIM == 2 ? 1.3 : 2) * rhs * seconds);
+    printf("expected for %g s: %.0f right-hand sides (smooth flow) to %.0f (violent) of %.3g ms, "
+           "%.3g to %.3g CPU s", until, few, many, 1e3 * seconds, least * few * seconds, most * many * seconds);
 }
 
 /* The scene at so many spacings; false: its sizes do not fit them, or it cannot answer. */
