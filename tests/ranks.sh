@@ -364,7 +364,7 @@ if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-ma
             else wrong "request $((all * share / 100)) of $all is refused: status $code"; cat "$out/said"; fi
         done
     }
-    if [ -n "$long" ]; then shares='55 70 83 85 98'; else shares='55 85'; fi
+    if [ -n "$long" ]; then shares='12 55 70 83 85 98'; else shares='12 55 85'; fi
     lacks
     at_length lacks walls=adami method=bdf
 else

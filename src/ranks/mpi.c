@@ -166,10 +166,10 @@ int ranks_agree(int status)
     struct {
         int status;
         char message[STATUS_LINE];
-    } said = { .status = status };
+    } said = { .status = status != STATUS_DONE && status_is_starved() ? STATUS_FAILED : status };
     int first;
 
-    if (status != STATUS_DONE)
+    if (status != STATUS_DONE) /* no memory to read a scene: the scene is not to blame */
         snprintf(said.message, sizeof said.message, "%s", status_message());
     first = ranks_first(status == STATUS_DONE ? HUGE_VAL : 0, me, &said, sizeof said);
     if (first >= 0 && first != me)
