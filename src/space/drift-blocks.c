@@ -56,17 +56,17 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
 {
     const size_t all = (size_t)list->listed + 1;
 
-    if (list_grow((void **)&drift->block, &drift->block_room, all, sizeof *drift->block)
-        && list_grow((void **)&drift->member, &drift->member_room, all, sizeof *drift->member)
-        && list_grow((void **)&drift->row, &drift->row_room, all, sizeof *drift->row)
-        && list_grow((void **)&drift->was, &drift->was_room, all, sizeof *drift->was)
-        && list_grow((void **)&drift->end, &drift->end_room, blocks, sizeof *drift->end)
-        && list_grow((void **)&drift->count, &drift->count_room, blocks, sizeof *drift->count)
-        && list_grow((void **)&drift->first, &drift->first_room, blocks, sizeof *drift->first)
-        && list_grow((void **)&drift->moving, &drift->moving_room, blocks, sizeof *drift->moving)
-        && list_grow((void **)&drift->thread, &drift->thread_room, blocks, sizeof *drift->thread)
-        && list_grow((void **)&drift->used, &drift->used_room, blocks + 1, sizeof *drift->used)
-        && list_grow((void **)&drift->range, &drift->range_room, blocks,
+    if (list_grow((void **)&drift->block, &drift->room.block, all, sizeof *drift->block)
+        && list_grow((void **)&drift->member, &drift->room.member, all, sizeof *drift->member)
+        && list_grow((void **)&drift->row, &drift->room.row, all, sizeof *drift->row)
+        && list_grow((void **)&drift->was, &drift->room.was, all, sizeof *drift->was)
+        && list_grow((void **)&drift->end, &drift->room.end, blocks, sizeof *drift->end)
+        && list_grow((void **)&drift->count, &drift->room.count, blocks, sizeof *drift->count)
+        && list_grow((void **)&drift->first, &drift->room.first, blocks, sizeof *drift->first)
+        && list_grow((void **)&drift->moving, &drift->room.moving, blocks, sizeof *drift->moving)
+        && list_grow((void **)&drift->thread, &drift->room.thread, blocks, sizeof *drift->thread)
+        && list_grow((void **)&drift->used, &drift->room.used, blocks + 1, sizeof *drift->used)
+        && list_grow((void **)&drift->range, &drift->room.range, blocks,
                      2 * DIM * sizeof *drift->range))
         return STATUS_DONE;
     return list_no_memory(list);

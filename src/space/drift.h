@@ -16,6 +16,11 @@ struct list;
 
 enum { DRIFT_FARTHEST = 2 }; /* displacement that blocks allow for [margins] */
 
+/* Entries allocated in the arrays of these names. */
+struct drift_room {
+    size_t block, member, row, was, end, count, first, moving, thread, used, range;
+};
+
 /* Blocks are so wide that particles that may meet stand in one block or in two that
  * touch.  Starts as { 0 }. */
 struct drift {
@@ -38,8 +43,7 @@ struct drift {
     int useds;
     double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
-    size_t block_room, member_room, row_room, was_room, end_room, count_room, first_room,
-        moving_room, thread_room, used_room, range_room;
+    struct drift_room room;
 };
 
 /* Notes where all particles stand, right after sorting. 0 or STATUS_FAILED (no
