@@ -12,14 +12,12 @@ static void print_warnings(void)
         printf("%s  %s\n", i == 0 ? "warnings:\n" : "", status_warning(i));
 }
 
-/* Where fewer did than could have. */
+/* Where the run has come to fewer than it could have; trials of fewer are not worth a word. */
 static void print_threads(const struct team *team)
 {
-    const double mean = team_mean(team);
-
-    if (mean < 0.95 * team->most)
-        printf("threads: %.2g of %d in the mean, as more were no faster; --threads N takes N\n", mean,
-               team->most);
+    if (team->now < team->most)
+        printf("threads: %.2g of %d in the mean, as more were hardly faster; --threads N takes N\n",
+               team_mean(team), team->most);
 }
 
 void run_sum_up(const struct run *r, const struct run_order *order, int status)

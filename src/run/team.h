@@ -1,8 +1,9 @@
 /* team.h -- how many threads a run has: as many as make it faster.
  *
  * Whether threads repay depends on how many particles there are, on how far apart the cores are and
- * on what else they do, and none of it is known before.  No bit of a run depends on its threads.  So now
- * and then a run takes half or twice as many for some steps, and keeps what was faster:
+ * on what else they do, and none of it is known before.  No bit of a run depends on its threads.
+ * So now and then a run takes half or twice as many for some steps, and keeps more only if they are
+ * faster by a tenth:
  *
  *     team_start(&team, most, false);
  *     loop: a step; threads = team_step(&team, seconds, passes);
@@ -24,7 +25,7 @@ struct team {
     double seconds;       /* of the window, or since the last trial            */
     long passes;          /* of the window                                     */
     double wait;          /* until the next trial                          [s] */
-    int up;               /* the next one is of more threads, if there are any */
+    bool up;              /* the next one is of more threads, if there are any */
     double took[2][TEAM_TURNS]; /* a pass over pairs, with `now` and `other` [s] */
     double worked, passed; /* threads times seconds, seconds of all steps      */
 };

@@ -176,8 +176,8 @@ static void test_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ends), cmocka_unit_test(test_burst), cmocka_unit_test(test_changes), cmocka_unit_test(test_cost),
-        cmocka_unit_test(test_fixed), cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_ends), cmocka_unit_test(test_burst), cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_cost), cmocka_unit_test(test_fixed), cmocka_unit_test(test_nothing),
     };
 
     return cmocka_run_group_tests_name("team", tests, NULL, NULL);
