@@ -23,21 +23,6 @@ static int refuse_position(struct moment *m, double t)
     return STATUS_FAILED;
 }
 
-/* The same where the run's list has a part of the particles: what it would be with all tells. */
-static int choose_remade(struct moment *m, const struct cloud *cloud)
-{
-    const bool stood = m->own->stands && m->beside->own->stands;
-
-    m->list = m->own;
-    list_forget(m->own);
-    if (!stood)
-        return STATUS_DONE;
-    TRY(share_remake(m->beside, m->own));
-    if (m->plan->engine->sum->list->stale(m->own, cloud))
-        list_forget(m->own);
-    return STATUS_DONE;
-}
-
 /* A moment for looking sums over the run's list if that fits, else over its own, made where
  * it looks: what was looked at before says nothing. */
 static int choose_list(struct moment *m, const struct cloud *cloud)
@@ -45,8 +30,6 @@ static int choose_list(struct moment *m, const struct cloud *cloud)
     const struct list_engine *lists = m->plan->engine->sum->list;
     bool fits;
 
-    if (m->beside->own->whole)
-        return choose_remade(m, cloud);
     fits = m->own->stands && !lists->stale(m->beside->list, cloud);
     m->list = fits && !m->beside->share ? m->beside->list : m->own;
     if (m->list == m->own)
@@ -54,19 +37,27 @@ static int choose_list(struct moment *m, const struct cloud *cloud)
     return fits && m->beside->share ? share_remake(m->beside, m->own) : STATUS_DONE;
 }
 
+static int make_list(struct evaluation *e, struct cloud *cloud)
+{
+    struct moment *m = e->m;
+
+    if (m->share)
+        return m->beside ? share_list_beside(e, cloud) : share_list(e, cloud);
+    if (m->beside)
+        TRY(choose_list(m, cloud));
+    return m->plan->engine->sum->list->update(m->list, cloud);
+}
+
 int passes_list(struct evaluation *e, const struct plan_field *of)
 {
     struct moment *m = e->m;
-    int (*const update)(struct list *, const struct cloud *) = m->plan->engine->sum->list->update;
     struct cloud cloud = { 0 };
 
     (void)of;
     memcpy(cloud.from, e->view.p->from, sizeof cloud.from);
     memcpy(cloud.x, e->view.x, sizeof cloud.x);
     memcpy(cloud.row, e->view.p->row, sizeof cloud.row);
-    if (m->beside && choose_list(m, &cloud) != STATUS_DONE)
-        return refuse_position(m, e->t);
-    if ((m->share ? share_list(e, &cloud) : update(m->list, &cloud)) != STATUS_DONE)
+    if (make_list(e, &cloud) != STATUS_DONE)
         return m->share && m->share->heard.apart ? STATUS_FAILED : refuse_position(m, e->t);
     return workspace_fit(m->work, m->list);
 }

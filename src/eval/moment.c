@@ -165,6 +165,8 @@ void moment_restart(struct moment *m)
     if (m->own)
         list_forget(m->own);
     m->list = m->own;
+    if (m->share)
+        m->share->near.looked = false;
     wet_forget(m);
     forget_forces(m);
     if (m->given)

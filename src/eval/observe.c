@@ -1,7 +1,9 @@
 /* observe.c -- looking at a run without disturbing it. */
 #include "eval/given.h"
+#include "eval/share.h"
 
 #include "base/status.h"
+#include "ranks/ranks.h"
 
 #include <math.h>
 #include <string.h>
@@ -53,11 +55,13 @@ void observe_view(struct moment *run, double t, const double *y, struct view *v)
 int observe_forces(struct moment *run, double t, const double *y)
 {
     struct moment *o = observer(run);
-    int status;
+    int status = o ? STATUS_DONE : STATUS_FAILED;
 
-    if (!o)
-        return STATUS_FAILED;
-    status = rates_eval(o, &ASK_ALL, t, y, o->work->rates, NULL, NULL);
+    if (moment_is_packed(run))
+        status = ranks_agree(status);
+    TRY(status);
+    status = moment_is_packed(run) ? share_look(o, t, y)
+                                   : rates_eval(o, &ASK_ALL, t, y, o->work->rates, NULL, NULL);
     return status == STATUS_DONE ? status : status_fail(STATUS_FAILED, "%s", o->refusal);
 }
 

@@ -28,7 +28,8 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
 /* The same at a y that has this rank's rows alone, where it has them alone: see `others` there. */
 void observe_own(struct moment *run, double t, const double *y, struct view *v);
 
-/* Forces on solids at (t, y): afterwards observe_force() and observe_body() speak of it, but
+/* Forces on solids at (t, y), on all ranks at own rows of y, where each has these alone
+ * (moment_is_packed()): afterwards observe_force() and observe_body() speak of it, but
  * where the pressure was solved for once a step: forces on objects, panels and bodies are then
  * those of the last step (given.h).  Before any look observe_body() knows where a body is, not
  * the forces on it.  STATUS_FAILED when the right-hand side cannot answer. */

@@ -142,24 +142,6 @@ static void hear_solids(struct moment *m, const struct view *v)
             share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->now.rho + v->p->from[k]);
 }
 
-void share_cloud(const struct moment *m, struct cloud *cloud)
-{
-    const struct particles *p = m->particles;
-
-    memcpy(cloud->from, p->from, sizeof cloud->from);
-    memcpy(cloud->row, p->row, sizeof cloud->row);
-    for (int k = 0; k < KINDS; k++)
-        cloud->x[k] = m->share->built + (size_t)p->from[k] * DIM;
-}
-
-int share_remake(const struct moment *run, struct list *list)
-{
-    struct cloud cloud;
-
-    share_cloud(run, &cloud);
-    return run->plan->engine->sum->list->update(list, &cloud);
-}
-
 /* It was made, with this status here; one that has no memory for it fails for all. */
 static int settle(struct moment *m, const struct cloud *cloud, int status)
 {
@@ -200,6 +182,12 @@ static int refuse_nowhere(struct moment *m, int id)
     return list_nowhere(m->own, particles_row_of(m->particles, said), said);
 }
 
+/* Would one rank make the list anew?  All ranks ask together. */
+static bool is_stale(struct moment *m, const struct cloud *cloud, const double *flag)
+{
+    return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, m->share->now.x));
+}
+
 static int keep_list(struct moment *m, const struct cloud *cloud, const struct look *l, const double *flag)
 {
     struct moment_share *s = m->share;
@@ -212,37 +200,69 @@ static int keep_list(struct moment *m, const struct cloud *cloud, const struct l
     }
     if (flag[2] > 0)
         return refuse_nowhere(m, l->bad);
-    if (flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, s->now.x)))
-        return share_make(m, cloud, s->now.x);
+    return is_stale(m, cloud, flag) ? share_make(m, cloud, s->now.x) : STATUS_DONE;
+}
+
+enum { FLAGS = 7 };
+
+/* Asks all whether the list fits and whether they are at one time. */
+static int ask(struct evaluation *e, struct cloud *cloud, struct look *l, double flag[FLAGS])
+{
+    struct moment *m = e->m;
+    struct moment_share *s = m->share;
+    struct view *v = &e->view;
+
+    *l = look(m, v);
+    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, refuses(m, v), e->t, -e->t,
+                                 s->heard.brings };
+    memcpy(flag, mine, sizeof mine);
+    read_own(s, v);
+    look_at_share(s, v);
+    cloud->x[KIND_FLUID] = s->now.x;
+    ranks_most(FLAGS, flag);
+    s->heard.refuses = flag[3] > 0;
+    s->heard.apart = flag[4] != -flag[5];
+    s->heard.wish = flag[6];
+    if (!s->heard.apart)
+        return STATUS_DONE;
+    snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
+             "do all run the same program, with the same libraries?", -flag[5], flag[4]);
+    return STATUS_FAILED;
+}
+
+/* What neighbours have, now that there is a list. */
+static int hear(struct moment *m, const struct view *v)
+{
+    hear_halo(m->share, v);
+    hear_solids(m, v);
     return STATUS_DONE;
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct moment_share *s = m->share;
-    struct view *v = &e->view;
+    struct look l;
+    double flag[FLAGS];
 
-    if (s->full)
+    if (m->share->full)
         return remake(m, cloud);
-    const struct look l = look(m, v);
-    double flag[] = { l.moved, l.back, l.bad < s->n, refuses(m, v), e->t, -e->t, s->heard.brings };
-    read_own(s, v);
-    look_at_share(s, v);
-    cloud->x[KIND_FLUID] = s->now.x;
-    ranks_most(sizeof flag / sizeof *flag, flag);
-    s->heard.refuses = flag[3] > 0;
-    s->heard.apart = flag[4] != -flag[5];
-    s->heard.wish = flag[6];
-    if (s->heard.apart) {
-        snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
-                 "do all run the same program, with the same libraries?", -flag[5], flag[4]);
-        return STATUS_FAILED;
-    }
+    TRY(ask(e, cloud, &l, flag));
     TRY(keep_list(m, cloud, &l, flag));
-    hear_halo(s, v);
-    hear_solids(m, v);
-    return STATUS_DONE;
+    return hear(m, &e->view);
+}
+
+int share_list_beside(struct evaluation *e, struct cloud *cloud)
+{
+    struct moment *m = e->m;
+    struct look l;
+    double flag[FLAGS];
+
+    TRY(ask(e, cloud, &l, flag));
+    if (flag[2] > 0)
+        return refuse_nowhere(m, l.bad);
+    if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag))
+        TRY(share_make_aside(m, cloud));
+    return hear(m, &e->view);
 }
 
 bool moment_wish(struct moment *m, double wish)

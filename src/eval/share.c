@@ -40,15 +40,8 @@ int share_fit_own(struct moment_share *s)
 
 /* --- from all to all -------------------------------------------------------------------- */
 
-/* Messages packed, count [ranks] of them: to all, or to the first rank; has this one heard? */
-static bool send(struct moment_share *s, bool all, size_t bytes)
-{
-    (all ? ranks_gather : ranks_bring)(s->count, bytes, s->pack, s->all);
-    return all || s->me == 0;
-}
-
-static void gather(struct moment_share *s, const struct particles *p, enum kind k, bool all, size_t c,
-                   const double *from, double *to)
+void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
+                  const double *from, double *to)
 {
     const int row = p->from[k], mine = s->from[s->me][k];
     const double *at = s->all;
@@ -59,36 +52,44 @@ static void gather(struct moment_share *s, const struct particles *p, enum kind 
         s->count[r] = s->from[r][k + 1] - s->from[r][k];
     for (int i = 0; i < s->count[s->me]; i++)
         memcpy(s->pack + (size_t)i * c, from + (size_t)(s->row[mine + i] - row) * c, c * sizeof *from);
-    if (!send(s, all, c * sizeof *from))
-        return;
+    ranks_gather(s->count, c * sizeof *from, s->pack, s->all);
     for (int r = 0; r < s->ranks; r++)
         for (int i = s->from[r][k]; i < s->from[r][k + 1]; i++, at += c)
             memcpy(to + (size_t)(s->row[i] - row) * c, at, c * sizeof *to);
 }
 
-void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
-                  const double *from, double *to)
+/* --- where the list was made --------------------------------------------------------------- */
+
+void share_cloud(const struct moment *m, struct cloud *cloud)
 {
-    gather(s, p, k, true, c, from, to);
+    const struct particles *p = m->particles;
+
+    memcpy(cloud->from, p->from, sizeof cloud->from);
+    memcpy(cloud->row, p->row, sizeof cloud->row);
+    for (int k = 0; k < KINDS; k++)
+        cloud->x[k] = m->share->built + (size_t)p->from[k] * DIM;
 }
 
-/* Where the list was made, of rows that were not near, too: for a moment that looks, and for a cut. */
-static void hear_built(struct moment *m, bool all)
+int share_remake(const struct moment *run, struct list *list)
+{
+    struct cloud cloud;
+
+    share_cloud(run, &cloud);
+    return run->plan->engine->sum->list->update(list, &cloud);
+}
+
+/* Where the list was made, of rows that were not near, too: for a cut. */
+void share_built(struct moment *m)
 {
     struct moment_share *s = m->share;
 
-    if (!s->packed || s->near.known == s->near.made || (!all && s->near.first == s->near.made))
+    if (!s->packed || s->near.known == s->near.made)
         return;
-    gather(s, m->particles, KIND_FLUID, all, DIM, s->built, s->built);
-    s->near.first = s->near.made;
-    if (all)
-        s->near.known = s->near.made;
+    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
+    s->near.known = s->near.made;
 }
 
-void share_built(struct moment *m)
-{
-    hear_built(m, true);
-}
+/* --- rows of y ------------------------------------------------------------------------------ */
 
 /* Rows of y that a rank has, between y and a message; returns what comes behind. */
 static double *copy_rows(const struct moment *m, int rank, bool pack, double *y, double *to)
@@ -128,11 +129,11 @@ static const double *hear_whole(struct moment *m, bool all, const double *y)
 
     if (!s || s->full)
         return y;
-    hear_built(m, all);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = numbers_of(m, r);
     copy_rows(m, s->me, true, (double *)y, s->pack);
-    if (!send(s, all, sizeof *s->all))
+    (all ? ranks_gather : ranks_bring)(s->count, sizeof *s->all, s->pack, s->all);
+    if (!all && s->me > 0)
         return y;
     moment_take(m, y, s->whole);
     at = s->all;

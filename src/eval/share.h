@@ -11,7 +11,8 @@
  * its rates, share sums over pairs alone, and each does all else for itself: those sums come from
  * all to all as soon as they are there (share-full.c).
  *
- * A moment for looking has no share: it looks at a y that is whole (moment_whole()). */
+ * A moment for looking is lent the share of the run where own rows are packed (share-beside.c).  Else it
+ * has none, and looks at a y that is whole (moment_whole()). */
 #ifndef EVAL_SHARE_H
 #define EVAL_SHARE_H
 
@@ -73,8 +74,9 @@ struct moment_share {
         struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
         int n, *row;       /* [n] rows that come                               */
         struct list_whole whole;
-        long made, known, first; /* so far; when `built` was last known of all rows, to all and
-                              to the first rank                                */
+        long made, known;  /* so far; when `built` was last known of all rows  */
+        double *aside;     /* [n][DIM] the same as `built`, of a list for a look */
+        bool looked, made_aside; /* since the last restart; is that one there?  */
     } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
@@ -120,10 +122,25 @@ int share_fit_own(struct moment_share *s);
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
+/* share-beside.c */
+
+/* A moment for looking finds forces at (t, y), of own rows, on all ranks together where own rows are packed.
+ * What the run has is the same afterwards.  On all ranks the first failure. */
+int share_look(struct moment *m, double t, const double *y);
+
+/* A list anew at these places, which gives way to that of before when share_look() is through. */
+int share_make_aside(struct moment *m, const struct cloud *cloud);
+
 /* share.c */
 
 /* All ranks together: `built` of all rows. */
 void share_built(struct moment *m);
+
+/* Where the list was made. */
+void share_cloud(const struct moment *m, struct cloud *cloud);
+
+/* Makes another list, of a moment for looking, what the run's would be on one rank. */
+int share_remake(const struct moment *run, struct list *list);
 
 /* share-near.c */
 
@@ -142,11 +159,8 @@ int share_make(struct moment *m, const struct cloud *cloud, double *x);
 /* The list of pairs, and a view with what the rows of it need. */
 int share_list(struct evaluation *e, struct cloud *cloud);
 
-/* Where the list was made. */
-void share_cloud(const struct moment *m, struct cloud *cloud);
-
-/* Makes another list, of a moment for looking, what the run's would be on one rank. */
-int share_remake(const struct moment *run, struct list *list);
+/* The same for a look: where the list does not fit, another is made aside. */
+int share_list_beside(struct evaluation *e, struct cloud *cloud);
 
 /* share-halo.c */
 

@@ -71,13 +71,21 @@ static double before(const struct run *r, const struct rank *rank, const struct 
                        : 0;
 }
 
-/* The first rank has the outputs; to look at all particles it has another moment, with a list of all pairs, and so has
- * each rank that may look at sums over sums for itself. */
+/* A second moment, to look through, has a list of all pairs, on the first rank and on each that may look at sums
+ * over sums for itself; where own rows are packed, it has the run's. */
+static double looking(const struct run *r, const struct plan_memory *whole, bool first)
+{
+    if (moment_is_packed(r->moment))
+        return 0;
+    return first || moment_is_full(r->moment) ? whole->lists / 2 : -stand(r);
+}
+
+/* The first rank has the outputs, and all of y to write. */
 static double memory_of(const struct run *r, const struct rank *rank, double writing,
                         double all)
 {
     const int vectors = r->method->room.vectors(r->method, r->plan);
-    const bool first = writing > 0, looks = first || moment_is_full(r->moment);
+    const bool first = writing > 0, packed = moment_is_packed(r->moment);
     struct plan_memory own, whole;
     double takes;
 
@@ -85,10 +93,11 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
     plan_memory(r->plan, all, vectors, &whole);
     takes = rank->program + messages + writing + rank->shared + own.state + own.particles + own.sums
             + own.lists / 2;
-    if (r->method->room.sparing) /* y and looked at rates are whole on the first rank */
-        takes -= 8 * rank->spared * (first ? vectors : vectors + 2);
-    takes += looks ? whole.lists / 2 : -stand(r);
-    return fmax(takes + (first ? own.outputs : -rank->absent), before(r, rank, &own));
+    if (r->method->room.sparing)
+        takes -= 8 * rank->spared * (vectors + (first ? packed : 2));
+    takes += looking(r, &whole, first);
+    takes += (first ? own.outputs : 0) - (packed || !first ? rank->absent : 0);
+    return fmax(takes, before(r, rank, &own));
 }
 
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)

@@ -123,7 +123,7 @@ static void look_for_sunk(struct outputs *o, struct moment *moment, double t, co
         o->balance->sunk = now;
 }
 
-int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y)
+int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y, int forces)
 {
     struct run_balance *b = o->balance;
 
@@ -136,7 +136,7 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
     b->made = fmax(b->made, b->last.defect);
     b->most = fmax(b->most, energy_there(&b->last, moment_plan(moment)));
     look_for_sunk(o, moment, t, y);
-    return tables_rows(o->tables, moment, t, y, &b->last);
+    return tables_rows(o->tables, moment, t, y, &b->last, forces);
 }
 
 int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y)

@@ -20,8 +20,9 @@ int outputs_keep(struct outputs *o, struct archive *a);
 /* The state at which a run begins; before any row. */
 int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y);
 
-/* A row in every table for this moment. */
-int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y);
+/* A row in every table for this moment, after observe_forces(), whose status is `forces`: where that
+ * is none, book.csv alone has one. */
+int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y, int forces);
 
 /* A row in steps.csv; y [size] is the state after the step. */
 int outputs_step(struct outputs *o, struct moment *moment, const struct method_step *step,

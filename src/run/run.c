@@ -15,10 +15,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Writers of outputs at times k * every (k = 0, 1, ...); past.due has the next k. */
+/* Writers of outputs at times k * every (k = 0, 1, ...), but for rows; past.due has the next k. */
 static int (*const writers[RUN_DUES])(struct outputs *o, struct moment *moment, double t,
                                       const double *y)
-    = { outputs_rows, outputs_field, outputs_snapshot, outputs_profile };
+    = { [RUN_FIELDS] = outputs_field, [RUN_SNAPSHOTS] = outputs_snapshot,
+        [RUN_PROFILES] = outputs_profile };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
@@ -44,9 +45,25 @@ static bool is_impatient(struct run *r)
     return run_clock() - r->clock_stop > patience;
 }
 
-static int write_one(struct run *r, int i, double t, const double *y)
+/* Forces are found by all ranks where each has its own rows, else by the first. */
+static int write_rows(struct run *r, double t, const double *own)
 {
-    return run_ranks_agree(r, run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE);
+    const bool together = moment_is_packed(r->moment);
+    int forces = together ? observe_forces(r->moment, t, own) : STATUS_DONE;
+    const double *y = moment_first(r->moment, own);
+
+    if (!run_ranks_writes())
+        return forces;
+    if (!together)
+        forces = observe_forces(r->moment, t, y);
+    return outputs_rows(r->outputs, r->moment, t, y, forces);
+}
+
+static int write_other(struct run *r, int i, double t, const double *own)
+{
+    const double *y = moment_first(r->moment, own);
+
+    return run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE;
 }
 
 /* Every output that is due in (.., t]; at t itself the state is exact. */
@@ -63,7 +80,8 @@ static int write_due(struct run *r, double t)
                 return stopped(r, stop_asked(), "outputs that were due in the last step are missing");
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
-            TRY(write_one(r, i, due, due < t ? moment_first(r->moment, r->y) : run_state_written(r)));
+            const double *y = due < t ? r->y : r->method->state(r->self);
+            TRY(run_ranks_agree(r, i == RUN_ROWS ? write_rows(r, due, y) : write_other(r, i, due, y)));
         }
     return STATUS_DONE;
 }
@@ -167,10 +185,12 @@ static int go(struct run *r, struct progress *progress)
 /* The last row of a run that ended early: where it ended. */
 static void write_end(struct run *r)
 {
-    const double *y = run_state_written(r);
+    double due = run_ranks_writes() && r->past.tally.t > outputs_sheet(r->outputs)->t;
 
-    if (run_ranks_writes() && r->past.tally.t > outputs_sheet(r->outputs)->t)
-        outputs_rows(r->outputs, r->moment, r->past.tally.t, y);
+    if (ranks_count() > 1)
+        ranks_most(1, &due);
+    if (due > 0)
+        write_rows(r, r->past.tally.t, r->method->state(r->self));
 }
 
 /* The last files; the first error is told, unless the run has one. */

@@ -122,10 +122,10 @@ int tables_profile(struct tables *o, struct moment *moment, double t, const doub
 }
 
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
-                const struct book_sheet *sheet)
+                const struct book_sheet *sheet, int forces)
 {
     TRY(row_book(o, sheet));
-    TRY(observe_forces(moment, t, y));
+    TRY(forces);
     TRY(tables_forces_row(o->forces, moment, t, y));
     TRY(tables_bodies_row(o->bodies, moment, t, y));
     return tables_water_row(o->water, moment, t, y);

@@ -26,9 +26,10 @@ int tables_keep(struct tables *o, struct archive *a);
 int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y);
 
 /* A row in every other table for moment t and state y, whose sheet of the book is
- * given, with what it cannot explain [J]. */
+ * given, with what it cannot explain [J]; in book.csv alone where `forces`, the status of
+ * observe_forces() there, is one of failure, which is returned. */
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
-                const struct book_sheet *sheet);
+                const struct book_sheet *sheet, int forces);
 
 /* Rows of profiles.csv. */
 int tables_profile(struct tables *o, struct moment *moment, double t, const double *y);

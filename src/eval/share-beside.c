@@ -1,0 +1,69 @@
+/* share-beside.c -- looking at forces on many ranks: each finds those of its own rows, with the run's list
+ * where that fits.
+ *
+ * Else that list is made where it is looked, as one rank makes another, and then again where it was made
+ * before: by these places it has the same bits, and no rank needs memory for two. */
+#include "eval/share.h"
+
+#include "base/status.h"
+#include "space/list.h"
+
+#include <string.h>
+
+static void swap_built(struct moment_share *s)
+{
+    double *built = s->built;
+
+    s->built = s->near.aside;
+    s->near.aside = built;
+}
+
+int share_make_aside(struct moment *m, const struct cloud *cloud)
+{
+    struct moment_share *s = m->share;
+
+    swap_built(s);
+    s->near.made_aside = true;
+    return share_make(m, cloud, s->now.x);
+}
+
+/* The run's list becomes what it was, which had been made so often. */
+static int put_back(struct moment *run, bool stood, bool known, long builds)
+{
+    struct moment_share *s = run->share;
+    struct cloud cloud;
+    int status = STATUS_DONE;
+
+    swap_built(s);
+    s->near.made_aside = false;
+    list_forget(run->own);
+    if (stood) {
+        share_cloud(run, &cloud);
+        status = share_make(run, &cloud, s->built);
+    }
+    run->own->builds = builds;
+    wet_forget(run);
+    if (known)
+        s->near.known = s->near.made;
+    return status;
+}
+
+int share_look(struct moment *m, double t, const double *y)
+{
+    struct moment *run = m->beside;
+    struct moment_share *s = run->share;
+    struct list *own = m->own;
+    const bool stood = run->own->stands, known = s->near.known == s->near.made;
+    const long builds = run->own->builds;
+    int status, after = STATUS_DONE;
+
+    m->share = s;
+    m->own = m->list = run->own;
+    status = rates_eval(m, &ASK_ALL, t, y, m->work->rates, NULL, NULL);
+    m->share = NULL;
+    m->own = m->list = own;
+    if (s->near.made_aside)
+        after = put_back(run, stood, known, builds);
+    s->near.looked = true;
+    return status != STATUS_DONE ? status : after;
+}
