@@ -8,25 +8,6 @@
 #include "base/status.h"
 #include "space/list.h"
 
-#include <string.h>
-
-static void swap_built(struct moment_share *s)
-{
-    double *built = s->built;
-
-    s->built = s->near.aside;
-    s->near.aside = built;
-}
-
-int share_make_aside(struct moment *m, const struct cloud *cloud)
-{
-    struct moment_share *s = m->share;
-
-    swap_built(s);
-    s->near.made_aside = true;
-    return share_make(m, cloud, s->now.x);
-}
-
 /* The run's list becomes what it was, which had been made so often. */
 static int put_back(struct moment *run, bool stood, bool known, long builds)
 {
@@ -34,8 +15,7 @@ static int put_back(struct moment *run, bool stood, bool known, long builds)
     struct cloud cloud;
     int status = STATUS_DONE;
 
-    swap_built(s);
-    s->near.made_aside = false;
+    share_set_aside(s);
     list_forget(run->own);
     if (stood) {
         share_cloud(run, &cloud);

@@ -260,8 +260,10 @@ int share_list_beside(struct evaluation *e, struct cloud *cloud)
     TRY(ask(e, cloud, &l, flag));
     if (flag[2] > 0)
         return refuse_nowhere(m, l.bad);
-    if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag))
-        TRY(share_make_aside(m, cloud));
+    if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag)) {
+        share_set_aside(m->share);
+        TRY(share_make(m, cloud, m->share->now.x));
+    }
     return hear(m, &e->view);
 }
 

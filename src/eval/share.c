@@ -70,6 +70,15 @@ void share_cloud(const struct moment *m, struct cloud *cloud)
         cloud->x[k] = m->share->built + (size_t)p->from[k] * DIM;
 }
 
+void share_set_aside(struct moment_share *s)
+{
+    double *built = s->built;
+
+    s->built = s->near.aside;
+    s->near.aside = built;
+    s->near.made_aside = !s->near.made_aside;
+}
+
 int share_remake(const struct moment *run, struct list *list)
 {
     struct cloud cloud;

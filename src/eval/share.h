@@ -128,9 +128,6 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
  * What the run has is the same afterwards.  On all ranks the first failure. */
 int share_look(struct moment *m, double t, const double *y);
 
-/* A list anew at these places, which gives way to that of before when share_look() is through. */
-int share_make_aside(struct moment *m, const struct cloud *cloud);
-
 /* share.c */
 
 /* All ranks together: `built` of all rows. */
@@ -138,6 +135,9 @@ void share_built(struct moment *m);
 
 /* Where the list was made. */
 void share_cloud(const struct moment *m, struct cloud *cloud);
+
+/* Notes other places in `built`, while those of the run's list are set aside; and back. */
+void share_set_aside(struct moment_share *s);
 
 /* Makes another list, of a moment for looking, what the run's would be on one rank. */
 int share_remake(const struct moment *run, struct list *list);
