@@ -266,8 +266,8 @@ void observe_blame(struct moment *run, double t, const double *y, char *text, si
     text[0] = '\0';
     if (run->plan->row.x < 0)
         return;
-    if (moment_create(run->plan, &b.m) == STATUS_DONE
-        && moment_follow(b.m, run) == STATUS_DONE) {
+    if (moment_create(run->plan, &b.m) == STATUS_DONE) {
+        moment_follow(b.m, run);
         if (look(&b, t, y, &v) == STATUS_DONE)
             blame(&b, run->culprit, text, room);
         else

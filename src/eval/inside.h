@@ -113,8 +113,8 @@ struct contacts_moment touching_now(struct moment *m, double t, const double *y)
 void touching_load(const struct moment *m, int i, double t, const double *y, double *ydot,
                    struct body_load *out);
 
-/* rearrange.c: rows of a fresh moment become those of the run. */
-int moment_follow(struct moment *m, const struct moment *run);
+/* rearrange.c: rows of a fresh moment become those of the run, for as long as that does not change them. */
+void moment_follow(struct moment *m, const struct moment *run);
 
 /* view.c: moves solids to (t, y) and says where everything is, but for densities
  * that are summed. */

@@ -95,11 +95,9 @@ int moment_create(const struct plan *plan, struct moment **out)
 
 int moment_create_beside(struct moment *run, struct moment **out)
 {
-    int status = create(run->plan, run, out);
-
-    if (status == STATUS_DONE && (status = moment_follow(*out, run)) != STATUS_DONE)
-        moment_free(out);
-    return status;
+    TRY(create(run->plan, run, out));
+    moment_follow(*out, run);
+    return STATUS_DONE;
 }
 
 static void free_body(struct moment_body *b)

@@ -3,7 +3,6 @@
 #include "eval/share.h"
 
 #include "base/status.h"
-#include "ranks/ranks.h"
 
 #include <math.h>
 #include <string.h>
@@ -58,7 +57,7 @@ int observe_forces(struct moment *run, double t, const double *y)
     int status = o ? STATUS_DONE : STATUS_FAILED;
 
     if (moment_is_packed(run))
-        status = ranks_agree(status);
+        status = moment_agree(run, status);
     TRY(status);
     status = moment_is_packed(run) ? share_look(o, t, y)
                                    : rates_eval(o, &ASK_ALL, t, y, o->work->rates, NULL, NULL);

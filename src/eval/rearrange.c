@@ -18,7 +18,10 @@ static int move_list(struct moment *m, const int *const from[KINDS])
 
 int moment_rearrange(struct moment *m, const int *const from[KINDS])
 {
-    TRY(particles_rearrange(m->particles, from));
+    if (m->beside)
+        particles_follow(m->particles, m->beside->particles);
+    else
+        TRY(particles_rearrange(m->particles, from));
     wet_forget(m);
     if (m->own && !m->own->whole) /* else share_make() follows */
         TRY(move_list(m, from));
@@ -27,12 +30,9 @@ int moment_rearrange(struct moment *m, const int *const from[KINDS])
     return m->observer ? moment_rearrange(m->observer, from) : STATUS_DONE;
 }
 
-int moment_follow(struct moment *m, const struct moment *run)
+void moment_follow(struct moment *m, const struct moment *run)
 {
-    const int *from[KINDS];
-
-    memcpy(from, run->particles->id, sizeof from);
-    return run->particles->id[KIND_FLUID] ? particles_rearrange(m->particles, from) : STATUS_DONE;
+    particles_follow(m->particles, run->particles);
 }
 
 int moment_kind(const struct moment *m, int row)

@@ -132,13 +132,13 @@ double moment_share_bytes(const struct moment *m)
     const struct moment_share *s = m->share;
     const double n = s ? s->n : 0, fluid = s ? m->particles->from[KIND_FLUID + 1] : 0;
     const double part = 1.0 / ranks_count(), number = sizeof(double);
-    const double rows = 8 * (1 + DIM) + 5 + 8; /* particles in an order of their own, to look at, too */
+    const double rows = 8 + 5 + 8, solids = n - fluid; /* particles in an order of their own */
 
     if (!s || s->full)
         return moment_share_bytes_all(m);
     return owners_bytes(s) + n * (number + sizeof *s->near.whole.here + 3 * sizeof(int))
            + (3 * DIM * fluid + 2 * SHARE_HALO * n * part) * number
-           + (s->packed ? n * (2 * rows + DIM * number) : 0)
+           + (s->packed ? n * (rows + DIM * number) + solids * DIM * number : 0)
            + (s->me > 0 ? 0 : 2 * layout_size(&m->layout) * number);
 }
 

@@ -72,11 +72,18 @@ int particles_create(int n, int objects, const struct scales *scales, struct par
                   place_fixed, out);
 }
 
+/* Where solids stand at t = 0. */
+static void stand(struct particles *p)
+{
+    const size_t first = (size_t)p->from[KIND_FLUID + 1], solids = (size_t)p->n - first;
+
+    memcpy(p->x + first, p->x0 + first, solids * sizeof *p->x0);
+    memset(p->u + first, 0, solids * sizeof *p->u);
+}
+
 /* Positions of the fluid are y's: theirs are not touched, and take no memory. */
 int particles_create_beside(const struct particles *of, struct particles **out)
 {
-    const int first = of->from[KIND_FLUID + 1];
-
     TRY(create(*of, place_objects, out));
     (*out)->own = status_alloc(place_moving(*out, NULL) + 1, 1);
     if (!(*out)->own) {
@@ -85,11 +92,22 @@ int particles_create_beside(const struct particles *of, struct particles **out)
     }
     place_moving(*out, (*out)->own);
     memcpy((*out)->object, of->object, of->objects * sizeof *of->object);
-    memcpy((*out)->x + first, of->x0 + first, (of->n - first) * sizeof *of->x0);
+    stand(*out);
     return STATUS_DONE;
 }
 
-/* What moves with its row.  Places of the fluid are y's: none is kept of them. */
+void particles_follow(struct particles *p, const struct particles *of)
+{
+    p->m = of->m;
+    p->x0 = of->x0;
+    p->object_of = of->object_of;
+    p->dye = of->dye;
+    memcpy(p->id, of->id, sizeof p->id);
+    memcpy(p->row, of->row, sizeof p->row);
+    stand(p);
+}
+
+/* What moves with its row.  Places of the fluid are y's: none is kept of them, nor of where it was at t = 0. */
 static size_t place_rows(struct particles *p, char *block)
 {
     const size_t n = p->n;
@@ -129,7 +147,6 @@ static void move_kind(const struct particles *p, enum kind k, const int *from,
     const int first = p->from[k], n = particles_count(p, k);
 
     move_rows(sizeof *p->m, first, n, from, p->m, to->m);
-    move_rows(sizeof *p->x0, first, n, from, p->x0, to->x0);
     move_rows(sizeof *p->object_of, first, n, from, p->object_of, to->object_of);
     move_rows(sizeof *p->dye, first, n, from, p->dye, to->dye);
     for (int i = 0; i < n; i++) {
@@ -139,6 +156,7 @@ static void move_kind(const struct particles *p, enum kind k, const int *from,
     }
     if (k == KIND_FLUID)
         return;
+    move_rows(sizeof *p->x0, first, n, from, p->x0, to->x0);
     move_rows(sizeof *p->x, first, n, from, p->x, to->x);
     move_rows(sizeof *p->u, first, n, from, p->u, to->u);
 }
@@ -170,7 +188,6 @@ static void swap(struct particles *p, enum kind k, int i, int j)
     const int first = p->from[k];
 
     swap_rows(sizeof *p->m, p->m, i, j);
-    swap_rows(sizeof *p->x0, p->x0, i, j);
     swap_rows(sizeof *p->object_of, p->object_of, i, j);
     swap_rows(sizeof *p->dye, p->dye, i, j);
     swap_rows(sizeof *p->id[k], p->id[k], i - first, j - first);
@@ -178,6 +195,7 @@ static void swap(struct particles *p, enum kind k, int i, int j)
     p->row[k][p->id[k][j - first]] = j - first;
     if (k == KIND_FLUID)
         return;
+    swap_rows(sizeof *p->x0, p->x0, i, j);
     swap_rows(sizeof *p->x, p->x, i, j);
     swap_rows(sizeof *p->u, p->u, i, j);
 }

@@ -33,7 +33,8 @@ struct particles {
     double *m;            /* [n] mass                           [kg, 2D: kg/m] */
     int *object_of;       /* [n] index into object                             */
     unsigned char *dye;   /* [n] colour 0, 1, ...                              */
-    double (*x0)[DIM];    /* [n] position at t = 0              [m]            */
+    double (*x0)[DIM];    /* [n] position at t = 0; where rows were rearranged, of solids
+                             only                               [m]            */
     double (*x)[DIM];     /* [n] solids only: position now      [m]            */
     double (*u)[DIM];     /* [n] solids only: velocity now      [m/s]; both NULL
                              where there is no moment                          */
