@@ -70,7 +70,7 @@ shipped_rows() {
     ship few rolling-disc until=0.3
     ship all floating-disc until=0.1
     ship few floating-wedge until=0.1
-    ship few floating-boat until=0.02
+    ship few floating-boat spacing=3.3333333333333333e-2 until=0.02
     ship all moored-box until=0.1
     ship few box-in-waves spacing=0.025 until=0.1
     ship few pendulum-gate until=0.1

@@ -124,7 +124,7 @@ beam="walls=own-density beam.plate.E=1e6 beam.plate.theory=linear"
 same beam 2 toth-beam until=0.007
 at_length same mri 2 $small-2d until=0.004 $beam method=mri
 same box 2 floating-box until=0.01
-same cubes 3 flood-six-cubes until=0.003 spacing=0.05
+same cubes 3 flood-six-cubes until=0.003 spacing=0.05 'domain.from=[-1,0,0]' 'fluid.water.from=[-1,0,0]'
 at_length same single 2 dam-break until=0.01 spacing=0.01 precision=single
 at_length same euler 2 dam-break until=0.02 spacing=0.01 method=euler-cfl@4 # forces, of whichever rank, give its steps
 if [ -n "$long" ]; then

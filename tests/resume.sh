@@ -50,6 +50,7 @@ ship() {
     again "$name" "$scenes/$name.scene" "$@"
 }
 
+near='domain.from=[-1,0,0] fluid.water.from=[-1,0,0]' # a flume of 1 m of water instead of 3.5 m
 shown=
 ship dam-break 0.05
 ship still-water 0.05
@@ -69,16 +70,16 @@ ship block-heap 0.3
 ship rolling-disc 0.3
 ship floating-disc 0.03
 ship floating-wedge 0.03
-ship floating-boat 0.01
+ship floating-boat 0.01 spacing=3.3333333333333333e-2
 ship moored-box 0.05
 ship box-in-waves 0.05 spacing=0.025
 ship pendulum-gate 0.05
 ship sinking-block 0.01
-ship rising-block 0.004 spacing=0.004 'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
+ship rising-block 0.004 spacing=0.004 'domain.to=[0.12,0.112,0.06]' 'fluid.water.to=[0.12,0.112,0.036]'
 ship seed-003-blocks 0.02
-ship flood-one-cube 0.01 spacing=0.05
-ship flood-three-cubes 0.01 spacing=0.05
-ship flood-six-cubes 0.01 spacing=0.05
+ship flood-one-cube 0.01 spacing=0.05 $near
+ship flood-three-cubes 0.01 spacing=0.05 $near
+ship flood-six-cubes 0.01 spacing=0.05 $near
 ship toth-standard-sph 0.003 spacing=5e-3
 ship tank-sizes 0.01
 ship gate 0.02 spacing=0.01

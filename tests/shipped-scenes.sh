@@ -120,6 +120,8 @@ fails()
     tables "$1"
 }
 
+# A flume of 1 m of water instead of 3.5 m does for a moment.
+near='domain.from=[-1,0,0] fluid.water.from=[-1,0,0]'
 lost=1e-9
 scene dam-break 0.03 1.7e-3
 scene still-water 0.1 3.3e-3
@@ -132,18 +134,18 @@ scene block-heap 0.4 1e-3
 scene rolling-disc 0.3 1e-3
 scene floating-disc 0.05 1.1e-3
 scene floating-wedge 0.05 1.1e-3
-scene floating-boat 0.01 1.1e-3
+scene floating-boat 0.01 1.1e-3 spacing=3.3333333333333333e-2
 scene box-in-waves 0.05 1.1e-3 spacing=0.025
 scene moored-box 0.05 1.1e-3
 lost=1e-6 # momentum follows from an angle, so that it closes as steps do, not to rounding
 scene pendulum-gate 0.05 1.1e-3
 lost=1e-9
 scene sinking-block 0.02 1.1e-3
-scene rising-block 0.01 1.1e-3 spacing=0.004 'domain.to=[0.152,0.14,0.08]' 'fluid.water.to=[0.152,0.14,0.052]'
+scene rising-block 0.01 1.1e-3 spacing=0.004 'domain.to=[0.12,0.112,0.06]' 'fluid.water.to=[0.12,0.112,0.036]'
 scene seed-003-blocks 0.03 1.1e-3
-scene flood-one-cube 0.01 1.1e-3 spacing=0.05
-scene flood-three-cubes 0.01 1.1e-3 spacing=0.05
-scene flood-six-cubes 0.01 1.1e-3 spacing=0.05
+scene flood-one-cube 0.01 1.1e-3 spacing=0.05 $near
+scene flood-three-cubes 0.01 1.1e-3 spacing=0.05 $near
+scene flood-six-cubes 0.01 1.1e-3 spacing=0.05 $near
 scene dam-break-3d 0.03 1.1e-3 spacing=0.0555
 scene beam-alone 0.01 3.1e-5
 scene elastica 0.3 1.7e-3
