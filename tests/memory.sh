@@ -31,8 +31,8 @@ holds() {
 
 holds 4e-4 "$scenes/dam-break.scene"
 holds 1e-4 "$scenes/dam-break.scene" spacing=6.25e-4
-holds 1e-4 "$scenes/dam-break.scene" spacing=6.25e-4 method=euler-cfl
-holds 4e-4 "$scenes/toth-beam.scene" spacing=1e-3
+holds 1e-4 "$scenes/dam-break.scene" spacing=1.25e-3 method=euler-cfl
+holds 4e-4 "$scenes/toth-beam.scene" spacing=1.6666666666666667e-3
 sed 's/continuity = { };/summation = { };/; /density-diffusion/d; /density-healing/d; s/^until/walls = "ghost"; until/' \
     "$scenes/dam-break.scene" >"$out/summed.scene"
 holds 1e-4 "$out/summed.scene" spacing=1e-3 eos.tension=false
@@ -42,8 +42,8 @@ holds 1e-4 "$out/ahead.scene" spacing=1e-3
 holds 1e-4 "$out/ahead.scene" spacing=1e-3 walls=contact
 holds 4e-3 "$scenes/dam-break-3d.scene" spacing=0.037
 holds 1e-4 "$scenes/beam-alone.scene"
-holds 4e-4 "$scenes/mps-dam-break.scene" spacing=9.125e-4
-holds 1e-3 "$scenes/toth-pcisph.scene" spacing=6.25e-4
+holds 4e-4 "$scenes/mps-dam-break.scene" spacing=1.825e-3
+holds 1e-3 "$scenes/toth-pcisph.scene" spacing=1.25e-3
 [ -z "${STIFFWATER_LONG-}" ] || holds 4e-3 "$scenes/dam-break-3d.scene"
 [ -z "${STIFFWATER_LONG-}" ] || holds 1e-4 "$scenes/dam-break.scene" spacing=3.125e-4
 finish
