@@ -5,7 +5,8 @@
 #
 # Marks: rms distance of the splash's particles from where a method of order 5 at 1e-6 has
 # them in the same tank.  Measured: max 1.000 for all methods; p8 1.30, wrms 2.57.  With
-# STIFFWATER_LONG the larger tank has 200,208 particles.
+# STIFFWATER_LONG the larger tank has 200,208 particles.  Each library is tried in one of 10,208
+# only, which a mean would dilute by 1.5.
 . "$top_srcdir/tests/lib.sh"
 [ -n "${STIFFWATER_LONG-}" ] && long=20 || long=3
 
@@ -47,6 +48,10 @@ grows norm=wrms
 claim 'wrms by more than a factor 2' "$ratio > 2"
 
 # every library has its own way to the norm
+if [ $long = 3 ]; then
+    long=1
+    run long $long method=bs54 tol=1e-6
+fi
 for method in dv adams gsl-rkf45 ab3; do
     grows method=$method
     claim "the default norm holds $method" "$ratio > 0.9 && $ratio < 1.1"
