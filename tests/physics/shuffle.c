@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNS = 4, STEPS = DIM == 2 ? 50 : 25, CUT = 20, LOOK = 10, SHOWN = 200 };
+enum { RUNS = 4, STEPS = 28, CUT = 20, LOOK = 10, SHOWN = 200 };
 static const int every[RUNS] = { 0, 1, 7, 23 };
 
 /* Water that leaves on one side and comes in again on the other, over a floor. */
@@ -332,11 +332,12 @@ static void go(struct runner *r, int k, int times)
 static long check_method(int scene, const char *name)
 {
     struct runner run[RUNS];
+    const int steps = getenv("STIFFWATER_LONG") ? 2 * STEPS : STEPS;
     long rebuilds;
 
     for (int i = 0; i < RUNS; i++)
         begin(&run[i], scene, name);
-    for (int k = 1; k <= STEPS; k++) {
+    for (int k = 1; k <= steps; k++) {
         for (int i = 0; i < RUNS; i++)
             go(&run[i], k, every[i]);
         check_runs(run, k);
