@@ -87,6 +87,16 @@ same()
         complain "$1: $3 changes the final state"
 }
 
+# shorter NAME UNTIL: a third of the time has the same steps to look at, ten times as slow under a
+# sanitizer; but what falls without water has to land, and a flow from rest to get some energy.
+shorter()
+{
+    case $1 in
+    block-* | rolling-disc | couette) echo "$2" ;;
+    *) awk -v t="$2" 'BEGIN { printf "%.2g", t / 3 }' ;;
+    esac
+}
+
 # scene NAME UNTIL INTERVAL KEY=VALUE...
 scene()
 {
@@ -97,6 +107,7 @@ scene()
     tried=$((tried + 1))
     "$STIFFWATER" check "$scenes/$base.scene" "$@" >"said" 2>&1 ||
         complain "check $base.scene: exit status $?"
+    [ -z "$sanitized" ] || until=$(shorter "$base" "$until")
     run "$base" "$scenes/$base.scene" "$@" --until "$until" --threads 2
     books "$base" "$until"
     tables "$base"
