@@ -11,9 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Work arrays of one file: three components, and the cells. */
+/* What one file has, and work arrays of it: three components, where there are two, and the cells. */
 struct work {
-    double *x, *u;       /* [n][3] */
+    const double *x, *u; /* [n][3] */
+    double *deep;        /* [2][n][3] those; NULL: the frame's */
     int64_t *count;      /* [n+1] 0, 1, 2, ... */
     unsigned char *type; /* [n] VTK_VERTEX */
     int *id;             /* [n] */
@@ -21,27 +22,43 @@ struct work {
 
 static void work_free(struct work *w)
 {
-    free(w->x);
-    free(w->u);
+    free(w->deep);
     free(w->count);
     free(w->type);
     free(w->id);
 }
 
-static int work_fill(struct work *w, const struct cloud_frame *c)
+/* VTK knows three components only. */
+static int deepen(struct work *w, const struct cloud_frame *c)
 {
     const size_t n = (size_t)c->n, dim = (size_t)c->dim;
 
-    w->x = status_alloc(n, 3 * sizeof *w->x);
-    w->u = status_alloc(n, 3 * sizeof *w->u);
+    w->x = c->x;
+    w->u = c->u;
+    if (dim == 3)
+        return STATUS_DONE;
+    if (!(w->deep = status_alloc(2 * n, 3 * sizeof *w->deep)))
+        return STATUS_FAILED;
+    for (size_t i = 0; i < n; i++) {
+        memcpy(w->deep + 3 * i, c->x + dim * i, dim * sizeof *w->deep);
+        memcpy(w->deep + 3 * (n + i), c->u + dim * i, dim * sizeof *w->deep);
+    }
+    w->x = w->deep;
+    w->u = w->deep + 3 * n;
+    return STATUS_DONE;
+}
+
+static int work_fill(struct work *w, const struct cloud_frame *c)
+{
+    const size_t n = (size_t)c->n;
+
+    TRY(deepen(w, c));
     w->count = status_alloc(n + 1, sizeof *w->count);
     w->type = status_alloc(n, sizeof *w->type);
     w->id = status_alloc(n, sizeof *w->id);
-    if (!w->x || !w->u || !w->count || !w->type || !w->id)
+    if (!w->count || !w->type || !w->id)
         return STATUS_FAILED;
     for (size_t i = 0; i < n; i++) {
-        memcpy(w->x + 3 * i, c->x + dim * i, dim * sizeof *w->x);
-        memcpy(w->u + 3 * i, c->u + dim * i, dim * sizeof *w->u);
         w->count[i] = (int64_t)i;
         w->type[i] = 1;
         w->id[i] = c->id ? c->id[i] : (int)i;

@@ -52,12 +52,12 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* A frame is held twice, once while its file is made with three components, cells
+/* A frame is held, while its file is made three components (where it has two), cells
  * and ids, and the file itself twice (output/fields-file.c). */
 static double outputs(const struct count *c)
 {
     const double n = c->fluid + c->solid;
-    const double frame = (2 * DIM + 2) * 8 + 1, work = 6 * 8 + 8 + 1 + 4, file = 8 * 8 + 1;
+    const double frame = (2 * DIM + 2) * 8 + 1, work = (DIM == 3 ? 0 : 6 * 8) + 8 + 1 + 4, file = 8 * 8 + 1;
     const double crowd = 4 + 8 + 2, pairing = 4 + 8 + 16, pressures = 8;
 
     return n * (frame + work + 2 * file + crowd) + c->fluid * (pairing + pressures);
