@@ -159,9 +159,15 @@ static int settle(struct moment *m, const struct cloud *cloud, int status)
 
 int share_make(struct moment *m, const struct cloud *cloud, double *x)
 {
+    int status;
+
     m->own->bad = -1;
-    TRY(share_near(m, cloud, x));
-    return settle(m, cloud, m->plan->engine->sum->list->make(m->own, cloud));
+    status = share_near(m, cloud, x);
+    if (status == STATUS_DONE)
+        status = settle(m, cloud, m->plan->engine->sum->list->make(m->own, cloud));
+    if (status != STATUS_DONE) /* what comes from others does not go with it */
+        list_forget(m->own);
+    return status;
 }
 
 /* Of positions that all ranks have, so that all or none make it anew. */

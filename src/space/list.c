@@ -241,6 +241,7 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     const int before = list->groups;
 
+    list->stands = false; /* should there be no memory on the way */
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
     make_groups(list);
