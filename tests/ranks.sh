@@ -204,13 +204,14 @@ fi
 # on N M: a run on N ranks, killed late, goes on on M
 on() {
     rm -rf "$out/parts"
-    ranks "$1" "$top_builddir/stiffwater-2d-mpi" run "$kept" $keys -o "$out/parts"
+    ranks "$1" "$top_builddir/stiffwater-${d}d-mpi" run "$kept" $keys -o "$out/parts"
     rm "$out/parts/checkpoint.h5"
-    [ $code = 0 ] && ranks "$2" "$top_builddir/stiffwater-2d-mpi" resume "$out/parts" -q
+    [ $code = 0 ] && ranks "$2" "$top_builddir/stiffwater-${d}d-mpi" resume "$out/parts" -q
     if [ $code = 0 ] && diff -r -q -x run.json -x 'checkpoint*.h5' "$out/whole" "$out/parts" &&
         [ "$(hash whole)" = "$(hash parts)" ]; then good "kept by $1 ranks, resumed by $2: all files are those of one"
     else wrong "kept by $1 ranks, resumed by $2: status $code"; cat "$out/said"; fi
 }
+d=2
 kept=$scenes/floating-box.scene
 keys="until=0.02 output.checkpoint=0.012 output.interval=0.004 -q"
 "$STIFFWATER" run "$kept" $keys -o "$out/whole" >"$out/said" 2>&1 || cat "$out/said"
@@ -224,7 +225,12 @@ if [ -n "$long" ]; then # all rows
     rm -rf "$out/whole"
     "$STIFFWATER" run "$kept" $keys -o "$out/whole" >"$out/said" 2>&1 || cat "$out/said"
     on 3 2
-    kept=$scenes/floating-box.scene
+    d=3 kept=$scenes/flood-six-cubes.scene # surfaces among points of particles
+    keys="until=0.003 output.checkpoint=0.002 spacing=0.05 domain.from=[-1,0,0] fluid.water.from=[-1,0,0] -q"
+    rm -rf "$out/whole"
+    "$STIFFWATER" run "$kept" $keys -o "$out/whole" >"$out/said" 2>&1 || cat "$out/said"
+    on 3 2
+    d=2 kept=$scenes/floating-box.scene
     keys="until=0.02 output.checkpoint=0.012 output.interval=0.004 -q"
     rm -rf "$out/whole"
     mv "$out/kept" "$out/whole"
@@ -369,6 +375,32 @@ if ${CC:-cc} -O1 -shared -fPIC -o "$out/refuse.so" "$top_srcdir/tests/failing-ma
     at_length lacks walls=adami method=bdf
 else
     echo "skipped: no library that refuses memory"
+fi
+
+# The disk is full for the last rank alone: a file that all write is there whole or not at all, for all.
+if ${CC:-cc} -O1 -shared -fPIC -o "$out/full.so" "$top_srcdir/tests/ranks/full-disk.c" 2>"$out/said"; then
+    # full NAME: a run whose last rank cannot write files with this in their path
+    full() {
+        rm -rf "$out/full"
+        set -- "$1" "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" spacing=0.025 until=0.01 \
+            output.checkpoint=0.005 output.fields=0.005 -q -o "$out/full"
+        name=$1
+        shift
+        code=0
+        timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" : -n 1 env LD_PRELOAD="$out/full.so" \
+            FULL="$name" "$@" >"$out/said" 2>&1 || code=$?
+    }
+    full 000001.vtkhdf
+    claim "a particle file that one rank cannot write ends all" \
+        "$code == 4 && $(grep -c '000001.vtkhdf: cannot be written: No space left' "$out/said") == 1"
+    claim "those before it are whole, and it is not there" "$(grep -c 'Time Value' "$out/full/fields.xdmf") == 1 \
+        && $(find "$out/full/fields" -name '*.vtkhdf' | wc -l) == 1 && $(find "$out/full/fields" -name '*.part' | wc -l) == 0"
+    full checkpoint.h5
+    claim "a checkpoint that one rank cannot write is missed once a time, and the run goes on" \
+        "$code == 0 && $(grep -c 'no checkpoint at t = .*No space left' "$out/said") == 3"
+    claim "and none is there" "$(find "$out/full" -name 'checkpoint*.h5*' | wc -l) == 0"
+else
+    echo "skipped: no library that fills a disk"
 fi
 
 # A rank with another libm takes steps of another length, and then all are told, and end.

@@ -106,9 +106,9 @@ int archive_add(struct archive *a, const char *name, enum archive_type type, lon
                            "with a name that long", name);
     TRY(make_room(a));
     strcpy(e.name, name);
-    if (!(e.data = status_alloc((unsigned long)n + 1, size_of(type))))
+    if (data && !(e.data = status_alloc((unsigned long)n + 1, size_of(type))))
         return STATUS_FAILED;
-    if (n > 0)
+    if (data && n > 0)
         memcpy(e.data, data, archive_bytes(&e));
     a->entry[a->n++] = e;
     return STATUS_DONE;
@@ -146,6 +146,11 @@ static int keep(struct archive *a, const char *name, enum archive_type type, voi
 int archive_numbers(struct archive *a, const char *name, double *value, long n)
 {
     return keep(a, name, ARCHIVE_NUMBERS, value, n);
+}
+
+int archive_numbers_elsewhere(struct archive *a, const char *name, double *value, long n)
+{
+    return keep(a, name, ARCHIVE_NUMBERS, a->fills ? value : NULL, n);
 }
 
 int archive_integers(struct archive *a, const char *name, long *value, long n)

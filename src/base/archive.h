@@ -25,7 +25,7 @@ struct archive_entry {
     char name[ARCHIVE_NAME];
     enum archive_type type;
     long n;          /* numbers, integers, or letters of a text without its end */
-    void *data;      /* [n] double, long or char; owned by the archive          */
+    void *data;      /* [n] double, long or char; owned by the archive; NULL: elsewhere */
     bool taken;      /* has been handed out                                     */
 };
 
@@ -44,6 +44,8 @@ void archive_try(struct archive *a, bool tries);
 bool archive_tries(const struct archive *a);
 
 int archive_numbers(struct archive *a, const char *name, double *value, long n);
+/* The same, but no copy is taken: who writes the file has the numbers. */
+int archive_numbers_elsewhere(struct archive *a, const char *name, double *value, long n);
 int archive_integers(struct archive *a, const char *name, long *value, long n);
 int archive_integer(struct archive *a, const char *name, int *value);
 int archive_flag(struct archive *a, const char *name, bool *value);
@@ -53,7 +55,7 @@ int archive_text(struct archive *a, const char *name, char *text, size_t room);
  * loaded. */
 int archive_spent(const struct archive *a);
 
-/* For writers and readers of files.  archive_add() copies data [n]; archive_entry() lends
+/* For writers and readers of files.  archive_add() copies data [n], unless that is NULL; archive_entry() lends
  * number i of archive_entries(). */
 int archive_add(struct archive *a, const char *name, enum archive_type type, long n,
                 const void *data);

@@ -29,7 +29,8 @@ static void press(struct moment *m, double *rho, double *p2, bool all)
     wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
 }
 
-static void press_rows(struct moment *m, struct view *v, bool all)
+/* Densities of y, of which this rank has all rows or, together, its own. */
+static void press_rows(struct moment *m, struct view *v, bool all, bool together)
 {
     struct workspace *w = m->work;
     const int *from = v->p->from;
@@ -38,7 +39,10 @@ static void press_rows(struct moment *m, struct view *v, bool all)
         const int n = particles_count(v->p, k);
         if (n == 0)
             continue;
-        memcpy(w->rho + from[k], v->rho[k], (size_t)n * sizeof *w->rho);
+        if (together)
+            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], w->rho + from[k]);
+        else
+            memcpy(w->rho + from[k], v->rho[k], (size_t)n * sizeof *w->rho);
         v->rho[k] = w->rho + from[k];
         v->p2[k] = w->p2 + (from[k] - from[KIND_WALL]);
     }
@@ -48,7 +52,13 @@ static void press_rows(struct moment *m, struct view *v, bool all)
 void moment_press(struct moment *m, struct view *v)
 {
     if (m->plan->passes.press)
-        press_rows(m, v, true);
+        press_rows(m, v, true, false);
+}
+
+void press_together(struct moment *m, struct view *v)
+{
+    if (m->plan->passes.press)
+        press_rows(m, v, true, true);
 }
 
 /* Rates ask for solids that fluid meets, fields that are looked at for all. */
@@ -57,7 +67,7 @@ int passes_press(struct evaluation *e, const struct plan_field *of)
     (void)of;
     if (e->ask)
         press_narrow(e->m);
-    press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m)); /* sums of others meet any */
+    press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m), false); /* sums of others meet any */
     return STATUS_DONE;
 }
 

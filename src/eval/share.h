@@ -122,6 +122,9 @@ int share_fit_own(struct moment_share *s);
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
+/* press.c: pressure of all solids in a view of own rows, all ranks together. */
+void press_together(struct moment *m, struct view *v);
+
 /* share-beside.c */
 
 /* A moment for looking finds forces at (t, y), of own rows, on all ranks together where own rows are packed.

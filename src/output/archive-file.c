@@ -7,23 +7,26 @@
 #include "base/status.h"
 #include "output/aside.h"
 #include "output/hash.h"
-#include "output/image.h"
+#include "ranks/ranks.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-enum { HEADER = 512 }; /* HDF5 looks for itself at 0, 512, 1024, ... */
+enum {
+    HEADER = 512, /* HDF5 looks for itself at 0, 512, 1024, ... */
+    ENTRY = 1024  /* bytes of one beside its numbers, an upper bound */
+};
 
-/* The header that belongs to these bytes. */
-static void make_header(char header[HEADER], const void *bytes, size_t size)
+/* The header of so many bytes with this hash. */
+static void make_header(char header[HEADER], size_t size, uint64_t sum)
 {
     char hash[HASH_TEXT];
 
     memset(header, 0, HEADER);
     snprintf(header, HEADER, "stiffwater checkpoint 1\nbytes %zu\nhash %s\n", size,
-             hash_text(hash_bytes(HASH_START, bytes, size), hash));
+             hash_text(sum, hash));
 }
 
 /* --- writing ----------------------------------------------------------------------- */
@@ -35,56 +38,120 @@ static hid_t type_of(enum archive_type type)
     return type == ARCHIVE_INTEGERS ? H5T_NATIVE_LONG : H5T_NATIVE_UCHAR;
 }
 
-static bool write_entry(hid_t file, const struct archive_entry *e)
+/* Numbers of a set that is there. */
+static bool write_numbers(struct image *to, hid_t set, const struct archive_entry *e)
+{
+    if (e->n == 0)
+        return true;
+    return e->data ? H5Dwrite(set, type_of(e->type), H5S_ALL, H5S_ALL, H5P_DEFAULT, e->data) >= 0
+                   : image_leave(to, set);
+}
+
+static bool write_entry(struct image *to, const struct archive_entry *e)
 {
     const hsize_t n = (hsize_t)e->n;
-    const hid_t space = H5Screate_simple(1, &n, NULL);
-    const hid_t set = H5Dcreate2(file, e->name, type_of(e->type), space, H5P_DEFAULT,
-                                 H5P_DEFAULT, H5P_DEFAULT);
-    bool fine = set >= 0;
+    const hid_t space = H5Screate_simple(1, &n, NULL), making = H5Pcreate(H5P_DATASET_CREATE);
+    const bool ready = e->data || e->n == 0 || image_room(making);
+    const hid_t set = H5Dcreate2(to->file, e->name, type_of(e->type), space, H5P_DEFAULT, making,
+                                 H5P_DEFAULT);
+    bool fine = ready && set >= 0 && write_numbers(to, set, e);
 
-    if (fine && n > 0)
-        fine = H5Dwrite(set, type_of(e->type), H5S_ALL, H5S_ALL, H5P_DEFAULT, e->data) >= 0;
     if (set >= 0)
         fine = H5Dclose(set) >= 0 && fine;
+    H5Pclose(making);
     H5Sclose(space);
     return fine;
 }
 
-static void *make_image(const struct archive *a, size_t *size)
+static bool make_image(const struct archive *a, struct image *image)
 {
     size_t bytes = 0;
-    hid_t file;
     bool fine;
 
     for (int i = 0; i < archive_entries(a); i++)
-        bytes += archive_bytes(archive_entry(a, i));
-    file = image_open(bytes);
-    fine = file >= 0;
+        bytes += archive_bytes(archive_entry(a, i)) + ENTRY;
+    fine = image_begin(image, bytes);
     for (int i = 0; fine && i < archive_entries(a); i++)
-        fine = write_entry(file, archive_entry(a, i));
-    return image_close(file, fine, size);
+        fine = write_entry(image, archive_entry(a, i));
+    return image_end(image, fine);
 }
 
-int archive_file_write(const struct archive *a, const char *path, const char *before)
+/* All but the header and numbers that are elsewhere, on the first rank. */
+static int start(const struct archive *a, const char *path, struct image *image, struct aside *to)
+{
+    static const char header[HEADER];
+
+    if (!make_image(a, image))
+        return image_refused(image, path);
+    TRY(aside_open(to, path));
+    fwrite(header, 1, HEADER, to->to);
+    if (image_put(image, to->to))
+        return STATUS_DONE;
+    aside_drop(to);
+    to->to = NULL;
+    return image_refused(image, path);
+}
+
+/* Of what stands on the disk behind the header, whoever wrote it. */
+static int hash_file(const char *path, size_t *size, uint64_t *sum)
+{
+    FILE *from = fopen(path, "rb");
+    char piece[1 << 16];
+    size_t n;
+    bool fine;
+
+    if (!from)
+        return status_fail(STATUS_IO, "%s: cannot be read: %s", path, strerror(errno));
+    *sum = HASH_START;
+    *size = 0;
+    fine = fseeko(from, HEADER, SEEK_SET) == 0;
+    while (fine && (n = fread(piece, 1, sizeof piece, from)) > 0) {
+        *sum = hash_bytes(*sum, piece, n);
+        *size += n;
+    }
+    fine = fine && !ferror(from);
+    fclose(from);
+    return fine ? STATUS_DONE : status_fail(STATUS_IO, "%s: cannot be read", path);
+}
+
+static int sign(struct aside *to)
 {
     char header[HEADER];
-    struct aside to;
+    uint64_t sum = 0;
     size_t size = 0;
-    void *image = make_image(a, &size);
-    int status;
 
-    if (!image)
-        return image_refused(path);
-    make_header(header, image, size);
-    status = aside_open(&to, path);
-    if (status == STATUS_DONE) {
-        fwrite(header, 1, HEADER, to.to);
-        fwrite(image, 1, size, to.to);
-        status = aside_close_safely(&to, before);
-    }
-    free(image);
+    TRY(hash_file(to->temporary, &size, &sum));
+    make_header(header, size, sum);
+    rewind(to->to);
+    fwrite(header, 1, HEADER, to->to);
+    return STATUS_DONE;
+}
+
+static int finish(int status, struct aside *to, const char *before)
+{
+    if (!to->to)
+        return status;
+    if (status == STATUS_DONE)
+        status = sign(to);
+    if (status == STATUS_DONE)
+        return aside_close_safely(to, before);
+    aside_drop(to);
     return status;
+}
+
+int archive_file_write(const struct archive *a, const char *path, const char *before,
+                       const struct pieces *pieces)
+{
+    static const struct pieces none = { .n = 0 };
+    const struct pieces *numbers = pieces ? pieces : &none;
+    struct image image = { .file = -1, .memory = -1 };
+    struct aside to = { .to = NULL };
+    int status = a ? start(a, path, &image, &to) : STATUS_DONE;
+
+    status = pieces_write(status, a ? &to : NULL, &image, HEADER, numbers, true);
+    image_free(&image);
+    status = finish(status, &to, before);
+    return numbers->shared ? ranks_agree(status) : status;
 }
 
 /* --- reading ----------------------------------------------------------------------- */
@@ -121,7 +188,7 @@ static int check_bytes(const char *path, const char *bytes, size_t size)
 
     if (size <= HEADER)
         return damaged(path, "it ends in its header");
-    make_header(header, bytes + HEADER, size - HEADER);
+    make_header(header, size - HEADER, hash_bytes(HASH_START, bytes + HEADER, size - HEADER));
     if (memcmp(header, bytes, HEADER) != 0)
         return damaged(path, "it is not what its header says (bytes are missing or have changed)");
     return STATUS_DONE;

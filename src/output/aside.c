@@ -42,14 +42,22 @@ int aside_directory(const char *path)
     return STATUS_DONE;
 }
 
-int aside_open(struct aside *a, const char *path)
+int aside_name(struct aside *a, const char *path)
 {
     const int n = snprintf(a->path, sizeof a->path, "%s", path);
-    int file;
 
+    a->to = NULL;
     if (n < 0 || n >= ASIDE_PATH - 16)
         return status_fail(STATUS_IO, "%.200s...: this path is too long", path);
     snprintf(a->temporary, sizeof a->temporary, "%.*s.part", n, path);
+    return STATUS_DONE;
+}
+
+int aside_open(struct aside *a, const char *path)
+{
+    int file;
+
+    TRY(aside_name(a, path));
     file = open(a->temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
     a->to = file >= 0 ? fdopen(file, "w") : NULL;
     if (!a->to && file >= 0)

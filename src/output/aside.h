@@ -12,6 +12,9 @@ struct aside {
     char path[ASIDE_PATH], temporary[ASIDE_PATH];
 };
 
+/* Where a file is and is written, opened by nobody; STATUS_IO where the path is too long. */
+int aside_name(struct aside *a, const char *path);
+
 /* Opens "PATH.part" for writing. */
 int aside_open(struct aside *a, const char *path);
 

@@ -3,11 +3,10 @@
 
 #include "base/status.h"
 #include "output/fields-grid.h"
-#include "output/image.h"
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { CORNER = 160 }; /* bytes of one in it */
+enum { CORNER = 160 }; /* bytes of one in a file, an upper bound */
 enum { VTK_POLYGON = 7, XDMF_POLYGON = 3 };
 
 /* Work arrays of these. */
@@ -66,48 +65,46 @@ static int faces_fill(struct faces *w, const struct cloud_looks *l, int dim)
     return STATUS_DONE;
 }
 
-static int write_faces(hid_t file, const struct cloud_looks *l, const struct faces *w, double t)
+static int write_faces(struct image *to, const struct cloud_looks *l, const struct faces *w, double t)
 {
     const hsize_t corners = (hsize_t)l->corners, faces = (hsize_t)l->faces;
     const int64_t points = l->corners, cells = l->faces, ends = w->first[l->faces];
     const struct fields_grid_array grid[] = {
-        { "NumberOfPoints", H5T_NATIVE_INT64, 1, 0, &points, 0 },
-        { "NumberOfCells", H5T_NATIVE_INT64, 1, 0, &cells, 0 },
-        { "NumberOfConnectivityIds", H5T_NATIVE_INT64, 1, 0, &ends, 0 },
-        { "Points", H5T_NATIVE_DOUBLE, corners, 3, w->x, 0 },
-        { "Connectivity", H5T_NATIVE_INT64, (hsize_t)ends, 0, w->loop, 1 },
-        { "Offsets", H5T_NATIVE_INT64, faces + 1, 0, w->first, 1 },
-        { "Types", H5T_NATIVE_UCHAR, faces, 0, w->type, 1 },
+        { "NumberOfPoints", H5T_NATIVE_INT64, 1, 0, .data = &points },
+        { "NumberOfCells", H5T_NATIVE_INT64, 1, 0, .data = &cells },
+        { "NumberOfConnectivityIds", H5T_NATIVE_INT64, 1, 0, .data = &ends },
+        { "Points", H5T_NATIVE_DOUBLE, corners, 3, .data = w->x },
+        { "Connectivity", H5T_NATIVE_INT64, (hsize_t)ends, 0, .data = w->loop, .regular = 1 },
+        { "Offsets", H5T_NATIVE_INT64, faces + 1, 0, .data = w->first, .regular = 1 },
+        { "Types", H5T_NATIVE_UCHAR, faces, 0, .data = w->type, .regular = 1 },
         { .name = NULL },
     };
     const struct fields_grid_array points_have[] = {
-        { "velocity", H5T_NATIVE_DOUBLE, corners, 3, w->u, 0 }, { .name = NULL } };
+        { "velocity", H5T_NATIVE_DOUBLE, corners, 3, .data = w->u }, { .name = NULL } };
     const struct fields_grid_array cells_have[] = {
-        { "body", H5T_NATIVE_INT, faces, 0, l->of, 1 }, { .name = NULL } };
+        { "body", H5T_NATIVE_INT, faces, 0, .data = l->of, .regular = 1 }, { .name = NULL } };
     const struct fields_grid_array index_has[] = {
-        { "Mixed", H5T_NATIVE_INT, (hsize_t)w->mixed_n, 0, w->mixed, 1 }, { .name = NULL } };
+        { "Mixed", H5T_NATIVE_INT, (hsize_t)w->mixed_n, 0, .data = w->mixed, .regular = 1 }, { .name = NULL } };
 
-    return fields_grid_write(file, "VTKHDF", grid, t)
-           && fields_grid_write(file, "VTKHDF/PointData", points_have, t)
-           && fields_grid_write(file, "VTKHDF/CellData", cells_have, t)
-           && fields_grid_write(file, "XDMF", index_has, t);
+    return fields_grid_write(to, "VTKHDF", grid, t)
+           && fields_grid_write(to, "VTKHDF/PointData", points_have, t)
+           && fields_grid_write(to, "VTKHDF/CellData", cells_have, t)
+           && fields_grid_write(to, "XDMF", index_has, t);
 }
 
 int fields_bodies_write(const char *path, const struct cloud_frame *frame)
 {
     const struct cloud_looks *l = frame->looks;
+    struct image image = { .file = -1, .memory = -1 };
     struct faces work = { 0 };
-    void *image = NULL;
-    size_t size = 0;
     int code = faces_fill(&work, l, frame->dim);
 
     if (code == STATUS_DONE) {
-        const hid_t file = image_open((size_t)l->corners * CORNER);
-        image = image_close(file, file >= 0 && write_faces(file, l, &work, frame->t), &size);
+        const bool begun = image_begin(&image, (size_t)l->corners * CORNER);
+        const bool fine = image_end(&image, begun && write_faces(&image, l, &work, frame->t));
+        code = fields_grid_keep(path, &image, fine);
     }
+    image_free(&image);
     faces_free(&work);
-    if (code == STATUS_DONE)
-        code = fields_grid_keep(path, image, size);
-    free(image);
     return code;
 }

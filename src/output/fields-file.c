@@ -6,116 +6,137 @@
 
 #include "base/status.h"
 #include "output/fields-grid.h"
-#include "output/image.h"
+#include "output/pieces.h"
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* What one file has, and work arrays of it: three components, where there are two, and the cells. */
-struct work {
-    const double *x, *u; /* [n][3] */
-    double *deep;        /* [2][n][3] those; NULL: the frame's */
-    int64_t *count;      /* [n+1] 0, 1, 2, ... */
-    unsigned char *type; /* [n] VTK_VERTEX */
-    int *id;             /* [n] */
-};
-
-static void work_free(struct work *w)
-{
-    free(w->deep);
-    free(w->count);
-    free(w->type);
-    free(w->id);
-}
+/* --- rows of arrays ------------------------------------------------------------------------ */
 
 /* VTK knows three components only. */
-static int deepen(struct work *w, const struct cloud_frame *c)
+static void deepen(const struct cloud_frame *c, const double *from, long first, long n, double *to)
 {
-    const size_t n = (size_t)c->n, dim = (size_t)c->dim;
-
-    w->x = c->x;
-    w->u = c->u;
-    if (dim == 3)
-        return STATUS_DONE;
-    if (!(w->deep = status_alloc(2 * n, 3 * sizeof *w->deep)))
-        return STATUS_FAILED;
-    for (size_t i = 0; i < n; i++) {
-        memcpy(w->deep + 3 * i, c->x + dim * i, dim * sizeof *w->deep);
-        memcpy(w->deep + 3 * (n + i), c->u + dim * i, dim * sizeof *w->deep);
-    }
-    w->x = w->deep;
-    w->u = w->deep + 3 * n;
-    return STATUS_DONE;
+    for (long i = 0; i < n; i++)
+        for (int d = 0; d < 3; d++)
+            to[3 * i + d] = d < c->dim ? from[(first + i) * c->dim + d] : 0;
 }
 
-static int work_fill(struct work *w, const struct cloud_frame *c)
+static void points(const void *frame, long first, long n, void *to)
 {
-    const size_t n = (size_t)c->n;
+    const struct cloud_frame *c = frame;
 
-    TRY(deepen(w, c));
-    w->count = status_alloc(n + 1, sizeof *w->count);
-    w->type = status_alloc(n, sizeof *w->type);
-    w->id = status_alloc(n, sizeof *w->id);
-    if (!w->count || !w->type || !w->id)
-        return STATUS_FAILED;
-    for (size_t i = 0; i < n; i++) {
-        w->count[i] = (int64_t)i;
-        w->type[i] = 1;
-        w->id[i] = c->id ? c->id[i] : (int)i;
-    }
-    w->count[n] = (int64_t)n;
-    return STATUS_DONE;
+    deepen(c, c->x, first, n, to);
 }
 
-static int write_groups(hid_t file, const struct cloud_frame *c, const struct work *w)
+static void velocities(const void *frame, long first, long n, void *to)
+{
+    const struct cloud_frame *c = frame;
+
+    deepen(c, c->u, first, n, to);
+}
+
+static void counts(const void *frame, long first, long n, void *to)
+{
+    (void)frame;
+    for (long i = 0; i < n; i++)
+        ((int64_t *)to)[i] = first + i;
+}
+
+static void types(const void *frame, long first, long n, void *to)
+{
+    enum { VTK_VERTEX = 1 };
+
+    (void)frame;
+    (void)first;
+    memset(to, VTK_VERTEX, (size_t)n);
+}
+
+static void ids(const void *frame, long first, long n, void *to)
+{
+    (void)frame;
+    for (long i = 0; i < n; i++)
+        ((int *)to)[i] = (int)(first + i);
+}
+
+static void bytes(const void *from, long first, long n, void *to)
+{
+    memcpy(to, (const unsigned char *)from + first, (size_t)n);
+}
+
+/* --- a file ---------------------------------------------------------------------------------- */
+
+/* Arrays that all ranks write, in the order in which write_groups() leaves them out. */
+enum { POINTS, VELOCITY, DENSITY, PRESSURE, ARRAYS };
+
+static int write_groups(struct image *to, const struct cloud_frame *c)
 {
     const hsize_t n = (hsize_t)c->n;
-    const int64_t points = c->n;
+    const int64_t points_are = c->n;
     const struct fields_grid_array grid[] = {
-        { "NumberOfPoints", H5T_NATIVE_INT64, 1, 0, &points, 0 },
-        { "NumberOfCells", H5T_NATIVE_INT64, 1, 0, &points, 0 },
-        { "NumberOfConnectivityIds", H5T_NATIVE_INT64, 1, 0, &points, 0 },
-        { "Points", H5T_NATIVE_DOUBLE, n, 3, w->x, 0 },
-        { "Connectivity", H5T_NATIVE_INT64, n, 0, w->count, 1 },
-        { "Offsets", H5T_NATIVE_INT64, n + 1, 0, w->count, 1 },
-        { "Types", H5T_NATIVE_UCHAR, n, 0, w->type, 1 },
+        { "NumberOfPoints", H5T_NATIVE_INT64, 1, 0, .data = &points_are },
+        { "NumberOfCells", H5T_NATIVE_INT64, 1, 0, .data = &points_are },
+        { "NumberOfConnectivityIds", H5T_NATIVE_INT64, 1, 0, .data = &points_are },
+        { "Points", H5T_NATIVE_DOUBLE, n, 3, .data = NULL },
+        { "Connectivity", H5T_NATIVE_INT64, n, 0, .regular = 1, .fill = counts },
+        { "Offsets", H5T_NATIVE_INT64, n + 1, 0, .regular = 1, .fill = counts },
+        { "Types", H5T_NATIVE_UCHAR, n, 0, .regular = 1, .fill = types },
         { .name = NULL },
     };
     const struct fields_grid_array values[] = {
-        { "velocity", H5T_NATIVE_DOUBLE, n, 3, w->u, 0 },
-        { "density", H5T_NATIVE_DOUBLE, n, 0, c->rho, 0 },
-        { "pressure", H5T_NATIVE_DOUBLE, n, 0, c->p, 0 },
-        { "dye", H5T_NATIVE_UCHAR, n, 0, c->dye, 1 },
-        { "kind", H5T_NATIVE_UCHAR, n, 0, c->kind, 1 },
-        { "id", H5T_NATIVE_INT, n, 0, w->id, 1 },
+        { "velocity", H5T_NATIVE_DOUBLE, n, 3, .data = NULL },
+        { "density", H5T_NATIVE_DOUBLE, n, 0, .data = NULL },
+        { "pressure", H5T_NATIVE_DOUBLE, n, 0, .data = NULL },
+        { "dye", H5T_NATIVE_UCHAR, n, 0, .regular = 1, .fill = bytes, .self = c->dye },
+        { "kind", H5T_NATIVE_UCHAR, n, 0, .regular = 1, .fill = bytes, .self = c->kind },
+        { "id", H5T_NATIVE_INT, n, 0, .regular = 1, .fill = ids },
         { .name = NULL },
     };
 
-    return fields_grid_write(file, "VTKHDF", grid, c->t)
-           && fields_grid_write(file, "VTKHDF/PointData", values, c->t);
+    return fields_grid_write(to, "VTKHDF", grid, c->t)
+           && fields_grid_write(to, "VTKHDF/PointData", values, c->t);
 }
 
-enum { POINT = 160 }; /* bytes of a particle in it */
+enum { POINT = 160 }; /* bytes of a particle in a file, an upper bound */
 
-static void *make_image(const struct cloud_frame *c, const struct work *w, size_t *size)
+/* What is small, on the first rank. */
+static int start(const char *path, const struct cloud_frame *c, struct image *image, struct aside *a)
 {
-    const hid_t file = image_open((size_t)c->n * POINT);
+    const bool begun = image_begin(image, (size_t)c->n * POINT), fine = begun && write_groups(image, c);
 
-    return image_close(file, file >= 0 && write_groups(file, c, w), size);
+    if (!image_end(image, fine))
+        return image_refused(image, path);
+    TRY(aside_open(a, path));
+    if (image_put(image, a->to))
+        return STATUS_DONE;
+    aside_drop(a);
+    a->to = NULL;
+    return image_refused(image, path);
 }
 
-int fields_file_write(const char *path, const struct cloud_frame *frame)
+static int write_all(int status, struct aside *a, const struct image *image, const struct cloud_frame *c)
 {
-    struct work work = { 0 };
-    void *image = NULL;
-    size_t size = 0;
-    int code = work_fill(&work, frame);
+    const size_t number = sizeof(double);
+    const struct piece piece[ARRAYS] = {
+        [POINTS] = { POINTS, c->from, c->here, 3 * number, points, c },
+        [VELOCITY] = { VELOCITY, c->from, c->here, 3 * number, velocities, c },
+        [DENSITY] = { DENSITY, c->from, c->here, number, pieces_numbers, c->rho },
+        [PRESSURE] = { PRESSURE, c->from, c->here, number, pieces_numbers, c->p },
+    };
+    const struct pieces all = { c->shared, c->n > 0 ? ARRAYS : 0, piece };
 
-    if (code == STATUS_DONE)
-        image = make_image(frame, &work, &size);
-    work_free(&work);
-    if (code == STATUS_DONE)
-        code = fields_grid_keep(path, image, size);
-    free(image);
-    return code;
+    return pieces_write(status, a, image, 0, &all, false);
+}
+
+int fields_file_write(const char *path, const struct cloud_frame *c)
+{
+    struct image image = { .file = -1, .memory = -1 };
+    struct aside a = { .to = NULL };
+    int status = path ? start(path, c, &image, &a) : STATUS_DONE;
+
+    status = write_all(status, path ? &a : NULL, &image, c);
+    image_free(&image);
+    if (status == STATUS_DONE && a.to)
+        return aside_close(&a);
+    if (a.to)
+        aside_drop(&a);
+    return status;
 }

@@ -4,7 +4,8 @@
 
 #include "output/cloud.h"
 
-/* Writes path whole or not at all (STATUS_IO). */
+/* Writes path whole or not at all (STATUS_IO).  Where the frame is shared all ranks call it, others than
+ * the first with path NULL. */
 int fields_file_write(const char *path, const struct cloud_frame *frame);
 
 /* The same of the surfaces of its bodies, which it has. */

@@ -143,10 +143,22 @@ static int write_index(const struct fields *f)
     return aside_close(&a);
 }
 
+/* END: "" of particles, "-bodies" of bodies. */
+static int file_of(const struct fields *f, int number, const char *end, char *path)
+{
+    char name[40];
+
+    snprintf(name, sizeof name, "%06d%s.vtkhdf", number, end);
+    return aside_join(path, f->folder, name);
+}
+
 static int start(struct fields *f, const char *dir)
 {
+    char path[ASIDE_PATH];
+
     TRY(aside_join(f->folder, dir, "fields"));
     TRY(aside_join(f->index, dir, "fields.xdmf"));
+    TRY(file_of(f, 999999, "-bodies", path)); /* the longest: later no name is refused */
     return aside_directory(f->folder);
 }
 
@@ -191,15 +203,6 @@ static int remember(struct fields *f, const struct cloud_frame *frame)
     return STATUS_DONE;
 }
 
-/* END: "" of particles, "-bodies" of bodies. */
-static int file_of(const struct fields *f, int number, const char *end, char *path)
-{
-    char name[40];
-
-    snprintf(name, sizeof name, "%06d%s.vtkhdf", number, end);
-    return aside_join(path, f->folder, name);
-}
-
 /* A checkpoint promises the files that it counts. */
 static int make_safe(struct fields *f)
 {
@@ -231,18 +234,28 @@ int fields_keep(struct fields *f, struct archive *a)
     return write_index(f);
 }
 
-int fields_write(struct fields *f, const struct cloud_frame *frame)
+/* What the first rank alone knows of. */
+static int add(struct fields *f, const struct cloud_frame *frame)
 {
     char path[ASIDE_PATH];
 
-    TRY(file_of(f, f->moments, "", path));
-    TRY(fields_file_write(path, frame));
     if (f->looks) {
         TRY(file_of(f, f->moments, "-bodies", path));
         TRY(fields_bodies_write(path, frame));
     }
     TRY(remember(f, frame));
     return write_index(f);
+}
+
+int fields_write(struct fields *f, const struct cloud_frame *frame)
+{
+    char path[ASIDE_PATH];
+
+    if (!f)
+        return fields_file_write(NULL, frame);
+    file_of(f, f->moments, "", path);
+    TRY(fields_file_write(path, frame));
+    return add(f, frame);
 }
 
 void fields_close(struct fields **fields)

@@ -29,7 +29,8 @@ int fields_open(struct fields **out, const char *dir, const struct cloud_looks *
 /* Which moments there are; loading cuts the index back to them.  NULL is welcome. */
 int fields_keep(struct fields *f, struct archive *a);
 
-/* Adds a moment; times must grow. In 2D z and the third velocity are 0. */
+/* Adds a moment; times must grow. In 2D z and the third velocity are 0.  Where the frame is shared all ranks
+ * call it, others than the first with f NULL. */
 int fields_write(struct fields *f, const struct cloud_frame *frame);
 
 void fields_close(struct fields **fields); /* frees; NULL is welcome */

@@ -1,11 +1,17 @@
-/* image.c -- HDF5 files in memory, by its "core" driver. */
+/* image.c -- HDF5 files in memory: written to a file on no disk, read by HDF5's "core" driver. */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* memfd_create() */
+#endif
 #include "output/image.h"
 
 #include "base/status.h"
 
-#include <stdbool.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static bool broken; /* what a failure left behind in HDF5 is not to be trusted */
@@ -25,15 +31,18 @@ static void last_words(void)
 /* HDF5 opens no image whose name is that of a file, so this is one that no file can have. */
 static const char nowhere[] = "/dev/null/image";
 
-enum { OWN = 8 << 20 }; /* what HDF5 itself takes, an upper bound [bytes] */
+enum {
+    OWN = 8 << 20,      /* what HDF5 itself takes, an upper bound [bytes] */
+    OVERHEAD = 1 << 16  /* of its structures in a file, too               */
+};
 
 /* HDF5 1.10 does not look at all it asks for: without memory it crashes or ends the program, also
- * in what it does at exit.  The file, its growth and our copy of it are 3 times its bytes. */
+ * in what it does at exit.  bytes: of a file that is read, which it copies more than once. */
 static bool begin(size_t bytes)
 {
     static bool begun;
 
-    if (broken || status_reserve(3 * bytes + OWN, "a file of HDF5") != STATUS_DONE)
+    if (broken || status_reserve(bytes + OWN, "a file of HDF5") != STATUS_DONE)
         return false;
     writes = true;
     if (!begun) {
@@ -45,48 +54,140 @@ static bool begin(size_t bytes)
     return !broken;
 }
 
-hid_t image_open(size_t bytes)
+/* A file without a name that is on no disk, where the system has such. */
+static int open_memory(void)
 {
-    hid_t access, file;
+#ifdef MFD_CLOEXEC
+    return memfd_create("stiffwater", MFD_CLOEXEC);
+#else
+    FILE *file = tmpfile();
+    const int memory = file ? dup(fileno(file)) : -1;
 
-    if (!begin(bytes))
-        return -1;
-    access = H5Pcreate(H5P_FILE_ACCESS);
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    H5Pset_fapl_core(access, (size_t)1 << 22, 0);
-    file = H5Fcreate(nowhere, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    if (file)
+        fclose(file);
+    return memory;
+#endif
+}
+
+/* HDF5 resolves links of files that it opens by its usual driver, and this one leads nowhere: not so
+ * by that of C's own files. */
+static hid_t create(int memory)
+{
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    hid_t file = -1;
+    char path[40];
+
+    snprintf(path, sizeof path, "/dev/fd/%d", memory);
+    if (H5Pset_fapl_stdio(access) >= 0)
+        file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
     return file;
 }
 
-static void *take(hid_t file, size_t *size)
+/* May files be as long?  What is on no disk counts as one. */
+static bool may_write(size_t bytes)
 {
-    const ssize_t wanted = H5Fget_file_image(file, NULL, 0);
-    void *image = wanted > 0 ? status_alloc((unsigned long)wanted, 1) : NULL;
+    struct rlimit most;
 
-    if (image && H5Fget_file_image(file, image, (size_t)wanted) != wanted) {
-        free(image);
-        return NULL;
+    return getrlimit(RLIMIT_FSIZE, &most) != 0 || most.rlim_cur == RLIM_INFINITY
+           || bytes + OVERHEAD <= most.rlim_cur;
+}
+
+bool image_begin(struct image *m, size_t bytes)
+{
+    *m = (struct image){ .file = -1, .memory = -1 };
+    if (!may_write(bytes)) {
+        m->error = EFBIG;
+        return false;
     }
-    *size = (size_t)wanted;
-    return image;
+    if (!begin(0) || (m->memory = open_memory()) < 0)
+        return false;
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    m->file = create(m->memory);
+    return m->file >= 0;
 }
 
-void *image_close(hid_t file, bool fine, size_t *size)
+bool image_room(hid_t making)
 {
-    void *image = NULL;
+    return H5Pset_alloc_time(making, H5D_ALLOC_TIME_EARLY) >= 0
+           && H5Pset_fill_time(making, H5D_FILL_TIME_NEVER) >= 0;
+}
 
-    if (file >= 0 && fine && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0)
-        image = take(file, size);
-    if (file >= 0)
-        H5Fclose(file);
-    broken = broken || !image;
+bool image_leave(struct image *m, hid_t set)
+{
+    const haddr_t at = H5Dget_offset(set);
+
+    if (at == HADDR_UNDEF || m->arrays == IMAGE_ARRAYS)
+        return false;
+    m->array[m->arrays++] = (struct image_array){ (long)at, (long)H5Dget_storage_size(set) };
+    return true;
+}
+
+bool image_end(struct image *m, bool fine)
+{
+    if (m->file >= 0)
+        fine = H5Fclose(m->file) >= 0 && fine;
+    m->file = -1;
+    if (m->error == 0) /* else HDF5 was not asked */
+        broken = broken || !fine;
     writes = false;
-    return image;
+    return fine;
 }
 
-int image_refused(const char *path)
+void image_free(struct image *m)
 {
+    if (m->memory >= 0)
+        close(m->memory);
+    m->memory = -1;
+}
+
+/* Bytes from .. to - 1; false: they are not there. */
+static bool put_range(const struct image *m, long from, long end, FILE *to)
+{
+    char piece[1 << 16];
+
+    while (from < end) {
+        const size_t wanted = end - from < (long)sizeof piece ? (size_t)(end - from) : sizeof piece;
+        const ssize_t n = pread(m->memory, piece, wanted, from);
+        if (n <= 0)
+            return false;
+        fwrite(piece, 1, (size_t)n, to);
+        from += n;
+    }
+    return true;
+}
+
+/* The first array that is left out at `from` or behind it; NULL: none. */
+static const struct image_array *next_array(const struct image *m, long from)
+{
+    const struct image_array *next = NULL;
+
+    for (int i = 0; i < m->arrays; i++)
+        if (m->array[i].at >= from && (!next || m->array[i].at < next->at))
+            next = &m->array[i];
+    return next;
+}
+
+bool image_put(const struct image *m, FILE *to)
+{
+    const struct image_array *array;
+    struct stat about;
+    long from = 0;
+
+    if (fstat(m->memory, &about) != 0)
+        return false;
+    while ((array = next_array(m, from))) {
+        if (!put_range(m, from, array->at, to) || fseeko(to, (off_t)array->bytes, SEEK_CUR) != 0)
+            return false;
+        from = array->at + array->bytes;
+    }
+    return put_range(m, from, (long)about.st_size, to);
+}
+
+int image_refused(const struct image *m, const char *path)
+{
+    if (m->error != 0)
+        return status_fail(STATUS_IO, "%s: cannot be written: %s", path, strerror(m->error));
     return status_starved("HDF5 cannot make %s", path);
 }
 
@@ -94,7 +195,7 @@ hid_t image_read(const void *bytes, size_t size)
 {
     hid_t access, file = -1;
 
-    if (!begin(size))
+    if (!begin(3 * size))
         return -1;
     access = H5Pcreate(H5P_FILE_ACCESS);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);

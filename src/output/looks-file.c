@@ -243,34 +243,34 @@ int looks_file_write_cut(const char *path, double t, double at, const struct clo
 
 /* --- all points ------------------------------------------------------------------------- */
 
-/* Those of skins hide below surfaces. */
-static void particles(FILE *to, const struct cloud_frame *c)
+/* Skins hide below surfaces. */
+void looks_file_add_points(FILE *to, const struct cloud_frame *c)
 {
-    for (size_t i = 0; i < (size_t)c->n; i++)
-        if (c->kind[i] < 3)
-            point(to, c->x + 3 * i, c->u + 3 * i, c->kind[i] == 0 ? 2 : 3, -1);
+    for (size_t i = 0; i < (size_t)c->here; i++) {
+        const int kind = c->kind[(size_t)c->from + i];
+        if (kind < 3)
+            point(to, c->x + 3 * i, c->u + 3 * i, kind == 0 ? 2 : 3, -1);
+    }
 }
 
-int looks_file_write_points(const char *path, double step, const struct cloud_frame *frame)
+int looks_file_open_points(struct aside *a, const char *path, double step,
+                           const struct cloud_frame *frame)
 {
     const struct cloud_looks *looks = frame->looks;
     struct edge *edge = status_alloc((size_t)looks->first[looks->faces], sizeof *edge);
-    struct aside a;
-    int code = edge ? aside_open(&a, path) : STATUS_FAILED;
+    int code = edge ? aside_open(a, path) : STATUS_FAILED;
 
     if (code == STATUS_DONE) {
-        head(a.to, frame->t, looks);
-        fputs("# units: m,m,m,,,,,\nx,y,z,nx,ny,nz,what,body\n", a.to);
+        head(a->to, frame->t, looks);
+        fputs("# units: m,m,m,,,,,\nx,y,z,nx,ny,nz,what,body\n", a->to);
         for (int f = 0; f < looks->faces; f++) {
             double n[3];
             normal_of(looks, f, n);
             for (int i = 1; i + 1 < looks->first[f + 1] - looks->first[f]; i++)
-                triangle(a.to, corner(looks, 3, f, 0), corner(looks, 3, f, i),
+                triangle(a->to, corner(looks, 3, f, 0), corner(looks, 3, f, i),
                          corner(looks, 3, f, i + 1), step, n, looks->of[f]);
         }
-        edges(a.to, looks, edge, step);
-        particles(a.to, frame);
-        code = aside_close(&a);
+        edges(a->to, looks, edge, step);
     }
     free(edge);
     return code;

@@ -5,6 +5,8 @@
 #include "output/aside.h"
 #include "output/looks-file.h"
 #include "output/series.h"
+#include "ranks/ranks.h"
+
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -83,6 +85,7 @@ int snapshot_keep(struct snapshot *s, struct archive *a)
     return series_keep(s->index, a, "snapshots.csv");
 }
 
+/* The particle i of those that are here. */
 static void row(FILE *to, const struct cloud_frame *c, int i)
 {
     const double *x = c->x + (size_t)c->dim * (size_t)i, *u = c->u + (size_t)c->dim * (size_t)i;
@@ -91,22 +94,39 @@ static void row(FILE *to, const struct cloud_frame *c, int i)
         fprintf(to, "%.10g,", x[d]);
     for (int d = 0; d < c->dim; d++)
         fprintf(to, "%.8g,", u[d]);
-    fprintf(to, "%.10g,%.8g,%d,%d\n", c->rho[i], c->p[i], c->dye[i], c->kind[i]);
+    fprintf(to, "%.10g,%.8g,%d,%d\n", c->rho[i], c->p[i], c->dye[c->from + i], c->kind[c->from + i]);
 }
 
-static int write_cloud(const char *path, const struct cloud_frame *c)
+/* Files of a moment that have a line for each particle. */
+struct lines {
+    struct aside cloud, surface;
+};
+
+static void add_lines(void *lines, const struct cloud_frame *part)
 {
-    struct aside a;
+    const struct lines *l = lines;
 
-    TRY(aside_open(&a, path));
-    fprintf(a.to, "# t = %.12g s\n# units: %s,kg/m^3,Pa,,\n", c->t,
-            c->dim == 2 ? "m,m,m/s,m/s" : "m,m,m,m/s,m/s,m/s");
-    fputs(c->dim == 2 ? "x,y,ux,uy,rho,p,dye,kind\n" : "x,y,z,ux,uy,uz,rho,p,dye,kind\n", a.to);
-    for (int i = 0; i < c->n; i++)
-        row(a.to, c, i);
-    return aside_close(&a);
+    for (int i = 0; i < part->here; i++)
+        row(l->cloud.to, part, i);
+    if (l->surface.to)
+        looks_file_add_points(l->surface.to, part);
 }
 
+static int open_cloud(struct aside *a, const char *path, const struct cloud_frame *c)
+{
+    TRY(aside_open(a, path));
+    fprintf(a->to, "# t = %.12g s\n# units: %s,kg/m^3,Pa,,\n", c->t,
+            c->dim == 2 ? "m,m,m/s,m/s" : "m,m,m,m/s,m/s,m/s");
+    fputs(c->dim == 2 ? "x,y,ux,uy,rho,p,dye,kind\n" : "x,y,z,ux,uy,uz,rho,p,dye,kind\n", a->to);
+    return STATUS_DONE;
+}
+
+static bool has_surface(const struct snapshot *s, const struct cloud_frame *c)
+{
+    return c->looks && c->dim == 3 && s->step > 0;
+}
+
+/* What is there without a particle. */
 static int write_looks(const struct snapshot *s, const struct cloud_frame *c)
 {
     char name[48], path[ASIDE_PATH];
@@ -115,24 +135,63 @@ static int write_looks(const struct snapshot *s, const struct cloud_frame *c)
         return STATUS_DONE;
     TRY(file_of(s, s->written, "-bodies", name, path));
     TRY(looks_file_write(path, c->dim, c->t, c->looks));
-    if (c->dim == 2 || s->step <= 0)
+    if (!has_surface(s, c))
         return STATUS_DONE;
-    TRY(file_of(s, s->written, "-surface", name, path));
-    TRY(looks_file_write_points(path, s->step, c));
     TRY(file_of(s, s->written, "-cut", name, path));
     return looks_file_write_cut(path, c->t, s->middle, c->looks);
 }
 
-int snapshot_write(struct snapshot *s, const struct cloud_frame *frame)
+static int open_lines(const struct snapshot *s, const struct cloud_frame *c, struct lines *l)
 {
     char name[48], path[ASIDE_PATH];
 
     TRY(file_of(s, s->written, "", name, path));
-    TRY(write_cloud(path, frame));
-    TRY(write_looks(s, frame));
+    TRY(open_cloud(&l->cloud, path, c));
+    if (!has_surface(s, c))
+        return STATUS_DONE;
+    TRY(file_of(s, s->written, "-surface", name, path));
+    return looks_file_open_points(&l->surface, path, s->step, c);
+}
+
+static int close_lines(int status, struct lines *l)
+{
+    struct aside *file[] = { &l->cloud, &l->surface };
+
+    for (int i = 0; i < 2; i++) {
+        if (!file[i]->to)
+            continue;
+        if (status == STATUS_DONE)
+            status = aside_close(file[i]);
+        else
+            aside_drop(file[i]);
+    }
+    return status;
+}
+
+static int note(struct snapshot *s, const struct cloud_frame *c)
+{
+    char name[48], path[ASIDE_PATH];
+
+    TRY(file_of(s, s->written, "", name, path));
     s->written++;
-    TRY(series_text_row(s->index, &frame->t, (const char *[]){ NULL, name }));
+    TRY(series_text_row(s->index, &c->t, (const char *[]){ NULL, name }));
     return series_flush(s->index);
+}
+
+int snapshot_write(struct snapshot *s, const struct cloud_frame *frame)
+{
+    struct lines lines = { .cloud.to = NULL };
+    int status = s ? open_lines(s, frame, &lines) : STATUS_DONE;
+
+    if (frame->shared)
+        status = ranks_agree(status);
+    if (status == STATUS_DONE)
+        status = cloud_show(frame, add_lines, &lines);
+    status = close_lines(status, &lines);
+    if (!s || status != STATUS_DONE)
+        return status;
+    TRY(write_looks(s, frame));
+    return note(s, frame);
 }
 
 int snapshot_close(struct snapshot **snapshot)

@@ -20,6 +20,7 @@ int snapshot_open(struct snapshot **out, const char *dir, bool again);
 /* In 3D: points on surfaces are no farther apart than `step`, and bodies are cut at y = `middle` [m]. */
 void snapshot_fineness(struct snapshot *s, double step, double middle);
 int snapshot_keep(struct snapshot *s, struct archive *a); /* NULL is welcome */
+/* Where the frame is shared all ranks call it, others than the first with s NULL. */
 int snapshot_write(struct snapshot *s, const struct cloud_frame *frame);
 int snapshot_close(struct snapshot **snapshot); /* NULL is welcome */
 

@@ -52,15 +52,18 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* A frame is held, while its file is made three components (where it has two), cells
- * and ids, and the file itself twice (output/fields-file.c). */
+/* Particles as files have them. */
+static double frames(const struct count *c)
+{
+    return (c->fluid + c->solid) * (2 * DIM + 2) * 8;
+}
+
+/* While their file is made, it takes no more for each (output/fields-file.c). */
 static double outputs(const struct count *c)
 {
-    const double n = c->fluid + c->solid;
-    const double frame = (2 * DIM + 2) * 8 + 1, work = (DIM == 3 ? 0 : 6 * 8) + 8 + 1 + 4, file = 8 * 8 + 1;
-    const double crowd = 4 + 8 + 2, pairing = 4 + 8 + 16, pressures = 8;
+    const double kind = 1, crowd = 4 + 8 + 2, pairing = 4 + 8 + 16, pressures = 8;
 
-    return n * (frame + work + 2 * file + crowd) + c->fluid * (pairing + pressures);
+    return frames(c) + (c->fluid + c->solid) * (kind + crowd) + c->fluid * (pairing + pressures);
 }
 
 /* Coefficients of pairs, velocities and their sums by place, y of a stage, vectors. */
@@ -137,7 +140,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
               + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
-        .outputs = outputs(c),
+        .outputs = outputs(c), .frames = frames(c),
     };
 }
 

@@ -14,7 +14,8 @@ struct plan_memory {
     double lists;      /* pair lists: the run's, and the outputs' own          */
     double sums;       /* what one evaluation of the pair sums works in        */
     double particles;  /* what does not evolve                                 */
-    double outputs;    /* frames, gauges, and an output field while it is made  */
+    double outputs;    /* frames, gauges                                        */
+    double frames;     /* of these, what many ranks share                       */
 };
 
 /* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list

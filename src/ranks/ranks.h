@@ -63,6 +63,13 @@ void ranks_gather(const int *count, size_t bytes, const void *mine, void *all);
 /* The same to the first rank alone: elsewhere `all` is not touched. */
 void ranks_bring(const int *count, size_t bytes, const void *mine, void *all);
 
+/* Of n rows in an order that all know, those that this rank takes where they are shared evenly: from
+ * here to where those of rank + 1 begin. */
+static inline int ranks_part(int n, int rank)
+{
+    return (int)((int64_t)n * rank / ranks_count());
+}
+
 /* --- where each works ------------------------------------------------------------------ */
 
 /* Space cut into boxes that fill it, one a rank. */

@@ -62,7 +62,7 @@ static int open_outputs(struct run *r, bool again)
                                .again = again };
 
     stop_listen();
-    return outputs_open(&r->outputs, r->plan, &home, &r->past);
+    return outputs_open(&r->outputs, r->moment, &home, &r->past);
 }
 
 /* On many ranks in arrays of all particles, of which each needs a part later. */

@@ -80,7 +80,7 @@ static double looking(const struct run *r, const struct plan_memory *whole, bool
     return first || moment_is_full(r->moment) ? whole->lists / 2 : -stand(r);
 }
 
-/* The first rank has the outputs, and all of y to write. */
+/* The first rank has the outputs, but for frames of which each has its part, and all of y to look at. */
 static double memory_of(const struct run *r, const struct rank *rank, double writing,
                         double all)
 {
@@ -96,7 +96,8 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
     if (r->method->room.sparing)
         takes -= 8 * rank->spared * (vectors + (first ? packed : 2));
     takes += looking(r, &whole, first);
-    takes += (first ? own.outputs : 0) - (packed || !first ? rank->absent : 0);
+    takes += (first ? own.outputs - own.frames : 0) - (packed || !first ? rank->absent : 0);
+    takes += packed ? own.frames / ranks_count() : first ? own.frames : 0;
     return fmax(takes, before(r, rank, &own));
 }
 

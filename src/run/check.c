@@ -112,7 +112,7 @@ static void print_cost(struct run *r, double seconds)
 
 /* What writing files takes in any case: code of HDF5, and the blocks it works in; and what large
  * pages of small arrays do, which ranks have not [bytes]. */
-static const double later = 9e6, pages = 3e6, without_particles = 3.5e6;
+static const double later = 9e6, pages = 3e6, without_particles = 3.5e6, later_of_ranks = 6e6;
 
 static void print_bytes(const char *what, double bytes)
 {
@@ -208,7 +208,7 @@ static int check(struct run *r, const struct run_order *order, double program)
     print_state(r);
     print_cost(r, seconds);
     if (ranks_count() > 1)
-        TRY(check_ranks_print(r, program, later));
+        TRY(check_ranks_print(r, program, later_of_ranks));
     else
         print_memory(r, program);
     TRY(run_disk_print(r, plan_particles(r->plan)->n, looks_grain(r->plan)));

@@ -2,6 +2,7 @@
 #include "run/checkpoint.h"
 
 #include "base/status.h"
+#include "eval/slice.h"
 #include "output/hash.h"
 #include "ranks/ranks.h"
 #include "run/ranks.h"
@@ -80,10 +81,10 @@ static char *describe_layout(const struct run *r)
     return NULL;
 }
 
-/* r->y goes by id. */
+/* y goes by id. */
 static int keep_state(struct run *r, struct archive *a)
 {
-    TRY(archive_numbers(a, "y", r->y, moment_size(r->moment)));
+    TRY(archive_numbers_elsewhere(a, "y", r->y, moment_size(r->moment)));
     TRY(archive_numbers(a, "t", &r->past.tally.t, 1));
     TRY(archive_numbers(a, "pace", &r->pace.h, 1));
     TRY(archive_numbers(a, "pace.error", r->pace.error, 2));
@@ -126,21 +127,27 @@ static int fill(struct run *r, struct archive *a)
 
 /* --- writing ------------------------------------------------------------------------ */
 
-/* Tables that cannot be written end a run as ever; a checkpoint that cannot be does not. */
-static int save(struct run *r)
+/* What each rank has of y. */
+static int save_pieces(struct run *r, const struct archive *a, const struct slice_state *y)
 {
-    struct archive *a;
-    int status = archive_create(&a);
+    struct piece piece[SLICE_PIECES];
+    const struct pieces all = { moment_is_packed(r->moment), y->pieces, piece };
 
-    if (status == STATUS_DONE)
-        status = fill(r, a);
-    if (status == STATUS_DONE && saved_write(r->directory, a) != STATUS_DONE) {
-        status_warn("no checkpoint at t = %g s: %s; the run goes on, the checkpoint before stays",
-                    r->past.tally.t, status_message());
-        status_forgive();
-    }
-    archive_free(&a);
-    return status;
+    for (int i = 0; i < y->pieces; i++)
+        piece[i] = (struct piece){ .from = y->piece[i].at, .n = y->piece[i].n,
+                                   .bytes = sizeof(double), .fill = pieces_numbers,
+                                   .self = y->piece[i].value };
+    return a || all.shared ? saved_write(r->directory, a, &all) : STATUS_DONE;
+}
+
+/* A checkpoint that cannot be written does not end a run. */
+static void save(struct run *r, const struct archive *a, const struct slice_state *y)
+{
+    if (save_pieces(r, a, y) == STATUS_DONE)
+        return;
+    status_warn("no checkpoint at t = %g s: %s; the run goes on, the checkpoint before stays",
+                r->past.tally.t, status_message());
+    status_forgive();
 }
 
 static void count(struct run *r)
@@ -154,23 +161,46 @@ static void count(struct run *r)
         c->due++;
 }
 
+/* On the first rank all but y; tables that cannot be written end a run as ever. */
+static int make(struct run *r, const char *because, struct archive **a)
+{
+    int status;
+
+    *a = NULL;
+    if (!run_ranks_writes())
+        return STATUS_DONE;
+    status = outputs_checkpoint(r->outputs, r->past.tally.t, because);
+    if (status == STATUS_DONE)
+        status = archive_create(a);
+    return status == STATUS_DONE ? fill(r, *a) : status;
+}
+
+static int write_all(struct run *r, bool by_clock)
+{
+    const double *own = r->method->state(r->self);
+    const double *state = moment_is_packed(r->moment) ? own : run_state_written(r);
+    struct slice_state y = { .pieces = 0 };
+    struct archive *a;
+    int status = run_ranks_agree(r, make(r, by_clock ? "clock" : "time", &a));
+
+    if (status == STATUS_DONE)
+        status = slice_take_state(r->moment, state, r->y, &y);
+    if (status == STATUS_DONE)
+        save(r, a, &y);
+    slice_free_state(&y);
+    archive_free(&a);
+    return status;
+}
+
 int checkpoint_write(struct run *r)
 {
     const double t = r->past.tally.t;
     const bool by_clock = t < checkpoint_next(r) && t < r->until;
-    const double *y = run_state_written(r);
-    int status = STATUS_DONE;
 
-    if (run_ranks_writes()) {
-        moment_by_id(r->moment, y, r->y);
-        status = outputs_checkpoint(r->outputs, t, by_clock ? "clock" : "time");
-    }
-    count(r);
     r->past.spent[0] = run_cpu() - r->cpu_start;
     r->past.spent[1] = run_clock() - r->clock_start;
-    if (status == STATUS_DONE && run_ranks_writes())
-        status = save(r);
-    TRY(run_ranks_agree(r, status));
+    count(r);
+    TRY(run_ranks_agree(r, write_all(r, by_clock)));
     r->clock_kept = run_clock();
     r->event = plan_event(r->plan, t);
     moment_restart(r->moment);

@@ -3,6 +3,7 @@
 #include "run/outputs.h"
 
 #include "base/status.h"
+#include "eval/slice.h"
 #include "output/aside.h"
 #include "output/fields.h"
 #include "output/snapshot.h"
@@ -11,7 +12,6 @@
 #include "run/looks.h"
 #include "run/saved.h"
 #include "run/tables.h"
-#include "state/period.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -28,25 +28,35 @@ struct outputs {
     struct snapshot *snapshot;
     struct looks *looks;     /* NULL: no rigid bodies */
     struct run_balance *balance; /* the run's */
-    double *rho, *p, *x, *u; /* of all particles, for particle files */
-    unsigned char *kind;
+    struct slice_frame frame; /* of particles in this rank's part of files */
+    double *p;               /* their pressure                            */
+    unsigned char *kind;     /* of all, on the first rank                 */
 };
 
-static int open_particles(struct outputs *o, const struct plan *plan, const char *dir, bool again)
+/* What this rank has of particle files. */
+static int open_frame(struct outputs *o, const struct moment *moment)
 {
+    const size_t n = (size_t)slice_of(moment).n + 1;
+
+    o->frame.x = status_alloc(n, sizeof *o->frame.x);
+    o->frame.u = status_alloc(n, sizeof *o->frame.u);
+    o->frame.rho = status_alloc(n, sizeof *o->frame.rho);
+    o->p = status_alloc(n, sizeof *o->p);
+    return o->frame.x && o->frame.u && o->frame.rho && o->p ? STATUS_DONE : STATUS_FAILED;
+}
+
+static int open_particles(struct outputs *o, const struct moment *moment, const char *dir, bool again)
+{
+    const struct plan *plan = moment_plan(moment);
     const struct particles *all = plan_particles(plan);
     const struct scales *s = plan_scales(plan);
-    const int n = all->n;
 
     TRY(looks_open(&o->looks, plan));
-    if (n == 0 && !o->looks)
+    if (all->n == 0 && !o->looks)
         return STATUS_DONE;
-    o->rho = status_alloc(n, sizeof *o->rho);
-    o->p = status_alloc(n, sizeof *o->p);
-    o->x = status_alloc((size_t)n * DIM, sizeof *o->x);
-    o->u = status_alloc((size_t)n * DIM, sizeof *o->u);
-    o->kind = status_alloc(n, 1);
-    if (!o->rho || !o->p || !o->x || !o->u || !o->kind)
+    TRY(open_frame(o, moment));
+    o->kind = status_alloc((size_t)all->n + 1, 1);
+    if (!o->kind)
         return STATUS_FAILED;
     for (int k = 0; k < KINDS; k++)
         memset(o->kind + all->from[k], k, particles_count(all, k));
@@ -68,18 +78,18 @@ static int lock_directory(struct outputs *o, const char *dir)
     return STATUS_DONE;
 }
 
-static int open_all(struct outputs *o, const struct plan *plan, const struct home *home,
+static int open_all(struct outputs *o, const struct moment *moment, const struct home *home,
                     struct running **means)
 {
     TRY(lock_directory(o, home->dir));
     if (!home->again)
         TRY(saved_refuse(home->dir));
     TRY(home_take(home));
-    TRY(tables_open(&o->tables, plan, home->dir, means, home->again));
-    return open_particles(o, plan, home->dir, home->again);
+    TRY(tables_open(&o->tables, moment_plan(moment), home->dir, means, home->again));
+    return open_particles(o, moment, home->dir, home->again);
 }
 
-int outputs_open(struct outputs **out, const struct plan *plan, const struct home *home,
+int outputs_open(struct outputs **out, const struct moment *moment, const struct home *home,
                  struct run_past *past)
 {
     *out = status_alloc(1, sizeof **out);
@@ -87,9 +97,9 @@ int outputs_open(struct outputs **out, const struct plan *plan, const struct hom
         return STATUS_FAILED;
     (*out)->lock = -1;
     (*out)->balance = &past->balance;
-    if (ranks_me() > 0) /* the first rank has all files */
-        return STATUS_DONE;
-    return open_all(*out, plan, home, &past->means);
+    if (ranks_me() > 0) /* the first rank has all files, others write some with it */
+        return open_frame(*out, moment);
+    return open_all(*out, moment, home, &past->means);
 }
 
 int outputs_keep(struct outputs *o, struct archive *a)
@@ -173,40 +183,42 @@ int outputs_profile(struct outputs *o, struct moment *moment, double t, const do
     return tables_profile(o->tables, moment, t, y);
 }
 
-/* All particles into one frame, in order of ids. */
-static void frame_of(struct outputs *o, struct moment *moment, double t, const double *y,
-                     struct cloud_frame *f)
+/* Particles of this rank's part into a frame, in order of ids. */
+static int frame_of(struct outputs *o, struct moment *moment, double t, const double *y,
+                    struct cloud_frame *f)
 {
     const struct plan *plan = moment_plan(moment);
     const struct particles *all = plan_particles(plan);
-    struct view v;
+    const struct slice slice = slice_of(moment);
 
-    observe_view(moment, t, y, &v);
-    for (int k = 0; k < KINDS; k++) { /* each where the domain has it */
-        const size_t from = all->from[k], n = particles_count(all, k);
-        if (n == 0)
-            continue;
-        for (size_t id = 0; id < n; id++) {
-            const size_t i = (size_t)particles_row(v.p, (enum kind)k, (int)id);
-            period_home(plan_scales(plan), v.x[k] + i * DIM, o->x + (from + id) * DIM);
-            memcpy(o->u + (from + id) * DIM, v.u[k] + i * DIM, DIM * sizeof *o->u);
-            o->rho[from + id] = v.rho[k] ? v.rho[k][i] : plan_scales(plan)->rho0;
-        }
-    }
-    plan_pressures(plan, all->n, o->rho, o->p);
-    *f = (struct cloud_frame){ .t = t, .n = all->n, .dim = DIM, .x = o->x, .u = o->u,
-                               .rho = o->rho, .p = o->p, .dye = all->dye, .kind = o->kind,
+    TRY(slice_take_frame(moment, t, y, &o->frame));
+    plan_pressures(plan, slice.n, o->frame.rho, o->p);
+    *f = (struct cloud_frame){ .t = t, .n = all->n, .dim = DIM, .from = slice.from, .here = slice.n,
+                               .shared = moment_is_packed(moment), .x = o->frame.x[0],
+                               .u = o->frame.u[0], .rho = o->frame.rho, .p = o->p,
+                               .dye = all->dye, .kind = o->kind,
                                .looks = looks_at(o->looks, moment, y) };
+    return STATUS_DONE;
+}
+
+/* Does this rank write particle files? */
+static bool takes_part(const struct outputs *o, const struct moment *moment)
+{
+    return o->fields || (ranks_me() > 0 && moment_is_packed(moment));
+}
+
+int outputs_pairing(struct outputs *o, struct moment *moment, double t, const double *y)
+{
+    return tables_pairing(o->tables, moment, t, y);
 }
 
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y)
 {
     struct cloud_frame f;
 
-    TRY(tables_pairing(o->tables, moment, t, y));
-    if (!o->fields)
+    if (!takes_part(o, moment))
         return STATUS_DONE;
-    frame_of(o, moment, t, y, &f);
+    TRY(frame_of(o, moment, t, y, &f));
     return fields_write(o->fields, &f);
 }
 
@@ -214,9 +226,9 @@ int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const d
 {
     struct cloud_frame f;
 
-    if (!o->snapshot)
+    if (!takes_part(o, moment))
         return STATUS_DONE;
-    frame_of(o, moment, t, y, &f);
+    TRY(frame_of(o, moment, t, y, &f));
     return snapshot_write(o->snapshot, &f);
 }
 
@@ -271,10 +283,10 @@ int outputs_close(struct outputs **outputs)
     fields_close(&o->fields);
     closed = snapshot_close(&o->snapshot);
     looks_close(&o->looks);
-    free(o->rho);
+    free(o->frame.x);
+    free(o->frame.u);
+    free(o->frame.rho);
     free(o->p);
-    free(o->x);
-    free(o->u);
     free(o->kind);
     if (o->lock >= 0)
         close(o->lock);

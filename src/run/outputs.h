@@ -11,7 +11,7 @@ struct outputs;
 /* Makes the home's directory (and its files with their header lines).  What rows show, and readings of
  * probes that have running means, are kept in *past.  home->again: goes on with the files that
  * are there, after outputs_keep(). */
-int outputs_open(struct outputs **out, const struct plan *plan, const struct home *home,
+int outputs_open(struct outputs **out, const struct moment *moment, const struct home *home,
                  struct run_past *past);
 
 /* What there is of files; loading cuts them back to it. */
@@ -37,7 +37,11 @@ int outputs_checkpoint(struct outputs *o, double t, const char *because);
 /* Each point of the probes that have a profile. */
 int outputs_profile(struct outputs *o, struct moment *moment, double t, const double *y);
 
-/* All particles, for viewers (output fields) or for pictures (snapshots). */
+/* A row of how near particles of the fluid are to each other: with each field. */
+int outputs_pairing(struct outputs *o, struct moment *moment, double t, const double *y);
+
+/* All particles, for viewers (output fields) or for pictures (snapshots).  At own rows of y, all ranks
+ * together, where each has these alone; else y is whole, and others than the first do nothing. */
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y);
 int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y);
 

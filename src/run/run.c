@@ -15,11 +15,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Writers of outputs at times k * every (k = 0, 1, ...), but for rows; past.due has the next k. */
-static int (*const writers[RUN_DUES])(struct outputs *o, struct moment *moment, double t,
-                                      const double *y)
-    = { [RUN_FIELDS] = outputs_field, [RUN_SNAPSHOTS] = outputs_snapshot,
-        [RUN_PROFILES] = outputs_profile };
+/* Outputs at times k * every (k = 0, 1, ...), but for rows; past.due has the next k. */
+static const struct writer {
+    int (*all)(struct outputs *o, struct moment *moment, double t, const double *y);   /* see there */
+    int (*first)(struct outputs *o, struct moment *moment, double t, const double *y); /* y is whole */
+} writers[RUN_DUES] = { [RUN_FIELDS] = { outputs_field, outputs_pairing },
+                        [RUN_SNAPSHOTS] = { outputs_snapshot, NULL },
+                        [RUN_PROFILES] = { NULL, outputs_profile } };
 
 static const double patience = 2; /* [s] that a signal waits for the outputs of one step */
 
@@ -59,11 +61,18 @@ static int write_rows(struct run *r, double t, const double *own)
     return outputs_rows(r->outputs, r->moment, t, y, forces);
 }
 
-static int write_other(struct run *r, int i, double t, const double *own)
+static int write_other(struct run *r, const struct writer *w, double t, const double *own)
 {
-    const double *y = moment_first(r->moment, own);
+    const bool together = moment_is_packed(r->moment);
+    const double *y = w->first || !together ? moment_first(r->moment, own) : own;
+    int status = STATUS_DONE;
 
-    return run_ranks_writes() ? writers[i](r->outputs, r->moment, t, y) : STATUS_DONE;
+    if (w->first && run_ranks_writes())
+        status = w->first(r->outputs, r->moment, t, y);
+    if (!w->all)
+        return status;
+    TRY(run_ranks_agree(r, status));
+    return w->all(r->outputs, r->moment, t, together ? own : y);
 }
 
 /* Every output that is due in (.., t]; at t itself the state is exact. */
@@ -81,7 +90,7 @@ static int write_due(struct run *r, double t)
             if (due < t)
                 TRY(r->method->at(r->self, due, r->y));
             const double *y = due < t ? r->y : r->method->state(r->self);
-            TRY(run_ranks_agree(r, i == RUN_ROWS ? write_rows(r, due, y) : write_other(r, i, due, y)));
+            TRY(run_ranks_agree(r, i == RUN_ROWS ? write_rows(r, due, y) : write_other(r, &writers[i], due, y)));
         }
     return STATUS_DONE;
 }

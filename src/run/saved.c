@@ -14,13 +14,13 @@ static const char newest[] = "checkpoint.h5", previous[] = "checkpoint-before.h5
 
 enum { MESSAGE = 1024 };
 
-int saved_write(const char *dir, const struct archive *a)
+int saved_write(const char *dir, const struct archive *a, const struct pieces *pieces)
 {
     char path[ASIDE_PATH], before[ASIDE_PATH];
 
-    TRY(aside_join(path, dir, newest));
+    TRY(aside_join(path, dir, newest)); /* all ranks alike */
     TRY(aside_join(before, dir, previous));
-    return archive_file_write(a, path, before);
+    return archive_file_write(a, path, before, pieces);
 }
 
 /* The one before, because of `why'. */

@@ -5,9 +5,11 @@
 
 #include "base/archive.h"
 #include "output/hash.h"
+#include "output/pieces.h"
 
-/* Replaces the checkpoint; the one there was is now the one before. */
-int saved_write(const char *dir, const struct archive *a);
+/* Replaces the checkpoint; the one there was is now the one before.  Pieces, and ranks: as in
+ * output/archive-file.h. */
+int saved_write(const char *dir, const struct archive *a, const struct pieces *pieces);
 
 /* The checkpoint; when it is damaged or missing, the one before, with a warning.  STATUS_IO:
  * there is none to go on from. */

@@ -239,7 +239,7 @@ static void test_damage(void **state)
     size_t size;
 
     (void)state;
-    assert_int_equal(archive_file_write(a, path, before), STATUS_DONE);
+    assert_int_equal(archive_file_write(a, path, before, NULL), STATUS_DONE);
     assert_int_equal(read_sample(path), STATUS_DONE);
     bytes = contents(path, &size);
     flip(path, bytes, size);
@@ -263,16 +263,47 @@ static void test_before(void **state)
     assert_int_equal(archive_file_read(path, &found, &other), STATUS_IO);
     assert_false(found);
     status_clear();
-    assert_int_equal(archive_file_write(a, path, before), STATUS_DONE);
+    assert_int_equal(archive_file_write(a, path, before, NULL), STATUS_DONE);
     assert_int_equal(read_sample(before), STATUS_IO);
     status_clear();
     assert_int_equal(archive_create(&other), STATUS_DONE);
-    assert_int_equal(archive_file_write(other, path, before), STATUS_DONE);
+    assert_int_equal(archive_file_write(other, path, before, NULL), STATUS_DONE);
     assert_int_equal(read_sample(before), STATUS_DONE);
-    refused(archive_file_write(a, "/dev/full/x.h5", before), "/dev/full");
+    refused(archive_file_write(a, "/dev/full/x.h5", before, NULL), "/dev/full");
     assert_int_equal(read_sample(before), STATUS_DONE);
     archive_free(&other);
     archive_free(&a);
+}
+
+/* Numbers that the archive does not have come from pieces, in whatever order. */
+static void test_elsewhere(void **state)
+{
+    enum { MANY = 40000 };
+    const char *path = path_of(0, "three.h5"), *before = path_of(1, "three-before.h5");
+    double *y = malloc(MANY * sizeof *y), *read = malloc(MANY * sizeof *read);
+    struct archive *a = sample(), *back;
+    const struct piece piece[] = {
+        { .from = 30000, .n = 10000, .bytes = sizeof *y, .fill = pieces_numbers, .self = y + 30000 },
+        { .from = 0, .n = 30000, .bytes = sizeof *y, .fill = pieces_numbers, .self = y },
+    };
+    const struct pieces all = { .n = 2, .piece = piece };
+    bool found;
+
+    (void)state;
+    for (int i = 0; i < MANY; i++)
+        y[i] = 1.0 / (i + 1);
+    assert_int_equal(archive_numbers_elsewhere(a, "long", NULL, MANY), STATUS_DONE);
+    assert_int_equal(archive_add(a, "last", ARCHIVE_NUMBERS, 3, y), STATUS_DONE);
+    assert_int_equal(archive_file_write(a, path, before, &all), STATUS_DONE);
+    assert_int_equal(archive_file_read(path, &found, &back), STATUS_DONE);
+    assert_int_equal(archive_numbers_elsewhere(back, "long", read, MANY), STATUS_DONE);
+    assert_memory_equal(read, y, MANY * sizeof *y);
+    assert_int_equal(archive_numbers(back, "last", read, 3), STATUS_DONE);
+    assert_memory_equal(read, y, 3 * sizeof *y);
+    archive_free(&back);
+    archive_free(&a);
+    free(read);
+    free(y);
 }
 
 int main(void)
@@ -284,6 +315,7 @@ int main(void)
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_damage),
         cmocka_unit_test(test_before),
+        cmocka_unit_test(test_elsewhere),
     };
 
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);

@@ -30,7 +30,7 @@ static struct cloud_frame sample(int dim, int k)
         dye[i] = (unsigned char)(i % 2);
         kind[i] = (unsigned char)(i % 5);
     }
-    return (struct cloud_frame){ .t = 0.1 * k + 0.01 * k * k, .n = N, .dim = dim, .x = x, .u = u,
+    return (struct cloud_frame){ .t = 0.1 * k + 0.01 * k * k, .n = N, .here = N, .dim = dim, .x = x, .u = u,
                                  .rho = rho, .p = p, .dye = dye, .kind = kind };
 }
 
