@@ -55,6 +55,31 @@ struct exact_cut {
  * are no less than 10^-8 of it.  Stays as it is where `most` is 0 or too large. */
 void exact_sum_choose(struct exact_cut *cut, double most);
 
+/* Terms that come one by one, and are added some dozens at a time:
+ *
+ *     struct exact_terms t = { .to = &sum };
+ *     exact_terms_add(&t, x);                as often as needed
+ *     exact_terms_end(&t);                   now all are in the sum */
+enum { EXACT_TERMS = 64 };
+struct exact_terms {
+    struct exact_sum *to;
+    int n;
+    double x[EXACT_TERMS];
+};
+
+static inline void exact_terms_end(struct exact_terms *t)
+{
+    exact_sum_add(t->to, t->n, t->x);
+    t->n = 0;
+}
+
+static inline void exact_terms_add(struct exact_terms *t, double x)
+{
+    t->x[t->n++] = x;
+    if (t->n == EXACT_TERMS)
+        exact_terms_end(t);
+}
+
 void exact_sum_merge(struct exact_sum *to, const struct exact_sum *from);
 double exact_sum_value(const struct exact_sum *s);
 

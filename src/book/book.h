@@ -52,7 +52,8 @@ struct book_sheet {
 /* Names of the works, in order; returns how many. */
 int book_work_names(const struct plan *p, char (*name)[BOOK_NAME]);
 
-/* The view is of y, at its t; the layout is that of y; bodies are those of a moment. */
+/* Sums over particles have no order; where the view has some rows alone (view_has()) all ranks read it
+ * together, and have the same.  The view is of y, at its t; the layout is that of y; bodies are those of a moment. */
 void book_read(const struct plan *p, const struct layout *l, const struct moment_body *body,
                const struct view *v, const double *y, struct book_sheet *to);
 

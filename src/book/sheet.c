@@ -1,26 +1,83 @@
 /* sheet.c -- what is stored at a moment, and what the book says of it. */
 #include "book/book.h"
 #include "plan/solver.h"
+#include "ranks/ranks.h"
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS
               + 1 + PLAN_SOLVED_WORKS, "all works fit");
 
-/* Kinetic energy of the fluid [J] and its momentum [kg m/s]. */
-static double fluid_motion(const struct view *v, double *momentum)
-{
-    const int n = particles_count(v->p, KIND_FLUID);
-    const double *u = v->u[KIND_FLUID];
-    double kinetic = 0;
+/* What is added up over particles. */
+struct sums {
+    struct energy_sums energy;
+    struct exact_sum mass, momentum[DIM];
+};
 
-    for (int id = 0; id < n; id++)
-        for (int d = 0, i = particles_row(v->p, KIND_FLUID, id); d < DIM; d++) {
-            kinetic += 0.5 * v->p->m[i] * u[i * DIM + d] * u[i * DIM + d];
-            momentum[d] += v->p->m[i] * u[i * DIM + d];
+enum { SUMS = sizeof(struct sums) / sizeof(struct exact_sum) };
+
+/* Kinetic energy of the fluid and its momentum. */
+static void add_motion(const struct view *v, struct sums *s)
+{
+    const double *u = v->u[KIND_FLUID];
+    struct exact_terms mass = { .to = &s->mass }, kinetic = { .to = &s->energy.kinetic };
+    struct exact_terms momentum[DIM];
+
+    for (int d = 0; d < DIM; d++)
+        momentum[d] = (struct exact_terms){ .to = &s->momentum[d] };
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        const double m = v->p->m[i];
+        double u2 = 0;
+        if (!view_has(v, i))
+            continue;
+        for (int d = 0; d < DIM; d++) {
+            u2 += u[(size_t)i * DIM + d] * u[(size_t)i * DIM + d];
+            exact_terms_add(&momentum[d], m * u[(size_t)i * DIM + d]);
         }
-    return kinetic;
+        exact_terms_add(&kinetic, 0.5 * m * u2);
+        exact_terms_add(&mass, m);
+    }
+    exact_terms_end(&mass);
+    exact_terms_end(&kinetic);
+    for (int d = 0; d < DIM; d++)
+        exact_terms_end(&momentum[d]);
+}
+
+/* Each rank has added up its own. */
+static void share(struct sums *s)
+{
+    struct exact_sum *of = (struct exact_sum *)s;
+    int64_t word[SUMS][EXACT_SUM_WORDS];
+
+    for (int i = 0; i < SUMS; i++) {
+        exact_sum_carry(&of[i]);
+        memcpy(word[i], of[i].word, sizeof word[i]);
+    }
+    ranks_add(SUMS * EXACT_SUM_WORDS, word[0]);
+    for (int i = 0; i < SUMS; i++) {
+        of[i] = (struct exact_sum){ .full = ranks_count() };
+        memcpy(of[i].word, word[i], sizeof word[i]);
+    }
+}
+
+static void read_sums(const struct plan *p, const struct view *v, struct book_sheet *to)
+{
+    struct sums s = { 0 };
+
+    add_motion(v, &s);
+    for (int i = 0; i < p->parts; i++)
+        if (p->part[i].part->energy)
+            p->part[i].part->energy(p->part[i].self, v, &s.energy);
+    if (v->mine)
+        share(&s);
+    to->energy.kinetic = exact_sum_value(&s.energy.kinetic);
+    to->energy.potential = exact_sum_value(&s.energy.potential);
+    to->energy.internal = exact_sum_value(&s.energy.internal);
+    to->mass = exact_sum_value(&s.mass);
+    for (int d = 0; d < DIM; d++)
+        to->momentum[d] = exact_sum_value(&s.momentum[d]);
 }
 
 static void read_works(const struct plan *p, const double *book, struct book_sheet *s)
@@ -88,12 +145,7 @@ void book_read(const struct plan *p, const struct layout *l, const struct moment
     const double *book = y + layout_at(l, p->book.row);
 
     *s = (struct book_sheet){ .t = v->t };
-    s->energy.kinetic = fluid_motion(v, s->momentum);
-    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++)
-        s->mass += v->p->m[particles_row(v->p, KIND_FLUID, id)];
-    for (int i = 0; i < p->parts; i++)
-        if (p->part[i].part->energy)
-            p->part[i].part->energy(p->part[i].self, v, &s->energy);
+    read_sums(p, v, s);
     read_bodies(p, l, body, y, s);
     read_works(p, book, s);
     read_impulses(p, v->t, book, s->mass, s);

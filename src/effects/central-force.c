@@ -30,19 +30,23 @@ static void accelerate(const void *self, const struct view *v, int from, int to,
             rate[i][d] -= s->omega * s->omega * (x[i * DIM + d] - s->centre[d]);
 }
 
-static void energy(const void *self, const struct view *v, struct energies *to)
+static void energy(const void *self, const struct view *v, struct energy_sums *to)
 {
     const struct central_force *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
     const double *x = v->x[KIND_FLUID];
-    double sum = 0;
+    struct exact_terms terms = { .to = &to->potential };
 
-    for (int id = 0; id < n; id++)
-        for (int d = 0, i = particles_row(v->p, KIND_FLUID, id); d < DIM; d++) {
-            const double r = s->omega * (x[i * DIM + d] - s->centre[d]);
-            sum += 0.5 * v->p->m[i] * r * r;
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        double r2 = 0; /* times omega^2 */
+        if (!view_has(v, i))
+            continue;
+        for (int d = 0; d < DIM; d++) {
+            const double r = s->omega * (x[(size_t)i * DIM + d] - s->centre[d]);
+            r2 += r * r;
         }
-    to->potential += sum;
+        exact_terms_add(&terms, 0.5 * v->p->m[i] * r2);
+    }
+    exact_terms_end(&terms);
 }
 
 static const struct part_force force = {

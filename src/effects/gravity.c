@@ -30,17 +30,21 @@ static void accelerate(const void *self, const struct view *v, int from, int to,
             rate[i][d] += s->g[d];
 }
 
-static void energy(const void *self, const struct view *v, struct energies *to)
+static void energy(const void *self, const struct view *v, struct energy_sums *to)
 {
     const struct gravity *s = self;
-    const int n = particles_count(v->p, KIND_FLUID);
     const double *x = v->x[KIND_FLUID];
-    double sum = 0;
+    struct exact_terms terms = { .to = &to->potential };
 
-    for (int id = 0; id < n; id++)
-        for (int d = 0, i = particles_row(v->p, KIND_FLUID, id); d < DIM; d++)
-            sum -= v->p->m[i] * s->g[d] * (x[i * DIM + d] - s->lowest[d]);
-    to->potential += sum;
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
+        double height = 0; /* times g [m^2/s^2] */
+        if (!view_has(v, i))
+            continue;
+        for (int d = 0; d < DIM; d++)
+            height -= s->g[d] * (x[(size_t)i * DIM + d] - s->lowest[d]);
+        exact_terms_add(&terms, v->p->m[i] * height);
+    }
+    exact_terms_end(&terms);
 }
 
 static const struct part_force force = {

@@ -15,11 +15,11 @@ static bool is_due(const struct plan_part *one, double t)
 
 static double internal(const struct plan *p, const struct view *v)
 {
-    struct energies sum = { 0 };
+    struct energy_sums sum = { 0 };
 
     if (p->pressure && p->pressure->part->energy)
         p->pressure->part->energy(p->pressure->self, v, &sum);
-    return sum.internal;
+    return exact_sum_value(&sum.internal);
 }
 
 /* Fluid that has left the domain keeps its density. */

@@ -198,10 +198,37 @@ int observe_judge(const struct moment *m, int body, double t, const double *y, c
     return b->kind->watch->judge(b->body, &m->layout, t, y, doubt, room);
 }
 
+/* Own rows, solids with the pressure that they press with. */
+static void view_own(struct moment *run, double t, const double *y, struct view *v)
+{
+    moment_view(run, t, y, v);
+    press_together(run, v);
+    v->mine = run->share->mine;
+}
+
+void observe_near(struct moment *run, double t, const double *y, struct view *v)
+{
+    const struct moment_share *s = run->share;
+
+    if (!moment_is_packed(run)) {
+        observe_fluid(run, t, y, v);
+        return;
+    }
+    moment_view(run, t, y, v);
+    v->x[KIND_FLUID] = s->now.x;
+    v->others = particles_count(v->p, KIND_FLUID) - moment_rows_of(run, KIND_FLUID);
+    v->mine = s->mine;
+    v->near = s->near.seen;
+    v->nears = s->near.seen_n;
+}
+
 void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet)
 {
     struct view v;
 
-    observe_view(run, t, y, &v);
+    if (moment_is_packed(run))
+        view_own(run, t, y, &v);
+    else
+        observe_view(run, t, y, &v);
     book_read(run->plan, &run->layout, run->body, &v, y, sheet);
 }

@@ -16,6 +16,7 @@ const double *moment_force(const struct moment *moment, int object);
 
 /* --- looks ----------------------------------------------------------------------- */
 
+/* At own rows of y, all ranks together, where each has these alone (moment_is_packed()). */
 void observe_sheet(struct moment *run, double t, const double *y, struct book_sheet *sheet);
 
 /* All particles at (t, y); lent until the next look. */
@@ -27,6 +28,10 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
 
 /* The same at a y that has this rank's rows alone, where it has them alone: see `others` there. */
 void observe_own(struct moment *run, double t, const double *y, struct view *v);
+
+/* After observe_forces() at the same (t, y): the fluid of this rank, and where that of others is near to it;
+ * where it has all rows, the fluid.  All that is within a support of an own particle is there. */
+void observe_near(struct moment *run, double t, const double *y, struct view *v);
 
 /* Forces on solids at (t, y), on all ranks at own rows of y, where each has these alone
  * (moment_is_packed()): afterwards observe_force() and observe_body() speak of it, but
@@ -78,5 +83,8 @@ struct observe_sunk {
     char place[PLAN_PLACE]; /* "(x, y)" [m]                                   */
 };
 void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out);
+
+/* The same on all ranks together at own rows of y, where each has these alone. */
+void observe_sunk_together(struct moment *run, double t, const double *y, struct observe_sunk *out);
 
 #endif

@@ -19,6 +19,7 @@ void share_free(struct moment_share **share)
     ranks_route_free(&s->route);
     ranks_route_free(&s->near.route);
     free(s->near.row);
+    free(s->near.seen);
     free(s->near.whole.here);
     free(s->near.aside);
     balance_free(&s->move);
@@ -73,13 +74,14 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
     s->now.rho = status_alloc(n, sizeof *s->now.rho);
     s->near.row = status_alloc(n, sizeof *s->near.row);
+    s->near.seen = status_alloc(n, sizeof *s->near.seen);
     s->near.aside = status_alloc(n, DIM * sizeof *s->near.aside);
     s->near.whole.here = status_alloc(n, sizeof *s->near.whole.here);
     s->wet.row = status_alloc((size_t)(s->n - m->particles->from[KIND_WALL]) + 1, sizeof *s->wet.row);
     s->wet.from = status_alloc((size_t)s->ranks + 1, sizeof *s->wet.from);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->near.row && s->near.aside && s->near.whole.here && s->now.x && s->now.u && s->now.rho
+    return s->near.row && s->near.seen && s->near.aside && s->near.whole.here && s->now.x && s->now.u && s->now.rho
                    && s->wet.row && s->wet.from && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }

@@ -128,6 +128,23 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
     return STATUS_DONE;
 }
 
+/* Places of own rows to where they are near, those of others to x. */
+static void hear_places(struct moment_share *s, double *x)
+{
+    ranks_route_go(s->near.route, DIM * sizeof *x, x, s->all);
+    for (int i = 0; i < s->near.n; i++)
+        memcpy(x + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *x);
+}
+
+void share_see_near(struct moment *m)
+{
+    struct moment_share *s = m->share;
+
+    hear_places(s, s->now.x);
+    s->near.seen_n = s->near.n;
+    memcpy(s->near.seen, s->near.row, (size_t)s->near.n * sizeof *s->near.row);
+}
+
 bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
 {
     struct moment_share *s = m->share;
@@ -137,9 +154,7 @@ bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
     double pairs = 0;
     bool harm = false;
 
-    ranks_route_go(s->near.route, DIM * sizeof *x, x, s->all);
-    for (int i = 0; i < s->near.n; i++)
-        memcpy(x + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *x);
+    hear_places(s, x);
     mine.harm = drift_harms(m->own, cloud, &mine.pairs);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = 1;

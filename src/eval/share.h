@@ -75,6 +75,7 @@ struct moment_share {
         int n, *row;       /* [n] rows that come                               */
         struct list_whole whole;
         long made, known;  /* so far; when `built` was last known of all rows  */
+        int seen_n, *seen; /* [seen_n] rows whose places came at the last look: now.x */
         double *aside;     /* [n][DIM] the same as `built`, of a list for a look */
         bool looked, made_aside; /* since the last restart; is that one there?  */
     } near;                /* what the list has, where own rows are packed     */
@@ -150,6 +151,9 @@ int share_remake(const struct moment *run, struct list *list);
 /* Before a list is made of own rows at cloud: what it has of others, their places in x, which cloud has.
  * On all ranks the first failure. */
 int share_near(struct moment *m, const struct cloud *cloud, double *x);
+
+/* Places now of rows that are near, to now.x, which has own ones; notes which these are. */
+void share_see_near(struct moment *m);
 
 /* Some particle has moved further than half the margin: would one rank make the list anew? */
 bool share_harms(struct moment *m, const struct cloud *cloud, double *x);

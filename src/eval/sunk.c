@@ -5,15 +5,17 @@
  * particle there is surrounded by points of the skin, so that no half of its neighbourhood is
  * free of them. */
 #include "eval/block.h"
-#include "eval/inside.h"
+#include "eval/share.h"
 
 #include "base/status.h"
+#include "ranks/ranks.h"
 #include "space/list.h"
 #include "shapes/buckets.h"
 #include "state/period.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { NEAR = 64 };
 
@@ -127,26 +129,36 @@ static int solid_at(const struct moment *m, const struct places *at, const doubl
     return -1;
 }
 
-static void count(const struct moment *m, const struct view *v, const struct places *at,
-                  struct observe_sunk *out)
+/* The first of all by id; object: -1, none. */
+struct first {
+    int particle, object;
+    char place[PLAN_PLACE];
+};
+
+static int count(const struct moment *m, const struct view *v, const struct places *at,
+                 struct first *first)
 {
     const struct plan *p = m->plan;
+    int n = 0;
 
-    for (int id = 0; id < particles_count(v->p, KIND_FLUID); id++) {
-        const int i = particles_row(v->p, KIND_FLUID, id);
+    for (int i = 0; i < particles_count(v->p, KIND_FLUID); i++) {
         const double *now = v->x[KIND_FLUID] + (size_t)i * DIM;
+        const int id = particles_id_of(v->p, i);
         double x[DIM];
         int solid;
 
-        period_home(&p->scales, now, x);
-        if (!list_inside(&p->list_def, now) || (solid = solid_at(m, at, x)) < 0)
+        if (!view_has(v, i) || !list_inside(&p->list_def, now))
             continue;
-        if (out->n++ == 0) {
-            out->particle = id;
-            out->solid = v->p->object[solid].name;
-            moment_place(m, v, i, out->place);
-        }
+        period_home(&p->scales, now, x);
+        if ((solid = solid_at(m, at, x)) < 0)
+            continue;
+        if (n++ > 0 && id > first->particle)
+            continue;
+        first->particle = id;
+        first->object = solid;
+        moment_place(m, v, i, first->place);
     }
+    return n;
 }
 
 static void free_places(struct places *at)
@@ -173,16 +185,57 @@ static int make_places(const struct moment *m, double t, const double *y, struct
                           all->n - all->from[KIND_SKIN], around * p->scales.dx);
 }
 
-void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out)
+/* What there is in the rows of a view. */
+static int look(struct moment *run, const struct view *v, const double *y, struct first *first)
 {
     struct places at;
+    int n = 0;
+
+    *first = (struct first){ .particle = -1, .object = -1 };
+    if (make_places(run, v->t, y, &at) == STATUS_DONE)
+        n = count(run, v, &at, first);
+    free_places(&at);
+    return n;
+}
+
+static void tell(const struct moment *run, double t, long n, const struct first *first,
+                 struct observe_sunk *out)
+{
+    *out = (struct observe_sunk){ .n = (int)n, .t = t, .particle = first->particle };
+    if (first->object >= 0)
+        out->solid = run->particles->object[first->object].name;
+    memcpy(out->place, first->place, sizeof out->place);
+}
+
+void observe_sunk(struct moment *run, double t, const double *y, struct observe_sunk *out)
+{
+    struct first first;
     struct view v;
+    int n;
 
     *out = (struct observe_sunk){ .t = t, .particle = -1 };
     if (run->plan->row.x < 0)
         return;
     moment_view(run, t, y, &v);
-    if (make_places(run, t, y, &at) == STATUS_DONE)
-        count(run, &v, &at, out);
-    free_places(&at);
+    n = look(run, &v, y, &first);
+    tell(run, t, n, &first, out);
+}
+
+void observe_sunk_together(struct moment *run, double t, const double *y, struct observe_sunk *out)
+{
+    struct first first;
+    struct view v;
+    int64_t n;
+
+    if (!moment_is_packed(run)) {
+        observe_sunk(run, t, y, out);
+        return;
+    }
+    moment_view(run, t, y, &v);
+    v.mine = run->share->mine;
+    n = look(run, &v, y, &first);
+    ranks_add(1, &n);
+    if (n > 0)
+        ranks_first(first.object >= 0 ? 0 : HUGE_VAL, first.particle, &first, sizeof first);
+    tell(run, t, n, &first, out);
 }

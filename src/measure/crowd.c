@@ -6,8 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { OUTSIDE = -1 };
-
 struct crowd {
     const struct particles *p;
     struct view view;
@@ -17,8 +15,10 @@ struct crowd {
     double low[DIM];       /* corner of the first cell                    [m]   */
     long cells[DIM], most; /* cells in use by direction; how many may be     */
     int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
-    int *order;            /* [n] rows cell by cell, each in order of ids       */
-    long *cell;            /* [n] cell of a particle, or OUTSIDE                */
+    int n;                 /* particles that count                              */
+    int *who;              /* [n] their rows                                    */
+    int *order;            /* [n] the same cell by cell                         */
+    long *cell;            /* [n] cells of who                                  */
 };
 
 /* Strictly inside the support, with room for rounding: at r = H kernels are 0. */
@@ -54,9 +54,10 @@ int crowd_create(const struct particles *p, struct crowd **out)
     c->quarter = (full + 3) / 4;
     c->most = 4L * p->n + 64;
     c->start = status_alloc((unsigned long)c->most + 1, sizeof *c->start);
+    c->who = status_alloc((unsigned long)p->n, sizeof *c->who);
     c->order = status_alloc((unsigned long)p->n, sizeof *c->order);
     c->cell = status_alloc((unsigned long)p->n, sizeof *c->cell);
-    if (c->start && c->order && c->cell)
+    if (c->start && c->who && c->order && c->cell)
         return STATUS_DONE;
     crowd_free(out);
     return STATUS_FAILED;
@@ -67,6 +68,7 @@ void crowd_free(struct crowd **crowd)
     if (!*crowd)
         return;
     free((*crowd)->start);
+    free((*crowd)->who);
     free((*crowd)->order);
     free((*crowd)->cell);
     free(*crowd);
@@ -78,12 +80,14 @@ const struct view *crowd_view(const struct crowd *c)
     return &c->view;
 }
 
-/* A particle counts if it is less than a support outside the domain (its walls
- * stand there); fluid has to be inside. NaN counts nowhere. */
+/* Fluid counts in the domain, solids less than a support below its floor (they stand there). NaN counts
+ * nowhere. */
 static bool is_inside(const struct scales *s, enum kind k, const double *x)
 {
     const double margin = k == KIND_FLUID ? 0 : s->support;
 
+    if (k != KIND_FLUID && !(x[DIM - 1] < s->low[DIM - 1]))
+        return false;
     for (int d = 0; d < DIM; d++)
         if (s->period[d] > 0 ? !isfinite(x[d])
                              : !(x[d] >= s->low[d] - margin && x[d] <= s->high[d] + margin))
@@ -103,15 +107,16 @@ static double count_along(const struct scales *s, int d, double size)
 static void lay_cells(struct crowd *c)
 {
     const struct scales *s = c->p->scales;
+    const double most = 4.0 * c->n + 64;
     double count, size = s->support;
 
     do {
         count = 1;
         for (int d = 0; d < DIM; d++)
             count *= count_along(s, d, size);
-        if (count > (double)c->most)
+        if (count > most)
             size *= 1.25;
-    } while (count > (double)c->most);
+    } while (count > most);
     for (int d = 0; d < DIM; d++) {
         c->cells[d] = (long)count_along(s, d, size);
         c->size[d] = s->period[d] > 0 ? s->period[d] / (double)c->cells[d] : size;
@@ -139,43 +144,6 @@ static long cells(const struct crowd *c)
     return count;
 }
 
-static void find_cells(struct crowd *c)
-{
-    for (int k = 0; k < KINDS; k++)
-        for (int i = c->p->from[k]; i < c->p->from[k + 1]; i++) {
-            const double *x = c->view.x[k] + DIM * (long)(i - c->p->from[k]);
-            double home[DIM];
-            period_home(c->p->scales, x, home);
-            c->cell[i] = is_inside(c->p->scales, (enum kind)k, home) ? cell_of(c, home) : OUTSIDE;
-        }
-}
-
-void crowd_update(struct crowd *c, const struct view *v)
-{
-    long count;
-
-    c->view = *v;
-    lay_cells(c);
-    find_cells(c);
-    count = cells(c);
-    for (long i = 0; i <= count; i++)
-        c->start[i] = 0;
-    for (int i = 0; i < c->p->n; i++)
-        if (c->cell[i] != OUTSIDE)
-            c->start[c->cell[i] + 1]++;
-    for (long i = 0; i < count; i++)
-        c->start[i + 1] += c->start[i];
-    for (int k = 0; k < KINDS; k++)
-        for (int id = 0; id < particles_count(v->p, k); id++) {
-            const int i = v->p->from[k] + particles_row(v->p, (enum kind)k, id);
-            if (c->cell[i] != OUTSIDE)
-                c->order[c->start[c->cell[i]]++] = i;
-        }
-    for (long i = count; i > 0; i--) /* each start has become the next one */
-        c->start[i] = c->start[i - 1];
-    c->start[0] = 0;
-}
-
 static const double *position(const struct crowd *c, int i)
 {
     int k = KIND_FLUID;
@@ -183,6 +151,58 @@ static const double *position(const struct crowd *c, int i)
     while (i >= c->p->from[k + 1])
         k++;
     return c->view.x[k] + DIM * (long)(i - c->p->from[k]);
+}
+
+/* Row i, if it counts; of kind k. */
+static void take_row(struct crowd *c, enum kind k, int i)
+{
+    double home[DIM];
+
+    period_home(c->p->scales, c->view.x[k] + DIM * (long)(i - c->p->from[k]), home);
+    if (is_inside(c->p->scales, k, home))
+        c->who[c->n++] = i;
+}
+
+static void take_rows(struct crowd *c)
+{
+    c->n = 0;
+    for (int k = 0; k < KINDS; k++)
+        for (int i = c->p->from[k]; i < c->p->from[k + 1]; i++)
+            if (k != KIND_FLUID || view_has(&c->view, i))
+                take_row(c, (enum kind)k, i);
+    for (int i = 0; i < c->view.nears; i++)
+        take_row(c, KIND_FLUID, c->view.near[i]);
+}
+
+static void find_cells(struct crowd *c)
+{
+    for (int m = 0; m < c->n; m++) {
+        double home[DIM];
+        period_home(c->p->scales, position(c, c->who[m]), home);
+        c->cell[m] = cell_of(c, home);
+    }
+}
+
+void crowd_update(struct crowd *c, const struct view *v)
+{
+    long count;
+
+    c->view = *v;
+    take_rows(c);
+    lay_cells(c);
+    count = cells(c);
+    find_cells(c);
+    for (long i = 0; i <= count; i++)
+        c->start[i] = 0;
+    for (int m = 0; m < c->n; m++)
+        c->start[c->cell[m] + 1]++;
+    for (long i = 0; i < count; i++)
+        c->start[i + 1] += c->start[i];
+    for (int m = 0; m < c->n; m++)
+        c->order[c->start[c->cell[m]]++] = c->who[m];
+    for (long i = count; i > 0; i--) /* each start has become the next one */
+        c->start[i] = c->start[i - 1];
+    c->start[0] = 0;
 }
 
 struct company {
@@ -194,9 +214,8 @@ static void count_cell(const struct crowd *c, const double *x, long cell, struct
     for (int m = c->start[cell]; m < c->start[cell + 1]; m++) {
         const double *y = position(c, c->order[m]);
         const bool fluid = c->order[m] < c->p->from[KIND_FLUID + 1];
-        const bool below = y[DIM - 1] < c->p->scales->low[DIM - 1];
         const double r2 = period_square(c->p->scales, x, y, DIM);
-        to->all += r2 < c->reach2 && (fluid || below);
+        to->all += r2 < c->reach2;
         to->fluid += r2 < c->reach2 && fluid;
     }
 }
@@ -258,15 +277,17 @@ void crowd_near(const struct crowd *c, const double *x, crowd_see *see, void *se
 
     for (int k = 0; k < n; k++)
         for (int m = c->start[cell[k]]; m < c->start[cell[k] + 1]; m++)
-            if (c->order[m] < c->p->from[KIND_FLUID + 1])
+            if (c->order[m] < c->p->from[KIND_FLUID + 1] && view_has(&c->view, c->order[m]))
                 see(self, c->order[m]);
 }
 
 bool crowd_is_water(const struct crowd *c, int i)
 {
     struct company found;
+    double home[DIM];
 
-    if (c->cell[i] == OUTSIDE)
+    period_home(c->p->scales, position(c, i), home);
+    if (!is_inside(c->p->scales, KIND_FLUID, home))
         return false;
     found = company(c, position(c, i));
     return found.all - 1 >= c->half && found.fluid - 1 >= c->quarter;

@@ -18,13 +18,14 @@ struct crowd; /* work arrays, made once for a run */
 int crowd_create(const struct particles *p, struct crowd **out);
 void crowd_free(struct crowd **crowd); /* NULL is welcome */
 
-/* Sorts all particles of this moment into cells: O(n).  The view must live as long
- * as questions are asked. */
+/* Sorts the fluid of this moment, and the solids that count, into cells: O(n).  The view must live as long
+ * as questions are asked.  Where it has some rows of the fluid alone (view_has()), with what is near to
+ * these, questions are about them. */
 void crowd_update(struct crowd *c, const struct view *v);
 
 const struct view *crowd_view(const struct crowd *c); /* of the last update */
 
-/* Asks `see` about every fluid particle i within the support of x, and about some
+/* Asks `see` about every fluid particle i, of the rows that the view has, within the support of x, and about some
  * that are further away. */
 typedef void crowd_see(void *self, int i);
 void crowd_near(const struct crowd *c, const double *x, crowd_see *see, void *self);

@@ -11,7 +11,7 @@ struct front {
                       side: above the domain's lowest point [m], 0 when it is dry     */
 };
 
-/* At the moment of the last crowd_update().  Up is y in 2D and z in 3D. */
+/* At the moment of the last crowd_update(); all ranks together where its view has some rows alone.  Up is y in 2D and z in 3D. */
 void front_find(const struct crowd *c, struct front *out);
 
 #endif

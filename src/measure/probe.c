@@ -1,9 +1,11 @@
 /* probe.c -- gauges: pressure, velocity, height of the water. */
 #include "measure/probe.h"
 
+#include "ranks/ranks.h"
 #include "state/period.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Wendland's C2 function without its constant, which a mean does not need. */
 static double weight(const struct scales *s, const double *x, const double *y)
@@ -17,35 +19,6 @@ static double weight(const struct scales *s, const double *x, const double *y)
     return rest * rest * rest * rest * (5 - 4 * rest);
 }
 
-/* Weighted sums around x of value [count of fluid][components]. */
-struct mean {
-    const struct scales *scales;
-    const double *x, *y, *value;
-    double weight, sum[DIM];
-    int components;
-};
-
-static void add(void *self, int i)
-{
-    struct mean *m = self;
-    const double w = weight(m->scales, m->x, m->y + DIM * (long)i);
-
-    m->weight += w;
-    for (int k = 0; w > 0 && k < m->components; k++)
-        m->sum[k] += w * m->value[(long)m->components * i + k];
-}
-
-static struct mean mean_make(const struct crowd *c, const double *value, int components,
-                             const double *x)
-{
-    const struct view *v = crowd_view(c);
-    struct mean m = { .scales = v->p->scales, .x = x, .y = v->x[KIND_FLUID], .value = value,
-                      .components = components };
-
-    crowd_near(c, x, add, &m);
-    return m;
-}
-
 /* Weights of a full surrounding: the integral of w over the support, by the
  * volume of a particle. */
 static double full(const struct scales *s)
@@ -55,20 +28,106 @@ static double full(const struct scales *s)
     return DIM == 2 ? M_PI / 7 * h * h : 2 * M_PI / 21 * h * h * h;
 }
 
+/* --- sums over the fluid around a point -------------------------------------------------- */
+
+/* Of what there is in the rows of the view. */
+struct looking {
+    const struct scales *scales;
+    const double *x, *y, *value;
+    int components;
+    struct exact_terms weight, sum[DIM];
+};
+
+static void add(void *self, int i)
+{
+    struct looking *l = self;
+    const double w = weight(l->scales, l->x, l->y + DIM * (long)i);
+
+    if (!(w > 0))
+        return;
+    exact_terms_add(&l->weight, w);
+    for (int k = 0; k < l->components; k++)
+        exact_terms_add(&l->sum[k], w * l->value[(long)l->components * i + k]);
+}
+
+/* Weighted sums around x of value [count of fluid][components]. */
+static void sum_up(const struct crowd *c, const double *value, int components, const double *x,
+                   struct probe_sums *to)
+{
+    const struct view *v = crowd_view(c);
+    struct looking l = { .scales = v->p->scales, .x = x, .y = v->x[KIND_FLUID], .value = value,
+                         .components = components, .weight = { .to = &to->weight } };
+
+    *to = (struct probe_sums){ .components = components };
+    for (int k = 0; k < components; k++)
+        l.sum[k].to = &to->sum[k];
+    crowd_near(c, x, add, &l);
+    exact_terms_end(&l.weight);
+    for (int k = 0; k < components; k++)
+        exact_terms_end(&l.sum[k]);
+}
+
+void probe_sum_pressure(const struct crowd *c, const double *p, const double *x, struct probe_sums *to)
+{
+    sum_up(c, p, 1, x, to);
+}
+
+void probe_sum_velocity(const struct crowd *c, const double *x, struct probe_sums *to)
+{
+    sum_up(c, crowd_view(c)->u[KIND_FLUID], DIM, x, to);
+}
+
+/* All ranks have each its part. */
+void probe_share(int n, struct probe_sums *of)
+{
+    int64_t word[PROBE_SHARED][1 + DIM][EXACT_SUM_WORDS] = { { { 0 } } };
+
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k <= of[i].components; k++) {
+            struct exact_sum *s = k == 0 ? &of[i].weight : &of[i].sum[k - 1];
+            exact_sum_carry(s);
+            memcpy(word[i][k], s->word, sizeof s->word);
+        }
+    ranks_add(n * (1 + DIM) * EXACT_SUM_WORDS, word[0][0]);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k <= of[i].components; k++) {
+            struct exact_sum *s = k == 0 ? &of[i].weight : &of[i].sum[k - 1];
+            s->full = ranks_count();
+            memcpy(s->word, word[i][k], sizeof s->word);
+        }
+}
+
+double probe_mean_pressure(const struct crowd *c, const struct probe_sums *s)
+{
+    return exact_sum_value(&s->sum[0])
+           / fmax(exact_sum_value(&s->weight), full(crowd_view(c)->p->scales) / 16);
+}
+
+void probe_mean_velocity(const struct probe_sums *s, double *u)
+{
+    const double weight = exact_sum_value(&s->weight);
+
+    for (int d = 0; d < DIM; d++)
+        u[d] = weight > 0 ? exact_sum_value(&s->sum[d]) / weight : 0;
+}
+
 double probe_pressure(const struct crowd *c, const double *p, const double *x)
 {
-    const struct mean m = mean_make(c, p, 1, x);
+    struct probe_sums sums;
 
-    return m.sum[0] / fmax(m.weight, full(crowd_view(c)->p->scales) / 16);
+    probe_sum_pressure(c, p, x, &sums);
+    return probe_mean_pressure(c, &sums);
 }
 
 void probe_velocity(const struct crowd *c, const double *x, double *u)
 {
-    const struct mean m = mean_make(c, crowd_view(c)->u[KIND_FLUID], DIM, x);
+    struct probe_sums sums;
 
-    for (int d = 0; d < DIM; d++)
-        u[d] = m.weight > 0 ? m.sum[d] / m.weight : 0;
+    probe_sum_velocity(c, x, &sums);
+    probe_mean_velocity(&sums, u);
 }
+
+/* --- levels ------------------------------------------------------------------------------ */
 
 static bool is_near(const struct scales *s, const double *x, const double *y, int axes)
 {
@@ -85,7 +144,7 @@ static double top_of(const struct crowd *c, const double *x, int axes)
 
     for (int i = 0; i < n; i++) {
         const double *y = v->x[KIND_FLUID] + DIM * (long)i;
-        if (y[DIM - 1] > best && is_near(s, x, y, axes) && crowd_is_water(c, i))
+        if (view_has(v, i) && y[DIM - 1] > best && is_near(s, x, y, axes) && crowd_is_water(c, i))
             best = y[DIM - 1];
     }
     return best - s->low[DIM - 1];

@@ -103,17 +103,17 @@ void liquid_limit(const void *self, const struct view *v, struct limit *out)
     out->rate = l->reach * most.speed;
 }
 
-void liquid_energy(const void *self, const struct view *v, struct energies *to)
+void liquid_energy(const void *self, const struct view *v, struct energy_sums *to)
 {
     const struct liquid *l = self;
-    double sum = 0;
+    struct exact_terms terms = { .to = &to->internal };
 
     for (int k = 0; k < KINDS; k++) {
+        const int from = v->p->from[k];
         const int n = v->rho[k] && v->stores[k] ? particles_count(v->p, k) : 0;
-        for (int id = 0; id < n; id++) {
-            const int i = particles_row(v->p, (enum kind)k, id);
-            sum += v->p->m[v->p->from[k] + i] * eos_energy(&l->eos, v->rho[k][i]);
-        }
+        for (int i = 0; i < n; i++)
+            if (view_has(v, from + i))
+                exact_terms_add(&terms, v->p->m[from + i] * eos_energy(&l->eos, v->rho[k][i]));
     }
-    to->internal += sum;
+    exact_terms_end(&terms);
 }

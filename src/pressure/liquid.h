@@ -18,7 +18,7 @@ struct liquid {
 extern const struct part_pressure liquid_pressure;
 int liquid_prepare(void *self, const struct scales *s);
 void liquid_limit(const void *self, const struct view *v, struct limit *out);
-void liquid_energy(const void *self, const struct view *v, struct energies *to);
+void liquid_energy(const void *self, const struct view *v, struct energy_sums *to);
 
 #define LIQUID_TENSION                                                                   \
     { .key = "tension", .unit = "", .type = PARAM_FLAG, .fallback = 1, .max = 1,         \

@@ -3,13 +3,10 @@
 #include "run/outputs.h"
 
 #include "base/status.h"
-#include "eval/slice.h"
 #include "output/aside.h"
-#include "output/fields.h"
-#include "output/snapshot.h"
 #include "ranks/ranks.h"
 #include "run/columns.h"
-#include "run/looks.h"
+#include "run/frames.h"
 #include "run/saved.h"
 #include "run/tables.h"
 
@@ -24,47 +21,9 @@
 struct outputs {
     int lock; /* the directory, held against other runs; -1: not held */
     struct tables *tables;
-    struct fields *fields;
-    struct snapshot *snapshot;
-    struct looks *looks;     /* NULL: no rigid bodies */
+    struct frames *frames;
     struct run_balance *balance; /* the run's */
-    struct slice_frame frame; /* of particles in this rank's part of files */
-    double *p;               /* their pressure                            */
-    unsigned char *kind;     /* of all, on the first rank                 */
 };
-
-/* What this rank has of particle files. */
-static int open_frame(struct outputs *o, const struct moment *moment)
-{
-    const size_t n = (size_t)slice_of(moment).n + 1;
-
-    o->frame.x = status_alloc(n, sizeof *o->frame.x);
-    o->frame.u = status_alloc(n, sizeof *o->frame.u);
-    o->frame.rho = status_alloc(n, sizeof *o->frame.rho);
-    o->p = status_alloc(n, sizeof *o->p);
-    return o->frame.x && o->frame.u && o->frame.rho && o->p ? STATUS_DONE : STATUS_FAILED;
-}
-
-static int open_particles(struct outputs *o, const struct moment *moment, const char *dir, bool again)
-{
-    const struct plan *plan = moment_plan(moment);
-    const struct particles *all = plan_particles(plan);
-    const struct scales *s = plan_scales(plan);
-
-    TRY(looks_open(&o->looks, plan));
-    if (all->n == 0 && !o->looks)
-        return STATUS_DONE;
-    TRY(open_frame(o, moment));
-    o->kind = status_alloc((size_t)all->n + 1, 1);
-    if (!o->kind)
-        return STATUS_FAILED;
-    for (int k = 0; k < KINDS; k++)
-        memset(o->kind + all->from[k], k, particles_count(all, k));
-    TRY(fields_open(&o->fields, dir, looks_known(o->looks)));
-    TRY(snapshot_open(&o->snapshot, dir, again));
-    snapshot_fineness(o->snapshot, 0.3 * looks_grain(plan), 0.5 * (s->low[1] + s->high[1]));
-    return STATUS_DONE;
-}
 
 /* Two runs in one directory would mix their rows.  A file system that knows no
  * locks has none. */
@@ -86,7 +45,16 @@ static int open_all(struct outputs *o, const struct moment *moment, const struct
         TRY(saved_refuse(home->dir));
     TRY(home_take(home));
     TRY(tables_open(&o->tables, moment_plan(moment), home->dir, means, home->again));
-    return open_particles(o, moment, home->dir, home->again);
+    return frames_open(&o->frames, moment, home->dir, home->again);
+}
+
+/* The first rank has all files: others look with it, and write particles. */
+static int open_none(struct outputs *o, const struct moment *moment, struct running **means)
+{
+    if (!moment_is_packed(moment))
+        return STATUS_DONE;
+    TRY(tables_open_none(&o->tables, moment_plan(moment), means));
+    return frames_open(&o->frames, moment, NULL, false);
 }
 
 int outputs_open(struct outputs **out, const struct moment *moment, const struct home *home,
@@ -97,16 +65,15 @@ int outputs_open(struct outputs **out, const struct moment *moment, const struct
         return STATUS_FAILED;
     (*out)->lock = -1;
     (*out)->balance = &past->balance;
-    if (ranks_me() > 0) /* the first rank has all files, others write some with it */
-        return open_frame(*out, moment);
+    if (ranks_me() > 0)
+        return open_none(*out, moment, &past->means);
     return open_all(*out, moment, home, &past->means);
 }
 
 int outputs_keep(struct outputs *o, struct archive *a)
 {
     TRY(tables_keep(o->tables, a));
-    TRY(fields_keep(o->fields, a));
-    return snapshot_keep(o->snapshot, a);
+    return frames_keep(o->frames, a);
 }
 
 /* Energy of a row that the book explains [J]: that above all fluid in the lowest
@@ -128,7 +95,7 @@ static void look_for_sunk(struct outputs *o, struct moment *moment, double t, co
 {
     struct observe_sunk now;
 
-    observe_sunk(moment, t, y, &now);
+    observe_sunk_together(moment, t, y, &now);
     if (now.n > o->balance->sunk.n)
         o->balance->sunk = now;
 }
@@ -146,6 +113,10 @@ int outputs_rows(struct outputs *o, struct moment *moment, double t, const doubl
     b->made = fmax(b->made, b->last.defect);
     b->most = fmax(b->most, energy_there(&b->last, moment_plan(moment)));
     look_for_sunk(o, moment, t, y);
+    if (forces == STATUS_DONE)
+        tables_look(o->tables, moment, t, y);
+    if (ranks_me() > 0)
+        return forces;
     return tables_rows(o->tables, moment, t, y, &b->last, forces);
 }
 
@@ -183,30 +154,6 @@ int outputs_profile(struct outputs *o, struct moment *moment, double t, const do
     return tables_profile(o->tables, moment, t, y);
 }
 
-/* Particles of this rank's part into a frame, in order of ids. */
-static int frame_of(struct outputs *o, struct moment *moment, double t, const double *y,
-                    struct cloud_frame *f)
-{
-    const struct plan *plan = moment_plan(moment);
-    const struct particles *all = plan_particles(plan);
-    const struct slice slice = slice_of(moment);
-
-    TRY(slice_take_frame(moment, t, y, &o->frame));
-    plan_pressures(plan, slice.n, o->frame.rho, o->p);
-    *f = (struct cloud_frame){ .t = t, .n = all->n, .dim = DIM, .from = slice.from, .here = slice.n,
-                               .shared = moment_is_packed(moment), .x = o->frame.x[0],
-                               .u = o->frame.u[0], .rho = o->frame.rho, .p = o->p,
-                               .dye = all->dye, .kind = o->kind,
-                               .looks = looks_at(o->looks, moment, y) };
-    return STATUS_DONE;
-}
-
-/* Does this rank write particle files? */
-static bool takes_part(const struct outputs *o, const struct moment *moment)
-{
-    return o->fields || (ranks_me() > 0 && moment_is_packed(moment));
-}
-
 int outputs_pairing(struct outputs *o, struct moment *moment, double t, const double *y)
 {
     return tables_pairing(o->tables, moment, t, y);
@@ -214,22 +161,12 @@ int outputs_pairing(struct outputs *o, struct moment *moment, double t, const do
 
 int outputs_field(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    struct cloud_frame f;
-
-    if (!takes_part(o, moment))
-        return STATUS_DONE;
-    TRY(frame_of(o, moment, t, y, &f));
-    return fields_write(o->fields, &f);
+    return frames_field(o->frames, moment, t, y);
 }
 
 int outputs_snapshot(struct outputs *o, struct moment *moment, double t, const double *y)
 {
-    struct cloud_frame f;
-
-    if (!takes_part(o, moment))
-        return STATUS_DONE;
-    TRY(frame_of(o, moment, t, y, &f));
-    return snapshot_write(o->snapshot, &f);
+    return frames_snapshot(o->frames, moment, t, y);
 }
 
 const struct book_sheet *outputs_sheet(const struct outputs *o)
@@ -280,14 +217,7 @@ int outputs_close(struct outputs **outputs)
     if (!o)
         return STATUS_DONE;
     status = tables_close(&o->tables);
-    fields_close(&o->fields);
-    closed = snapshot_close(&o->snapshot);
-    looks_close(&o->looks);
-    free(o->frame.x);
-    free(o->frame.u);
-    free(o->frame.rho);
-    free(o->p);
-    free(o->kind);
+    closed = frames_close(&o->frames);
     if (o->lock >= 0)
         close(o->lock);
     free(o);

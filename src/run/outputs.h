@@ -21,7 +21,8 @@ int outputs_keep(struct outputs *o, struct archive *a);
 int outputs_start(struct outputs *o, struct moment *moment, double t, const double *y);
 
 /* A row in every table for this moment, after observe_forces(), whose status is `forces`: where that
- * is none, book.csv alone has one. */
+ * is none, book.csv alone has one.  At own rows of y, all ranks together, where each has these alone; else y is
+ * whole, and the first alone calls it. */
 int outputs_rows(struct outputs *o, struct moment *moment, double t, const double *y, int forces);
 
 /* A row in steps.csv; y [size] is the state after the step. */

@@ -47,18 +47,15 @@ static bool is_impatient(struct run *r)
     return run_clock() - r->clock_stop > patience;
 }
 
-/* Forces are found by all ranks where each has its own rows, else by the first. */
+/* Found by all ranks where each has its own rows, else by the first. */
 static int write_rows(struct run *r, double t, const double *own)
 {
     const bool together = moment_is_packed(r->moment);
-    int forces = together ? observe_forces(r->moment, t, own) : STATUS_DONE;
-    const double *y = moment_first(r->moment, own);
+    const double *y = together ? own : moment_first(r->moment, own);
 
-    if (!run_ranks_writes())
-        return forces;
-    if (!together)
-        forces = observe_forces(r->moment, t, y);
-    return outputs_rows(r->outputs, r->moment, t, y, forces);
+    if (!together && !run_ranks_writes())
+        return STATUS_DONE;
+    return outputs_rows(r->outputs, r->moment, t, y, observe_forces(r->moment, t, y));
 }
 
 static int write_other(struct run *r, const struct writer *w, double t, const double *own)

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "measure/probe-area.h"
 #include "measure/probe.h"
+#include "ranks/ranks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,6 +14,7 @@ struct gauge { /* a probe with the points it reads at */
     const struct settings_probe *set;
     int points, mean;         /* mean: its column of running means, -1: none   */
     double (*x)[DIM];         /* [points] [m]                                 */
+    double *value, read;      /* [points] there; their mean, at the last look */
 };
 
 struct tables_probes {
@@ -26,24 +28,56 @@ struct tables_probes {
 
 /* --- what they read ---------------------------------------------------------------- */
 
-static double speed_at(const struct crowd *c, const double *x)
+static double length_of(const double *u)
 {
-    double u[DIM], u2 = 0;
+    double u2 = 0;
 
-    probe_velocity(c, x, u);
     for (int d = 0; d < DIM; d++)
         u2 += u[d] * u[d];
     return sqrt(u2);
 }
 
-static double value_at(const struct tables_probes *o, const struct crowd *c,
-                       const struct gauge *g, const double *x)
+/* Levels at points x [n]. */
+static void read_heights(const struct crowd *c, int n, const double (*x)[DIM], double *value)
 {
-    if (g->set->what[0] == 'h')
-        return probe_height(c, x, DIM - 1);
-    if (g->set->what[0] == 'v')
-        return speed_at(c, x);
-    return probe_pressure(c, o->p, x);
+    for (int i = 0; i < n; i++)
+        value[i] = probe_height(c, x[i], DIM - 1);
+    if (crowd_view(c)->mine)
+        ranks_most(n, value);
+}
+
+/* Pressures or speeds. */
+static void read_means(const struct tables_probes *o, const struct crowd *c, bool speed, int n,
+                       const double (*x)[DIM], double *value)
+{
+    struct probe_sums sums[PROBE_SHARED];
+    double u[DIM];
+
+    for (int i = 0; i < n; i++)
+        if (speed)
+            probe_sum_velocity(c, x[i], &sums[i]);
+        else
+            probe_sum_pressure(c, o->p, x[i], &sums[i]);
+    if (crowd_view(c)->mine)
+        probe_share(n, sums);
+    for (int i = 0; i < n; i++) {
+        if (speed)
+            probe_mean_velocity(&sums[i], u);
+        value[i] = speed ? length_of(u) : probe_mean_pressure(c, &sums[i]);
+    }
+}
+
+/* At all points of a gauge, into g->value. */
+static void read_gauge(const struct tables_probes *o, const struct crowd *c, const struct gauge *g)
+{
+    for (int from = 0; from < g->points; from += PROBE_SHARED) {
+        const int n = g->points - from < PROBE_SHARED ? g->points - from : PROBE_SHARED;
+        const double (*x)[DIM] = (const double (*)[DIM])g->x + from;
+        if (g->set->what[0] == 'h')
+            read_heights(c, n, x, g->value + from);
+        else
+            read_means(o, c, g->set->what[0] == 'v', n, x, g->value + from);
+    }
 }
 
 static double reading(const struct tables_probes *o, const struct crowd *c,
@@ -51,15 +85,17 @@ static double reading(const struct tables_probes *o, const struct crowd *c,
 {
     double sum = 0;
 
+    read_gauge(o, c, g);
     for (int i = 0; i < g->points; i++)
-        sum += value_at(o, c, g, g->x[i]);
+        sum += g->value[i];
     return sum / g->points;
 }
 
 static void look(struct tables_probes *o, const struct crowd *c)
 {
-    plan_pressures(o->plan, particles_count(plan_particles(o->plan), KIND_FLUID),
-                   crowd_view(c)->rho[KIND_FLUID], o->p);
+    const struct view *v = crowd_view(c);
+
+    plan_pressures(o->plan, particles_count(v->p, KIND_FLUID) - v->others, v->rho[KIND_FLUID], o->p);
 }
 
 /* --- files ------------------------------------------------------------------------- */
@@ -81,7 +117,8 @@ static int make_gauges(struct tables_probes *o)
         g->set = plan_probe(o->plan, i, &g->name);
         g->points = probe_area(g->set, step, NULL);
         g->x = status_alloc((unsigned long)g->points, sizeof *g->x);
-        if (!g->x)
+        g->value = status_alloc((unsigned long)g->points, sizeof *g->value);
+        if (!g->x || !g->value)
             return STATUS_FAILED;
         probe_area(g->set, step, g->x);
     }
@@ -168,17 +205,25 @@ int tables_probes_read(struct tables_probes *o, const struct crowd *c, double t)
     return running_add(*o->means, t, v);
 }
 
-int tables_probes_row(struct tables_probes *o, const struct crowd *c, double t)
+void tables_probes_look(struct tables_probes *o, const struct crowd *c)
+{
+    if (o->n == 0)
+        return;
+    look(o, c);
+    for (int i = 0; i < o->n; i++)
+        o->gauge[i].read = reading(o, c, &o->gauge[i]);
+}
+
+int tables_probes_row(struct tables_probes *o, double t)
 {
     double v[COLUMNS_MOST];
     int n = 0;
 
     if (!o->probes)
         return STATUS_DONE;
-    look(o, c);
     v[n++] = t;
     for (int i = 0; i < o->n; i++) {
-        v[n++] = reading(o, c, &o->gauge[i]);
+        v[n++] = o->gauge[i].read;
         if (o->gauge[i].mean >= 0)
             v[n++] = running_mean(*o->means, o->gauge[i].mean, t);
     }
@@ -188,12 +233,13 @@ int tables_probes_row(struct tables_probes *o, const struct crowd *c, double t)
 static int profile_of(struct tables_probes *o, const struct crowd *c, const struct gauge *g,
                       double t)
 {
+    read_gauge(o, c, g);
     for (int i = 0; i < g->points; i++) {
         double v[DIM + 3] = { t };
         const char *text[DIM + 3] = { [1] = g->name };
         for (int d = 0; d < DIM; d++)
             v[2 + d] = g->x[i][d];
-        v[2 + DIM] = value_at(o, c, g, g->x[i]);
+        v[2 + DIM] = g->value[i];
         TRY(series_text_row(o->profiles, v, text));
     }
     return STATUS_DONE;
@@ -224,8 +270,10 @@ void tables_probes_close(struct tables_probes **tables, int *status)
         return;
     columns_close(&o->probes, status);
     columns_close(&o->profiles, status);
-    for (int i = 0; o->gauge && i < o->n; i++)
+    for (int i = 0; o->gauge && i < o->n; i++) {
         free(o->gauge[i].x);
+        free(o->gauge[i].value);
+    }
     free(o->gauge);
     free(o->p);
     free(o);

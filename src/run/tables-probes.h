@@ -16,10 +16,13 @@ int tables_probes_open(struct tables_probes **out, const struct plan *plan, cons
 /* Has any probe a running mean?  Then it wants to see every accepted step. */
 bool tables_probes_step(const struct tables_probes *o);
 
-/* Of the crowd as it was at t: readings for running means; a row of readings, at a time that
- * is not before the last step but one; each point of the probes that have a profile. */
+/* Of the crowd as it was at t: readings for running means; each point of the probes that have a
+ * profile; readings for a row, all ranks together where the crowd has some rows of the fluid alone. */
 int tables_probes_read(struct tables_probes *o, const struct crowd *c, double t);
-int tables_probes_row(struct tables_probes *o, const struct crowd *c, double t);
+void tables_probes_look(struct tables_probes *o, const struct crowd *c);
+
+/* The row, at a time that is not before the last step but one. */
+int tables_probes_row(struct tables_probes *o, double t);
 int tables_probes_profile(struct tables_probes *o, const struct crowd *c, double t);
 
 /* Lengths of the files, output/series.h. */

@@ -8,6 +8,7 @@
 #include "output/series.h"
 #include "run/tables-probes.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 struct tables_water {
@@ -15,6 +16,8 @@ struct tables_water {
     struct tables_probes *probes;
     struct crowd *crowd;     /* NULL: no fluid          */
     struct pairing *pairing; /* NULL: no fluid          */
+    struct front found;      /* at the last look        */
+    bool has_front;
 };
 
 static int open_front(struct tables_water *o, const struct plan *plan, const char *dir,
@@ -27,26 +30,17 @@ static int open_front(struct tables_water *o, const struct plan *plan, const cha
     TRY(crowd_create(plan_particles(plan), &o->crowd));
     if (s->period[0] > 0 || s->period[DIM - 1] > 0) /* no foremost, no highest */
         return STATUS_DONE;
+    o->has_front = true;
     columns_start(h);
     columns_add(h, "m", "x");
     columns_add(h, "m", "height");
     return columns_open(h, &o->front, dir, "front.csv");
 }
 
-static int row_front(struct tables_water *o, double t)
-{
-    struct front front;
-
-    if (!o->front)
-        return STATUS_DONE;
-    front_find(o->crowd, &front);
-    return series_row(o->front, (double[]){ t, front.x, front.height });
-}
-
 static int open_pairing(struct tables_water *o, const struct plan *plan, const char *dir,
                         struct columns *h)
 {
-    if (!o->crowd)
+    if (!o->crowd || h->tried)
         return STATUS_DONE;
     TRY(pairing_create(plan_particles(plan), &o->pairing));
     columns_start(h);
@@ -91,13 +85,24 @@ static void look(struct tables_water *o, struct moment *moment, double t, const 
     crowd_update(o->crowd, &view);
 }
 
-int tables_water_row(struct tables_water *o, struct moment *moment, double t, const double *y)
+void tables_water_look(struct tables_water *o, struct moment *moment, double t, const double *y)
 {
+    struct view view;
+
     if (!o->crowd)
-        return STATUS_DONE;
-    look(o, moment, t, y);
-    TRY(row_front(o, t));
-    return tables_probes_row(o->probes, o->crowd, t);
+        return;
+    observe_near(moment, t, y, &view);
+    crowd_update(o->crowd, &view);
+    if (o->has_front)
+        front_find(o->crowd, &o->found);
+    tables_probes_look(o->probes, o->crowd);
+}
+
+int tables_water_row(struct tables_water *o, double t)
+{
+    if (o->front)
+        TRY(series_row(o->front, (double[]){ t, o->found.x, o->found.height }));
+    return tables_probes_row(o->probes, t);
 }
 
 int tables_water_step(struct tables_water *o, struct moment *moment, double t, const double *y)

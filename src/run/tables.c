@@ -74,20 +74,26 @@ int tables_open(struct tables **out, const struct plan *plan, const char *dir,
     return status;
 }
 
-int tables_agree(const struct plan *plan)
+int tables_open_none(struct tables **out, const struct plan *plan, struct running **means)
 {
     struct columns *h = status_alloc(1, sizeof *h);
-    struct tables *o = status_alloc(1, sizeof *o);
-    struct running *means = NULL;
-    int status = STATUS_FAILED, closed;
+    int status;
 
-    if (h && o) {
+    if (h)
         h->tried = true;
-        status = open_all(o, plan, "", h, &means);
-    }
-    running_free(&means);
-    closed = tables_close(&o);
+    *out = status_alloc(1, sizeof **out);
+    status = *out && h ? open_all(*out, plan, "", h, means) : STATUS_FAILED;
     free(h);
+    return status;
+}
+
+int tables_agree(const struct plan *plan)
+{
+    struct running *means = NULL;
+    struct tables *o;
+    const int status = tables_open_none(&o, plan, &means), closed = tables_close(&o);
+
+    running_free(&means);
     return status != STATUS_DONE ? status : closed;
 }
 
@@ -121,6 +127,11 @@ int tables_profile(struct tables *o, struct moment *moment, double t, const doub
     return tables_water_profile(o->water, moment, t, y);
 }
 
+void tables_look(struct tables *o, struct moment *moment, double t, const double *y)
+{
+    tables_water_look(o->water, moment, t, y);
+}
+
 int tables_rows(struct tables *o, struct moment *moment, double t, const double *y,
                 const struct book_sheet *sheet, int forces)
 {
@@ -128,7 +139,7 @@ int tables_rows(struct tables *o, struct moment *moment, double t, const double 
     TRY(forces);
     TRY(tables_forces_row(o->forces, moment, t, y));
     TRY(tables_bodies_row(o->bodies, moment, t, y));
-    return tables_water_row(o->water, moment, t, y);
+    return tables_water_row(o->water, t);
 }
 
 int tables_readings(struct tables *o, struct moment *moment, double t, const double *y)

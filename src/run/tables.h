@@ -16,6 +16,9 @@ struct tables;
 int tables_open(struct tables **out, const struct plan *plan, const char *dir,
                 struct running **means, bool again);
 
+/* For ranks that write none, but look with the first. */
+int tables_open_none(struct tables **out, const struct plan *plan, struct running **means);
+
 /* Makes none.  STATUS_BAD_SCENE: tables_open() would refuse, when some files were there already. */
 int tables_agree(const struct plan *plan);
 
@@ -24,6 +27,10 @@ int tables_keep(struct tables *o, struct archive *a);
 
 /* A row in pairing.csv: it costs as much as a right-hand side. */
 int tables_pairing(struct tables *o, struct moment *moment, double t, const double *y);
+
+/* What tables_rows() shows of the water, after observe_forces() that found them at the same (t, y): all ranks
+ * together where each has own rows of y alone. */
+void tables_look(struct tables *o, struct moment *moment, double t, const double *y);
 
 /* A row in every other table for moment t and state y, whose sheet of the book is
  * given, with what it cannot explain [J]; in book.csv alone where `forces`, the status of

@@ -53,12 +53,12 @@ int mps_conserved(const struct plan *p)
 static double internal(const struct mps *s, double t, const double *y)
 {
     const struct plan_part *pressure = s->moment->plan->pressure;
-    struct energies e = { 0 };
+    struct energy_sums e = { 0 };
     struct view v;
 
     moment_view(s->moment, t, y, &v);
     pressure->part->energy(pressure->self, &v, &e);
-    return e.internal;
+    return exact_sum_value(&e.internal);
 }
 
 /* Fluid outside of the domain is in no list: it falls, without a pressure. */

@@ -12,6 +12,7 @@
 #ifndef STATE_PART_H
 #define STATE_PART_H
 
+#include "algebra/exact-sum.h"
 #include "base/param.h"
 #include "state/layout.h"
 #include "state/limit.h"
@@ -42,6 +43,11 @@ enum { /* columns of a pair law's sum */
 
 struct energies {
     double kinetic, potential, internal, elastic; /* [J, 2D: J/m] */
+};
+
+/* The same of particles, while they are added up, in no order: of those that are this rank's. */
+struct energy_sums {
+    struct exact_sum kinetic, potential, internal;
 };
 
 typedef void part_pairs(const void *self, const struct side *a, const struct block *b,
@@ -270,7 +276,7 @@ struct part {
     void (*limit)(const void *self, const struct view *v, struct limit *out);
 
     /* Adds what it stores. */
-    void (*energy)(const void *self, const struct view *v, struct energies *to);
+    void (*energy)(const void *self, const struct view *v, struct energy_sums *to);
 
     struct part_roles as;
 };

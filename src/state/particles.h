@@ -58,8 +58,18 @@ struct view {
                                  NULL: that of their density                  */
     bool stores[KINDS];       /* that density holds internal energy            */
     int others;               /* rows of the fluid that are not here, the last ones: of other
-                                 ranks.  Only limits of parts look at such a view */
+                                 ranks                                        */
+    const bool *mine;         /* [n] by row: this rank's, of whose sums others have the rest;
+                                 NULL: all rows are                           */
+    const int *near;          /* [nears] rows of fluid that others own and whose places are here */
+    int nears;
 };
+
+/* Is row c of all kinds one that this rank adds up? */
+static inline bool view_has(const struct view *v, int c)
+{
+    return !v->mine || v->mine[c];
+}
 
 static inline int particles_count(const struct particles *p, enum kind k)
 {
