@@ -21,6 +21,12 @@ enum { UP = DIM - 1, MOST = 8 };
 
 static const double side = 0.15;
 
+/* In space contacts are many: one case of a kind, with STIFFWATER_LONG all. */
+static bool all(void)
+{
+    return DIM == 2 || getenv("STIFFWATER_LONG");
+}
+
 static void near(double found, double expected, double tolerance, const char *what)
 {
     printf("# %s: %.9g, expected %.9g within %.2g\n", what, found, expected, tolerance);
@@ -223,10 +229,12 @@ static void six_stand(void **state)
     struct cube c[6];
 
     (void)state;
-    pile(c, 0, 0, 0);
-    rest(c, 6, 2, 1e-8, "six, touching, range [m]");
     pile(c, 0.006, 0.005, 2);
     rest(c, 6, 2, 1e-8, "six, odd ones turned, dropped by 5 mm, range [m]");
+    if (!all())
+        return;
+    pile(c, 0, 0, 0);
+    rest(c, 6, 2, 1e-8, "six, touching, range [m]");
 #if DIM == 2
     pile(c, 0.005, 0, 0);
     rest(c, 6, 2, 1e-8, "six, 5 mm apart, range [m]");
@@ -239,10 +247,10 @@ static void six_stand(void **state)
 #if DIM == 3
 static void turned_stacks_stand(void **state)
 {
-    static const double angle[] = { 5, 30, 45 };
+    static const double angle[] = { 30, 5, 45 };
 
     (void)state;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < (all() ? 3 : 1); i++) {
         struct cube c[3];
         for (int k = 0; k < 3; k++)
             c[k] = (struct cube){ .up = (k + 0.5) * side, .angle = k * angle[i] };
@@ -302,7 +310,7 @@ static void throw(struct cube *c, unsigned seed)
 static void heaps_are_booked(void **state)
 {
     (void)state;
-    for (unsigned seed = 1; seed <= (DIM == 2 ? 4 : 2); seed++) {
+    for (unsigned seed = 1; seed <= (DIM == 2 ? 4 : all() ? 2 : 1); seed++) {
         struct book_sheet first, last;
         struct cube c[MOST];
         struct tank t;
