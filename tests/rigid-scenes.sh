@@ -14,12 +14,14 @@ field()
         '"$3" "$out/$1/bodies.csv"
 }
 
-# Archimedes: 1.3197 radii deep in a level of (0.24 - 0.0104 + 0.0141)/0.8 m.
-well disc "$scenes/floating-disc.scene"
-rise=$(field disc log.y 't > 5 { n++; sum += x } END { print sum / n - 0.2790 }')
-echo "disc: its centre is $rise m above the place by Archimedes"
-claim 'draft of a disc within a tenth of a spacing' "$rise^2 < 0.001^2"
-claim 'its energy closes' "$(number disc energy_defect_max) < 1e-3"
+# Archimedes: 1.3197 radii deep in a level of (0.24 - 0.0104 + 0.0141)/0.8 m. The wedge below has the same.
+if [ -n "${STIFFWATER_LONG-}" ]; then
+    well disc "$scenes/floating-disc.scene"
+    rise=$(field disc log.y 't > 5 { n++; sum += x } END { print sum / n - 0.2790 }')
+    echo "disc: its centre is $rise m above the place by Archimedes"
+    claim 'draft of a disc within a tenth of a spacing' "$rise^2 < 0.001^2"
+    claim 'its energy closes' "$(number disc energy_defect_max) < 1e-3"
+fi
 
 # A triangle: sqrt(1/2) of its height deep in a level of (0.1890 + 0.01125)/0.8 m.
 well wedge "$scenes/floating-wedge.scene"
