@@ -30,7 +30,7 @@ holds() {
 }
 
 holds 4e-4 "$scenes/dam-break.scene"
-holds 1e-4 "$scenes/dam-break.scene" spacing=6.25e-4
+holds 1e-4 "$scenes/dam-break.scene" spacing=1.25e-3
 holds 1e-4 "$scenes/dam-break.scene" spacing=1.25e-3 method=euler-cfl
 holds 4e-4 "$scenes/toth-beam.scene" spacing=1.6666666666666667e-3
 sed 's/continuity = { };/summation = { };/; /density-diffusion/d; /density-healing/d; s/^until/walls = "ghost"; until/' \
@@ -45,5 +45,7 @@ holds 1e-4 "$scenes/beam-alone.scene"
 holds 4e-4 "$scenes/mps-dam-break.scene" spacing=1.825e-3
 holds 1e-3 "$scenes/toth-pcisph.scene" spacing=1.25e-3
 [ -z "${STIFFWATER_LONG-}" ] || holds 4e-3 "$scenes/dam-break-3d.scene"
-[ -z "${STIFFWATER_LONG-}" ] || holds 1e-4 "$scenes/dam-break.scene" spacing=3.125e-4
+[ -z "${STIFFWATER_LONG-}" ] || for fine in 6.25e-4 3.125e-4; do
+    holds 1e-4 "$scenes/dam-break.scene" spacing=$fine
+done
 finish
