@@ -75,7 +75,9 @@ added() {
         'BEGIN { L = 0.22; print L / ((a - 2 * b + c) / 1e-4 / L) - m * L^2 / 3 }'
 }
 # The push is some 5 Pa, tol = 1e-2 of rho0 U^2 is 40: with it 0.01 kg/m have 0.24 kg m.
-for mass in 0.01 1.0 100.0; do
+masses='0.01 100.0'
+[ -z "${STIFFWATER_LONG-}" ] || masses='0.01 1.0 100.0'
+for mass in $masses; do
     well "hinged$mass" "$out/hinged.scene" beam.plate.mass=$mass tol=1e-4
     moment=$(added "hinged$mass" $mass)
     claim "added moment of inertia of $mass kg/m, which goes with H^4, 15 %" \
