@@ -75,6 +75,14 @@ void tank_rates(struct tank *t, double time, const double *y, double *ydot);
 
 double *tank_copy(const struct tank *t, const double *y); /* test_free() it */
 
+/* Whether a test is to be brief: a sanitizer makes each step ten times as slow, and sees as much
+ * in few. */
+#ifdef __SANITIZE_ADDRESS__
+#define tank_brief() (getenv("STIFFWATER_LONG") == NULL)
+#else
+#define tank_brief() false
+#endif
+
 /* Fails with a sentence when `good` is false. */
 #define check(good, ...)           \
     do {                           \
