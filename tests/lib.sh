@@ -17,6 +17,12 @@ if [ -z "${out-}" ]; then
     trap 'chmod -R u+w "$out"; rm -rf "$out"' EXIT
 fi
 
+# brief: whether a program of a sanitizer runs, in which steps take ten times as long and few show as much;
+# with STIFFWATER_LONG nothing is brief
+brief() {
+    [ -z "${STIFFWATER_LONG-}" ] && grep -q __asan_init "$top_builddir/stiffwater-2d"
+}
+
 # --- verdicts ---------------------------------------------------------------------------------
 # good WORDS: a claim that is true
 good() {

@@ -7,9 +7,11 @@ tank=$top_srcdir/tests/hard/tank.scene
 # --- threads -----------------------------------------------------------------------------
 # The flagship coarsely, so that beams and tables of all kinds take part.
 beam="$top_srcdir/data/scenes/toth-beam.scene"
+until=0.15
+brief && until=0.03
 for threads in 1 2 4 7; do
     code=0
-    "$STIFFWATER" run "$beam" spacing=0.01 until=0.15 -q -n $threads -o "$out/threads$threads" ||
+    "$STIFFWATER" run "$beam" spacing=0.01 until=$until -q -n $threads -o "$out/threads$threads" ||
         code=$?
     claim "$threads threads: the same bits" \
         "$code == 0 && \"$(hash threads$threads)\" == \"$(hash threads1)\""
