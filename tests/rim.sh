@@ -4,10 +4,13 @@
 # other tank than one without a lid.
 . "$top_srcdir/tests/lib.sh"
 
+# A sanitizer sees walls that end, not what gets over them.
+if brief; then until=0.02; else until=0.4; fi
+
 # tank NAME RIM FLUID_WIDTH [TOP]
 tank() {
     cat >"$out/$1.scene" <<S
-dimension = 2; gravity = [0.0, -9.81]; until = 0.4; spacing = 0.01;
+dimension = 2; gravity = [0.0, -9.81]; until = $until; spacing = 0.01;
 domain = { from = [0.0, 0.0]; to = [0.4, ${4-0.8}]; lid = false; };
 fluid = { water = { type = "box"; from = [0.0, 0.0]; to = [$3, 0.2]; }; };
 wall = { tank = { type = "frame"; $2 }; };
@@ -29,14 +32,14 @@ claim 'walls end at the rim' "$(highest still) < 0.25 && $(highest still) > 0.24
 tank full 'rim = 0.15;' 0.4
 well full "$out/full.scene" output.snapshots=2
 prints full 'water may spill: it can rise up to 0.2 m, and the sides of wall.tank end at rim = 0.15 m'
-claim 'water above the rim spills' "$(number full escaped) > 10"
+brief || claim 'water above the rim spills' "$(number full escaped) > 10"
 
 tank dam 'rim = 0.3;' 0.1
 well dam "$out/dam.scene"
 prints dam 'water may spill: it can rise up to 0.6 m'
 tank low '' 0.1 0.3
 well low "$out/low.scene"
-claim 'what rises above the walls and falls back is not lost' \
+brief || claim 'what rises above the walls and falls back is not lost' \
     "$(number dam escaped) < $(number low escaped)"
 
 tank top 'rim = 0.8;' 0.1
