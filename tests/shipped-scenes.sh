@@ -9,6 +9,9 @@ scenes=${top_srcdir:-.}/data/scenes
 asking
 # What a second run shows is no matter of memory.
 sanitized=$(grep -l __asan_init "$top_builddir/stiffwater-2d")
+part=3 # of the time of a scene; a sanitizer makes each step ten times as slow
+[ -z "$sanitized" ] || part=12
+[ -z "${STIFFWATER_LONG-}" ] || part=1
 
 # at_most NAME NUMBER LIMIT
 at_most()
@@ -87,13 +90,29 @@ same()
         complain "$1: $3 changes the final state"
 }
 
-# shorter NAME UNTIL: a third of the time has the same steps to look at, ten times as slow under a
-# sanitizer; but what falls without water has to land, and a flow from rest to get some energy.
+# shorter NAME UNTIL: a part of the time has the same steps to look at; but what falls without
+# water has to land, a flow from rest to get some energy, and the momentum of beams closes not
+# in their first steps.
 shorter()
 {
     case $1 in
     block-* | rolling-disc | couette) echo "$2" ;;
-    *) awk -v t="$2" 'BEGIN { printf "%.2g", t / 3 }' ;;
+    beam-alone | elastica | elastic-obstacle | soft-gate) in_parts "$2" $((part < 3 ? part : 3)) ;;
+    *) in_parts "$2" $part ;;
+    esac
+}
+
+in_parts()
+{
+    awk -v t="$1" -v parts="$2" 'BEGIN { printf "%.2g", t / parts }'
+}
+
+# spared NAME: a sanitizer sees nothing in it that it does not see in flood-six-cubes
+spared()
+{
+    case $1 in
+    flood-one-cube | flood-three-cubes) [ $part = 12 ] ;;
+    *) false ;;
     esac
 }
 
@@ -105,9 +124,13 @@ scene()
     interval=$3
     shift 3
     tried=$((tried + 1))
+    if spared "$base"; then
+        mkdir "$base"
+        return
+    fi
     "$STIFFWATER" check "$scenes/$base.scene" "$@" >"said" 2>&1 ||
         complain "check $base.scene: exit status $?"
-    [ -z "$sanitized" ] || until=$(shorter "$base" "$until")
+    until=$(shorter "$base" "$until")
     run "$base" "$scenes/$base.scene" "$@" --until "$until" --threads 2
     books "$base" "$until"
     tables "$base"
