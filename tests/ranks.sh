@@ -105,7 +105,10 @@ bits() {
 # piston, and in three dimensions; in a tank that moves; without any wall, all round; that leaves the
 # domain and comes back; in three dimensions.
 if [ -n "$long" ]; then numbers='1 2 3 4 8' fall=0.25; else numbers='1 2 3 4' fall=0.05; fi
-same dam 2 dam-break spacing=0.005 until=$fall
+levels= # whose columns ranks share, and a line of points
+for place in 04 08 12 16 20 24 28; do levels="$levels probe.at$place.what=height probe.at$place.at=[0.$place,0]"; done
+same dam 2 dam-break spacing=0.005 until=$fall $levels probe.speed.what=velocity 'probe.speed.at=[0.02,0.1]' \
+    'probe.speed.to=[0.28,0.1]'
 at_length same pressed 2 mps-dam-break spacing=7.3e-3 until=0.1
 numbers='3'
 [ -n "$long" ] || same pressed 2 mps-dam-break spacing=7.3e-3 until=0.01

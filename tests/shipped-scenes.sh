@@ -91,7 +91,7 @@ same()
 }
 
 # shorter NAME UNTIL: a part of the time has the same steps to look at; but what falls without
-# water has to land, a flow from rest to get some energy, and the momentum of beams closes not
+# water has to land, a flow from rest to get some energy, and the momentum of beams does not close
 # in their first steps.
 shorter()
 {

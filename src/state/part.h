@@ -12,7 +12,6 @@
 #ifndef STATE_PART_H
 #define STATE_PART_H
 
-#include "algebra/exact-sum.h"
 #include "base/param.h"
 #include "state/layout.h"
 #include "state/limit.h"
@@ -43,11 +42,6 @@ enum { /* columns of a pair law's sum */
 
 struct energies {
     double kinetic, potential, internal, elastic; /* [J, 2D: J/m] */
-};
-
-/* The same of particles, while they are added up, in no order: of those that are this rank's. */
-struct energy_sums {
-    struct exact_sum kinetic, potential, internal;
 };
 
 typedef void part_pairs(const void *self, const struct side *a, const struct block *b,

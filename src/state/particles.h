@@ -8,6 +8,7 @@
 #ifndef STATE_PARTICLES_H
 #define STATE_PARTICLES_H
 
+#include "algebra/exact-sum.h"
 #include "space/kinds.h"
 #include "state/scales.h"
 #include <stdbool.h>
@@ -70,6 +71,11 @@ static inline bool view_has(const struct view *v, int c)
 {
     return !v->mine || v->mine[c];
 }
+
+/* Energies of particles while they are added up, in no order: of those that are this rank's [J, 2D: J/m]. */
+struct energy_sums {
+    struct exact_sum kinetic, potential, internal;
+};
 
 static inline int particles_count(const struct particles *p, enum kind k)
 {
