@@ -380,6 +380,15 @@ else
     echo "skipped: no library that refuses memory"
 fi
 
+# A rank that stands elsewhere does not see the directory of results.
+mkdir "$out/here" "$out/there"
+set -- "$top_builddir/stiffwater-2d-mpi" run "$(cd "$scenes" && pwd)/dam-break.scene" spacing=0.025 until=0.01 -q -o results
+code=0
+timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 -wdir "$out/here" "$@" : -n 1 -wdir "$out/there" "$@" \
+    >"$out/said" 2>&1 || code=$?
+claim "a directory that one rank does not see is told of once" "$code == 4 \
+    && $(grep -c 'all must see the directory of results under one path' "$out/said") == 1"
+
 # The disk is full for the last rank alone: a file that all write is there whole or not at all, for all.
 if ${CC:-cc} -O1 -shared -fPIC -o "$out/full.so" "$top_srcdir/tests/ranks/full-disk.c" 2>"$out/said"; then
     # full NAME: a run whose last rank cannot write files with this in their path

@@ -87,4 +87,7 @@ double exact_sum_value(const struct exact_sum *s);
  * sums may then be added one by one (by MPI, say) and are those of their sum. */
 void exact_sum_carry(struct exact_sum *s);
 
+/* Each of n sums of this rank becomes that of all ranks, which call it together. */
+void exact_sum_share(int n, struct exact_sum *const *sum);
+
 #endif

@@ -1,11 +1,9 @@
 /* sheet.c -- what is stored at a moment, and what the book says of it. */
 #include "book/book.h"
 #include "plan/solver.h"
-#include "ranks/ranks.h"
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 static_assert(BOOK_WORKS >= PLAN_PARTS + 1 + 2 * INPUT_BODIES + CONTACTS_COLUMNS
               + 1 + PLAN_SOLVED_WORKS, "all works fit");
@@ -15,8 +13,6 @@ struct sums {
     struct energy_sums energy;
     struct exact_sum mass, momentum[DIM];
 };
-
-enum { SUMS = sizeof(struct sums) / sizeof(struct exact_sum) };
 
 /* Kinetic energy of the fluid and its momentum. */
 static void add_motion(const struct view *v, struct sums *s)
@@ -48,18 +44,12 @@ static void add_motion(const struct view *v, struct sums *s)
 /* Each rank has added up its own. */
 static void share(struct sums *s)
 {
-    struct exact_sum *of = (struct exact_sum *)s;
-    int64_t word[SUMS][EXACT_SUM_WORDS];
+    struct exact_sum *of[4 + DIM] = { &s->energy.kinetic, &s->energy.potential, &s->energy.internal,
+                                      &s->mass };
 
-    for (int i = 0; i < SUMS; i++) {
-        exact_sum_carry(&of[i]);
-        memcpy(word[i], of[i].word, sizeof word[i]);
-    }
-    ranks_add(SUMS * EXACT_SUM_WORDS, word[0]);
-    for (int i = 0; i < SUMS; i++) {
-        of[i] = (struct exact_sum){ .full = ranks_count() };
-        memcpy(of[i].word, word[i], sizeof word[i]);
-    }
+    for (int d = 0; d < DIM; d++)
+        of[4 + d] = &s->momentum[d];
+    exact_sum_share(4 + DIM, of);
 }
 
 static void read_sums(const struct plan *p, const struct view *v, struct book_sheet *to)

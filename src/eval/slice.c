@@ -24,10 +24,10 @@ static struct slice part_of(const struct moment *m, int k)
 {
     const struct slice all = slice_of(m);
     const int *from = m->particles->from;
+    const int last = all.from + all.n, end = last < from[k + 1] ? last : from[k + 1];
     const int low = all.from > from[k] ? all.from : from[k];
-    const int end = all.from + all.n < from[k + 1] ? all.from + all.n : from[k + 1];
 
-    return (struct slice){ low, end > low ? end - low : 0 };
+    return low < end ? (struct slice){ low, end - low } : (struct slice){ all.from, 0 };
 }
 
 /* --- from owners to whom ids belong ------------------------------------------------------------ */

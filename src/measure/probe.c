@@ -1,11 +1,9 @@
 /* probe.c -- gauges: pressure, velocity, height of the water. */
 #include "measure/probe.h"
 
-#include "ranks/ranks.h"
 #include "state/period.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Wendland's C2 function without its constant, which a mean does not need. */
 static double weight(const struct scales *s, const double *x, const double *y)
@@ -77,24 +75,17 @@ void probe_sum_velocity(const struct crowd *c, const double *x, struct probe_sum
     sum_up(c, crowd_view(c)->u[KIND_FLUID], DIM, x, to);
 }
 
-/* All ranks have each its part. */
 void probe_share(int n, struct probe_sums *of)
 {
-    int64_t word[PROBE_SHARED][1 + DIM][EXACT_SUM_WORDS] = { { { 0 } } };
+    struct exact_sum *sum[PROBE_SHARED * (1 + DIM)];
+    int sums = 0;
 
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k <= of[i].components; k++) {
-            struct exact_sum *s = k == 0 ? &of[i].weight : &of[i].sum[k - 1];
-            exact_sum_carry(s);
-            memcpy(word[i][k], s->word, sizeof s->word);
-        }
-    ranks_add(n * (1 + DIM) * EXACT_SUM_WORDS, word[0][0]);
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k <= of[i].components; k++) {
-            struct exact_sum *s = k == 0 ? &of[i].weight : &of[i].sum[k - 1];
-            s->full = ranks_count();
-            memcpy(s->word, word[i][k], sizeof s->word);
-        }
+    for (int i = 0; i < n; i++) {
+        sum[sums++] = &of[i].weight;
+        for (int k = 0; k < of[i].components; k++)
+            sum[sums++] = &of[i].sum[k];
+    }
+    exact_sum_share(sums, sum);
 }
 
 double probe_mean_pressure(const struct crowd *c, const struct probe_sums *s)

@@ -29,7 +29,13 @@ void pieces_numbers(const void *self, long first, long n, void *to)
 
 static int failed(const char *path, int error)
 {
-    return status_fail(STATUS_IO, "%s: cannot be written: %s", path, strerror(error ? error : EIO));
+    const bool elsewhere = error == ENOENT && ranks_me() > 0; /* the first has just made it */
+
+    return status_fail_with(STATUS_IO, (struct status_advice){
+        .remedy = elsewhere ? "all ranks write such files together, so all must see the directory of "
+                              "results under one path" : NULL },
+        "%s: cannot be written%s: %s", path, elsewhere ? " by all ranks" : "",
+        strerror(error ? error : EIO));
 }
 
 static bool write_range(int file, const char *bytes, size_t n, long at)
@@ -116,6 +122,6 @@ int pieces_write(int status, struct aside *a, const struct image *image, long ah
     TRY(status);
     if (pieces->shared)
         ranks_first(a ? 0 : HUGE_VAL, 0, &to, sizeof to);
-    status = write_pieces(&to, pieces, safely);
+    status = write_pieces(&to, pieces, safely || ranks_me() > 0); /* the first can bring its own to the disk later */
     return pieces->shared ? ranks_agree(status) : status;
 }

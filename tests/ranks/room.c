@@ -31,8 +31,7 @@ static double sum_over_ranks(int (*where)(int i))
         if (where(i) == ranks_me())
             exact_sum_add(&sum, 1, &x);
     }
-    exact_sum_carry(&sum);
-    ranks_add(EXACT_SUM_WORDS, sum.word);
+    exact_sum_share(1, (struct exact_sum *[]){ &sum });
     return exact_sum_value(&sum);
 }
 
