@@ -27,8 +27,9 @@ struct pieces {
 };
 
 /* Writes them into the file that the first rank has open as `a`, with this status: there the image begins
- * at byte `ahead`.  `safely`: they are on the disk; those of other ranks than the first are in any case.  Where pieces are shared all ranks call it, others with
- * a and image NULL, and all have the first status that is none: STATUS_FAILED, STATUS_IO. */
+ * at byte `ahead`.  `safely`: they are on the disk; those of other ranks than the first are in any case.
+ * Where pieces are shared all ranks call it, others with a and image NULL, and all have the first status
+ * that is none: STATUS_FAILED, STATUS_IO. */
 int pieces_write(int status, struct aside *a, const struct image *image, long ahead,
                  const struct pieces *pieces, bool safely);
 
