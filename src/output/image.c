@@ -71,13 +71,11 @@ static int open_memory(void)
 
 /* HDF5 resolves links of files that it opens by its usual driver, and this one leads nowhere: not so
  * by that of C's own files. */
-static hid_t create(int memory)
+static hid_t create(const char *path)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     hid_t file = -1;
-    char path[40];
 
-    snprintf(path, sizeof path, "/dev/fd/%d", memory);
     if (H5Pset_fapl_stdio(access) >= 0)
         file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
@@ -95,6 +93,8 @@ static bool may_write(size_t bytes)
 
 bool image_begin(struct image *m, size_t bytes)
 {
+    char path[40];
+
     *m = (struct image){ .file = -1, .memory = -1 };
     if (!may_write(bytes)) {
         m->error = EFBIG;
@@ -103,7 +103,12 @@ bool image_begin(struct image *m, size_t bytes)
     if (!begin(0) || (m->memory = open_memory()) < 0)
         return false;
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    m->file = create(m->memory);
+    snprintf(path, sizeof path, "/dev/fd/%d", m->memory);
+    if (access(path, F_OK) != 0) { /* HDF5 would not say so */
+        m->error = ENOENT;
+        return false;
+    }
+    m->file = create(path);
     return m->file >= 0;
 }
 
@@ -186,6 +191,8 @@ bool image_put(const struct image *m, FILE *to)
 
 int image_refused(const struct image *m, const char *path)
 {
+    if (m->error == ENOENT)
+        return status_fail(STATUS_IO, "%s: cannot be made, as there is no /dev/fd here: mount /proc", path);
     if (m->error != 0)
         return status_fail(STATUS_IO, "%s: cannot be written: %s", path, strerror(m->error));
     return status_starved("HDF5 cannot make %s", path);
