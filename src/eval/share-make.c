@@ -20,7 +20,7 @@ void share_free(struct moment_share **share)
     ranks_route_free(&s->near.route);
     free(s->near.row);
     free(s->near.seen);
-    free(s->near.whole.here);
+    free(s->near.whole.row);
     free(s->near.aside);
     balance_free(&s->move);
     free(s->mine);
@@ -76,12 +76,12 @@ static int take_memory(struct moment_share *s, const struct moment *m)
     s->near.row = status_alloc(n, sizeof *s->near.row);
     s->near.seen = status_alloc(n, sizeof *s->near.seen);
     s->near.aside = status_alloc(n, DIM * sizeof *s->near.aside);
-    s->near.whole.here = status_alloc(n, sizeof *s->near.whole.here);
+    s->near.whole.row = status_alloc(n, sizeof *s->near.whole.row);
     s->wet.row = status_alloc((size_t)(s->n - m->particles->from[KIND_WALL]) + 1, sizeof *s->wet.row);
     s->wet.from = status_alloc((size_t)s->ranks + 1, sizeof *s->wet.from);
     s->power = status_alloc((size_t)m->plan->slots + 1, sizeof *s->power);
     s->whole = status_alloc((size_t)layout_size(&m->layout) + 1, sizeof *s->whole);
-    return s->near.row && s->near.seen && s->near.aside && s->near.whole.here && s->now.x && s->now.u && s->now.rho
+    return s->near.row && s->near.seen && s->near.aside && s->near.whole.row && s->now.x && s->now.u && s->now.rho
                    && s->wet.row && s->wet.from && s->power && s->whole
                ? STATUS_DONE : STATUS_FAILED;
 }
@@ -138,7 +138,7 @@ double moment_share_bytes(const struct moment *m)
 
     if (!s || s->full)
         return moment_share_bytes_all(m);
-    return owners_bytes(s) + n * (number + sizeof *s->near.whole.here + 3 * sizeof(int))
+    return owners_bytes(s) + n * (number + 4 * sizeof(int))
            + (3 * DIM * fluid + 2 * SHARE_HALO * n * part) * number
            + (s->packed ? n * (rows + DIM * number) + solids * DIM * number : 0)
            + (s->me > 0 ? 0 : 2 * layout_size(&m->layout) * number);

@@ -40,16 +40,34 @@ static void hear_bounds(struct moment *m, const struct cloud *cloud, struct told
         }
 }
 
-/* Solids near own particles, which all ranks know. */
-static void mark_solids(struct moment *m, const struct cloud *cloud, const struct list_bounds *box)
+/* Solids near own particles, which all ranks know, are here. */
+static void name_solids(struct moment *m, const struct cloud *cloud, const struct list_bounds *box)
 {
     struct list_whole *whole = &m->share->near.whole;
     const double reach = list_reach(m->own, whole);
     const int *from = m->particles->from;
+    int n = whole->from[KIND_WALL];
 
-    for (int k = KIND_WALL; k < KINDS; k++)
-        for (int i = from[k]; i < from[k + 1]; i++)
-            whole->here[i] = list_near(m->own, box, reach, list_home(m->own, cloud, k, i));
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        for (int id = from[k]; id < from[k + 1]; id++) {
+            const int row = particles_row_of(m->particles, id);
+            if (list_near(m->own, box, reach, list_home(m->own, cloud, k, row)))
+                whole->row[n++] = row;
+        }
+        whole->from[k + 1] = n;
+    }
+}
+
+/* Ranks that some of own rows of fluid may be near to; returns how many. */
+static int name_ranks(const struct moment *m, const struct told *all, double reach, int *rank)
+{
+    const struct moment_share *s = m->share;
+    int n = 0;
+
+    for (int r = 0; r < s->ranks; r++)
+        if (r != s->me && list_meets(m->own, &all[r].box, reach, &all[s->me].fluid))
+            rank[n++] = r;
+    return n;
 }
 
 /* Calls for each own row of fluid, once for each rank that it is near to; returns how often.
@@ -57,16 +75,16 @@ static void mark_solids(struct moment *m, const struct cloud *cloud, const struc
 static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all,
                      int *to, int *row)
 {
-    const struct moment_share *s = m->share;
-    const double reach = list_reach(m->own, &s->near.whole);
-    int n = 0;
+    const double reach = list_reach(m->own, &m->share->near.whole);
+    int rank[m->share->ranks], n = 0;
+    const int ranks = name_ranks(m, all, reach, rank);
 
     for (int i = 0; i < moment_rows_of(m, KIND_FLUID); i++) {
         const double *x = list_home(m->own, cloud, KIND_FLUID, i);
-        for (int r = 0; r < s->ranks && list_inside(&m->own->def, x); r++)
-            if (r != s->me && list_near(m->own, &all[r].box, reach, x)) {
+        for (int r = 0; r < ranks && list_inside(&m->own->def, x); r++)
+            if (list_near(m->own, &all[rank[r]].box, reach, x)) {
                 if (to) {
-                    to[n] = r;
+                    to[n] = rank[r];
                     row[n] = i;
                 }
                 n++;
@@ -90,6 +108,24 @@ static int make_route(struct moment *m, const struct cloud *cloud, const struct 
     return status;
 }
 
+/* Fluid that is here: own rows, and those of others that came; in order of ids. */
+static void name_fluid(struct moment *m)
+{
+    struct moment_share *s = m->share;
+    struct list_whole *whole = &s->near.whole;
+    const size_t n = (size_t)particles_count(m->particles, KIND_FLUID);
+    unsigned char *here = (unsigned char *)s->pack, *at = here; /* [n] by id */
+
+    memset(here, 0, n);
+    for (int i = 0; i < moment_rows_of(m, KIND_FLUID); i++)
+        here[particles_id_of(m->particles, i)] = 1;
+    for (int i = 0; i < s->near.n; i++)
+        here[particles_id_of(m->particles, s->near.row[i])] = 1;
+    whole->from[KIND_WALL] = 0;
+    while ((at = memchr(at, 1, (size_t)(here + n - at))))
+        whole->row[whole->from[KIND_WALL]++] = particles_row_of(m->particles, (int)(at++ - here));
+}
+
 /* Rows that come, with their names: they are here from now on. */
 static void hear_named(struct moment *m, double *x)
 {
@@ -102,14 +138,12 @@ static void hear_named(struct moment *m, double *x)
     }
     ranks_route_go(s->near.route, NAMED * sizeof *x, s->pack, s->all);
     s->near.n = ranks_route_coming(s->near.route);
-    for (int i = 0; i < particles_count(m->particles, KIND_FLUID); i++)
-        s->near.whole.here[i] = i < own;
     for (int i = 0; i < s->near.n; i++) {
         const double *one = s->all + (size_t)i * NAMED;
         const int row = s->near.row[i] = particles_row_of(m->particles, (int)one[DIM]);
         memcpy(x + (size_t)row * DIM, one, DIM * sizeof *x);
-        s->near.whole.here[row] = true;
     }
+    name_fluid(m);
 }
 
 int share_near(struct moment *m, const struct cloud *cloud, double *x)
@@ -119,12 +153,12 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
     struct ranks_route *route;
 
     hear_bounds(m, cloud, all);
-    mark_solids(m, cloud, &all[s->me].box);
     TRY(make_route(m, cloud, all, &route));
     ranks_route_free(&s->near.route);
     s->near.route = route;
     s->near.made++;
     hear_named(m, x);
+    name_solids(m, cloud, &all[s->me].box);
     return STATUS_DONE;
 }
 

@@ -44,18 +44,44 @@ static struct around nothing(void)
     return none;
 }
 
+/* Rows of a kind that are here, of all or of some. */
+struct rows {
+    const int *row; /* [n] by ascending id; NULL: from `first` on */
+    int first, n;
+};
+
+static struct rows rows_here(const struct list *list, int kind)
+{
+    const struct list_whole *whole = list->whole;
+    const int *from = whole ? whole->from : list->def.from;
+
+    return (struct rows){ whole ? whole->row + from[kind] : NULL, from[kind], from[kind + 1] - from[kind] };
+}
+
+static inline int row_at(const struct rows *rows, int k)
+{
+    return rows->row ? rows->row[k] : rows->first + k;
+}
+
+void cells_leave_out(struct list *list, int row)
+{
+    list->slot[row] = -1;
+    for (int d = 0; d < DIM; d++)
+        list->own->built[(size_t)DIM * (size_t)row + (size_t)d] = INFINITY;
+}
+
 /* Marks particles inside of this thread's rows. */
 static void mark_part(struct list *list, const struct cloud *cloud, int kind, struct around *all)
 {
-    const int first = list->def.from[kind];
-    const struct threads_part part = threads_part(list->def.from[kind + 1] - first);
-    const struct list_whole *whole = list->whole;
+    const struct rows rows = rows_here(list, kind);
+    const struct threads_part part = threads_part(rows.n);
     struct around mine = nothing();
 
-    for (int i = first + part.from; i < first + part.to; i++) {
+    for (int k = part.from; k < part.to; k++) {
+        const int i = row_at(&rows, k);
         const double *x = list_home(list, cloud, kind, i);
 
-        list->slot[i] = (!whole || whole->here[i]) && list_inside(&list->def, x) ? 0 : -1;
+        list->slot[i] = list_inside(&list->def, x) ? 0 : -1;
         if (list->slot[i] == 0)
             widen(&mine, x, x, 1);
     }
@@ -67,8 +93,7 @@ static int bounds(struct list *list, const struct cloud *cloud, int kind, double
 {
     struct around all = nothing();
 
-    THREADS(list->def.from[kind + 1] - list->def.from[kind] > WORTH_THREADS,
-            mark_part(list, cloud, kind, &all));
+    THREADS(rows_here(list, kind).n > WORTH_THREADS, mark_part(list, cloud, kind, &all));
     memcpy(low, all.low, sizeof all.low);
     memcpy(high, all.high, sizeof all.high);
     return all.inside;
@@ -146,22 +171,26 @@ void cells_add_up(struct cells *c, int first)
 static void rank_part(struct list *list, const struct cloud *cloud, int kind,
                       const struct cells *c)
 {
-    const int first = list->def.from[kind];
-    const struct threads_part part = threads_part(list->def.from[kind + 1] - first);
+    const struct rows rows = rows_here(list, kind);
+    const struct threads_part part = threads_part(rows.n);
 
-    for (int i = first + part.from; i < first + part.to; i++)
+    for (int k = part.from; k < part.to; k++) {
+        const int i = row_at(&rows, k);
         if (list->slot[i] >= 0)
             list->slot[i] = cells_rank(c, list_home(list, cloud, kind, i));
+    }
 }
 
 static void count(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
-    const int from = list->def.from[kind], to = list->def.from[kind + 1];
+    const struct rows rows = rows_here(list, kind);
 
-    THREADS(to - from > WORTH_THREADS, rank_part(list, cloud, kind, c));
-    for (int i = from; i < to; i++)
+    THREADS(rows.n > WORTH_THREADS, rank_part(list, cloud, kind, c));
+    for (int k = 0; k < rows.n; k++) {
+        const int i = row_at(&rows, k);
         if (list->slot[i] >= 0)
             c->start[list->slot[i] + 2]++;
+    }
     cells_add_up(c, list->start[kind]);
 }
 
@@ -196,25 +225,26 @@ static inline void place_row(struct list *list, struct cells *c, int i)
 /* Places in turn, cell by cell, in a cell by ascending id. */
 static void place(struct list *list, const struct cloud *cloud, int kind, struct cells *c)
 {
-    const int from = list->def.from[kind], n = list->def.from[kind + 1] - from;
+    const struct rows rows = rows_here(list, kind);
     const int *row = cloud->row[kind];
 
-    if (row)
-        for (int k = 0; k < n; k++)
-            place_row(list, c, from + row[k]);
+    if (row && !rows.row)
+        for (int k = 0; k < rows.n; k++)
+            place_row(list, c, rows.first + row[k]);
     else
-        for (int k = 0; k < n; k++)
-            place_row(list, c, from + k);
+        for (int k = 0; k < rows.n; k++)
+            place_row(list, c, row_at(&rows, k));
 }
 
 /* Of this thread's rows: where they are, now that all places are known. */
 static void note_part(struct list *list, const struct cloud *cloud, int kind)
 {
-    const int from = list->def.from[kind];
-    const struct threads_part part = threads_part(list->def.from[kind + 1] - from);
+    const struct rows rows = rows_here(list, kind);
+    const struct threads_part part = threads_part(rows.n);
 
-    for (int i = from + part.from; i < from + part.to; i++) {
-        const double *x = cloud->x[kind] + (size_t)DIM * (size_t)(i - from);
+    for (int k = part.from; k < part.to; k++) {
+        const int i = row_at(&rows, k);
+        const double *x = cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
         double *built = list->own->built + (size_t)DIM * (size_t)i;
 
         for (int d = 0; d < DIM; d++)
@@ -231,7 +261,6 @@ int cells_sort(struct list *list, const struct cloud *cloud)
     for (int kind = 0; kind < KINDS; kind++) {
         struct cells *c = &list->own->cells[kind];
         double high[DIM];
-        const int particles = list->def.from[kind + 1] - list->def.from[kind];
         const int inside = bounds(list, cloud, kind, c->low, high);
         double n = inside;
 
@@ -244,7 +273,7 @@ int cells_sort(struct list *list, const struct cloud *cloud)
         TRY(cells_grid(list, c, high, n));
         count(list, cloud, kind, c);
         place(list, cloud, kind, c);
-        THREADS(particles > WORTH_THREADS, note_part(list, cloud, kind));
+        THREADS(rows_here(list, kind).n > WORTH_THREADS, note_part(list, cloud, kind));
         list->start[kind + 1] = list->start[kind] + inside;
     }
     return STATUS_DONE;

@@ -37,10 +37,12 @@ void list_bounds(const struct list *list, const struct cloud *cloud, struct list
         to->of[kind] = to->images[kind] = none();
         for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
             const bool mine = list->mine[i];
+            if (kind == KIND_FLUID && !mine)
+                continue;
             const double *x = list_home(list, cloud, kind, i);
             const struct list_bounds one = at(x);
 
-            if ((kind == KIND_FLUID && !mine) || !list_inside(&list->def, x))
+            if (!list_inside(&list->def, x))
                 continue;
             list_widen(&to->of[kind], &one);
             if (mine)
@@ -81,7 +83,9 @@ double list_reach(const struct list *list, const struct list_whole *whole)
     return most;
 }
 
-bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x)
+/* Is some place from low to high within the box and `reach` around it? */
+static bool touches(const struct list *list, const struct list_bounds *box, double reach, const double *low,
+                    const double *high)
 {
     enum { TURNS = 2 }; /* two images of one direction may meet */
     bool near = box->n > 0;
@@ -92,9 +96,20 @@ bool list_near(const struct list *list, const struct list_bounds *box, double re
 
         near = false;
         for (int k = -turns; k <= turns; k++)
-            near |= x[d] + k * period >= box->low[d] - reach && x[d] + k * period <= box->high[d] + reach;
+            near |= high[d] + k * period >= box->low[d] - reach && low[d] + k * period <= box->high[d] + reach;
     }
     return near;
+}
+
+bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x)
+{
+    return touches(list, box, reach, x, x);
+}
+
+bool list_meets(const struct list *list, const struct list_bounds *box, double reach,
+                const struct list_bounds *of)
+{
+    return of->n > 0 && touches(list, box, reach, of->low, of->high);
 }
 
 double list_order(const struct list *list, int row)

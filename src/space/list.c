@@ -113,14 +113,14 @@ void list_forget(struct list *list)
     list->stands = false;
 }
 
-/* Before the first build all count as left out. */
+/* All count as left out: before the first build, and where some will be that were not, as they are not
+ * here any more. */
 static void leave_out(struct list *list)
 {
-    for (int i = 0; i < list->n; i++) {
-        list->slot[i] = -1;
-        for (int d = 0; d < DIM; d++)
-            list->own->built[(size_t)DIM * (size_t)i + (size_t)d] = INFINITY;
-    }
+    const int n = list->stands ? list->start[KINDS] : list->n;
+
+    for (int i = 0; i < n; i++)
+        cells_leave_out(list, list->stands ? list->order[i] : i);
 }
 
 static void make_groups(struct list *list)
@@ -241,6 +241,8 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     const int before = list->groups;
 
+    if (list->whole)
+        leave_out(list);
     list->stands = false; /* should there be no memory on the way */
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));

@@ -79,7 +79,7 @@ struct list_bounds {
  * all.  Those that are not here count as left out; their positions are never read.  The rows of
  * neighbours, what they are sorted by, and what a rebuild depends on are then those of a list of all. */
 struct list_whole {
-    bool *here;                        /* [n] */
+    int *row, from[KINDS + 1];         /* [n] here: kind k: from[k] .. from[k+1]-1, by ascending id */
     struct list_bounds of[KINDS], images[KINDS]; /* in the domain, and of their images  */
 };
 
@@ -187,6 +187,10 @@ void list_widen(struct list_bounds *to, const struct list_bounds *by);
  * list_home(), after list_bounds(). */
 double list_reach(const struct list *list, const struct list_whole *whole);
 bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x);
+
+/* Could there be one in `of` that is near to this box? */
+bool list_meets(const struct list *list, const struct list_bounds *box, double reach,
+                const struct list_bounds *of);
 const double *list_home(const struct list *list, const struct cloud *cloud, int kind, int row);
 
 /* Particles and images, of all ranks. */
