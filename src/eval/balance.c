@@ -271,8 +271,6 @@ int balance_carry_out(struct moment *m)
     status = moment_rearrange(m, from);
     share_own(m, s->move->owner);
     balance_free(&s->move);
-    if (status == STATUS_DONE)
-        status = share_fit_own(s);
     TRY(ranks_agree(status));
     wet_forget(m);
     share_cloud(m, &cloud);

@@ -103,23 +103,6 @@ static int kind_of(const struct moment *m, int row)
     return m->particles->object[m->particles->object_of[row]].kind;
 }
 
-/* The number of a particle among those of this rank, which are in order of ids. */
-static int own_number(const struct moment *m, int id)
-{
-    const struct moment_share *s = m->share;
-    const int *own = s->row + s->from[s->me][0];
-    int low = 0, high = s->from[s->me][KINDS] - s->from[s->me][0] - 1;
-
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (particles_id_of(m->particles, own[middle]) < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* What all hear of a list: has a rank no memory for what it is asked, how are entries of rows
  * shared, and which solids have neighbours? */
 static int tell(struct moment *m, int status)
@@ -157,8 +140,12 @@ static int answer(struct moment *m, struct ranks_route *questions, const struct 
     struct request *asked = status_alloc((size_t)n + 1, sizeof *asked);
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     int *units = status_alloc((size_t)n + 1, sizeof *units);
-    int status = tell(m, asked && to && row && units ? STATUS_DONE : STATUS_FAILED);
+    int status;
 
+    next->leaves = n;
+    next->out = status_alloc((size_t)n + 1, sizeof *next->out);
+    next->seen = status_alloc((size_t)n * SHARE_HALO + 1, sizeof *next->seen);
+    status = tell(m, asked && to && row && units && next->out && next->seen ? STATUS_DONE : STATUS_FAILED);
     if (status == STATUS_DONE) {
         const struct share_halo was = s->halo;
         next->any = was.any;
@@ -166,16 +153,15 @@ static int answer(struct moment *m, struct ranks_route *questions, const struct 
         *next = was;
         s->halo.leaving = 0;
         ranks_route_go(questions, sizeof *mine, mine, asked);
-        for (int i = 0; i < n; i++) {
-            const int own = s->from[s->me][0] + own_number(m, asked[i].id);
-            const int k = kind_of(m, s->row[own]);
+        for (int i = 0, at = 0; i < n; i++) {
+            const int k = kind_of(m, s->halo.out[i] = particles_row_of(m->particles, asked[i].id));
             to[i] = asked[i].rank;
-            row[i] = share_seen(s, own);
-            units[i] = share_width(k);
+            row[i] = at;
+            at += units[i] = share_width(k);
             s->halo.leaving += share_reads(m, k);
         }
         ranks_route_free(&s->route);
-        status = ranks_route_create_uneven(&s->route, STATUS_DONE, sizeof *s->seen, n, to, row, units);
+        status = ranks_route_create_uneven(&s->route, STATUS_DONE, sizeof *s->halo.seen, n, to, row, units);
     }
     free(asked);
     free(to);
@@ -232,6 +218,14 @@ static int collect(const struct moment *m, const bool *needed, struct share_halo
     return STATUS_DONE;
 }
 
+void share_free_halo(struct share_halo *halo)
+{
+    free(halo->row);
+    free(halo->in);
+    free(halo->out);
+    free(halo->seen);
+}
+
 int share_halo(struct moment *m, int status)
 {
     bool *needed = status == STATUS_DONE ? status_alloc((size_t)m->share->n + 1, sizeof *needed) : NULL;
@@ -245,7 +239,6 @@ int share_halo(struct moment *m, int status)
     }
     free(needed);
     status = request(m, status, &next);
-    free(next.row);
-    free(next.in);
+    share_free_halo(&next);
     return status;
 }

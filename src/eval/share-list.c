@@ -9,71 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the list would ask itself of all particles. */
-struct look {
-    bool moved; /* further than half the margin                                  */
-    bool back;  /* was left out, and is inside again; or there is no list yet    */
-    int bad;    /* smallest id of those that are nowhere, n: none                */
-};
-
-static bool is_finite(const double *x)
-{
-    bool good = true;
-
-    for (int d = 0; d < DIM; d++)
-        good &= isfinite(x[d]) != 0;
-    return good;
-}
-
-/* Of a particle, now at x. */
-static void look_at(const struct moment *m, int row, const double *x, struct look *l)
-{
-    const struct list *list = m->own;
-    const double *was = m->share->built + (size_t)row * DIM, limit = list->def.skin / 2;
-    double far = 0;
-
-    for (int d = 0; d < DIM; d++)
-        far += (x[d] - was[d]) * (x[d] - was[d]);
-    if (list->stands && list->slot[row] >= 0 && far <= limit * limit)
-        return;
-    if (!is_finite(x)) {
-        const int id = particles_id_of(m->particles, row);
-        l->bad = id < l->bad ? id : l->bad;
-    } else if (list->stands) {
-        l->moved |= list->slot[row] >= 0;
-        l->back |= list->slot[row] < 0 && list_inside(&list->def, x);
-    }
-}
-
-/* Own particles. */
-static struct look look(const struct moment *m, const struct view *v)
-{
-    const struct moment_share *s = m->share;
-    const struct particles *p = m->particles;
-    const bool solids_move = m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
-    struct look l = { .back = !m->own->stands, .bad = s->n };
-
-    for (int i = s->from[s->me][KIND_FLUID]; i < s->from[s->me][KIND_FLUID + 1]; i++)
-        look_at(m, s->row[i], v->x[KIND_FLUID] + (size_t)s->row[i] * DIM, &l);
-    for (int i = s->from[s->me][KIND_WALL]; i < s->from[s->me][KINDS] && solids_move; i++)
-        look_at(m, s->row[i], p->x[s->row[i]], &l);
-    return l;
-}
-
-/* Is a density of this rank's own rows in y out of bounds?  All have to know before they sum. */
-static bool refuses(const struct moment *m, const struct view *v)
-{
-    const struct moment_share *s = m->share;
-    bool all = true;
-
-    for (int k = 0; k < KINDS; k++)
-        for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1] && v->rho[k]; i++) {
-            const double rho = v->rho[k][s->row[i] - v->p->from[k]];
-            all &= rho >= m->density[0] && rho <= m->density[1];
-        }
-    return !all;
-}
-
 /* Where particles are, as the list is made: those that are here. */
 static void note_places(const struct moment *m, const struct cloud *cloud)
 {
@@ -90,21 +25,20 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
     memcpy(s->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
 }
 
-/* Own rows of y, packed as they travel, and by field. */
-static void read_own(struct moment_share *s, const struct view *v)
+/* Own rows that leave, as they travel. */
+static void pack_halo(struct moment_share *s, const struct view *v)
 {
-    for (int k = 0; k < KINDS; k++)
-        for (int i = s->from[s->me][k]; v->rho[k] && i < s->from[s->me][k + 1]; i++) {
-            const size_t row = (size_t)s->row[i], at = row - (size_t)v->p->from[k];
-            double *to = s->seen + share_seen(s, i);
-            to[share_width(k) - 1] = s->now.rho[row] = v->rho[k][at];
-            if (k != KIND_FLUID)
-                continue;
-            memcpy(to, v->x[k] + at * DIM, DIM * sizeof *to);
-            memcpy(to + DIM, v->u[k] + at * DIM, DIM * sizeof *to);
-            memcpy(s->now.x + row * DIM, to, DIM * sizeof *to);
-            memcpy(s->now.u + row * DIM, to + DIM, DIM * sizeof *to);
+    double *to = s->halo.seen;
+
+    for (int i = 0; i < s->halo.leaves; i++) {
+        const size_t row = (size_t)s->halo.out[i];
+        if (s->halo.out[i] < v->p->from[KIND_FLUID + 1]) {
+            memcpy(to, s->now.x + row * DIM, DIM * sizeof *to);
+            memcpy(to + DIM, s->now.u + row * DIM, DIM * sizeof *to);
+            to += 2 * DIM;
         }
+        *to++ = s->now.rho[row];
+    }
 }
 
 /* Solids are where they are on all ranks, and have a density alone. */
@@ -112,7 +46,8 @@ static void hear_halo(struct moment_share *s, const struct view *v)
 {
     const double *from = s->halo.in;
 
-    ranks_route_go(s->route, sizeof *s->seen, s->seen, s->halo.in);
+    pack_halo(s, v);
+    ranks_route_go(s->route, sizeof *from, s->halo.seen, s->halo.in);
     for (int i = 0; i < s->halo.n; i++) {
         const size_t row = (size_t)s->halo.row[i];
         if (s->halo.row[i] < v->p->from[KIND_FLUID + 1]) {
@@ -194,7 +129,7 @@ static bool is_stale(struct moment *m, const struct cloud *cloud, const double *
     return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, m->share->now.x));
 }
 
-static int keep_list(struct moment *m, const struct cloud *cloud, const struct look *l, const double *flag)
+static int keep_list(struct moment *m, const struct cloud *cloud, const struct share_drift *l, const double *flag)
 {
     struct moment_share *s = m->share;
 
@@ -212,17 +147,17 @@ static int keep_list(struct moment *m, const struct cloud *cloud, const struct l
 enum { FLAGS = 7 };
 
 /* Asks all whether the list fits and whether they are at one time. */
-static int ask(struct evaluation *e, struct cloud *cloud, struct look *l, double flag[FLAGS])
+static int ask(struct evaluation *e, struct cloud *cloud, struct share_drift *l, double flag[FLAGS])
 {
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
 
-    *l = look(m, v);
-    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, refuses(m, v), e->t, -e->t,
+    *l = share_drift(m, v);
+    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, share_refuses(m, v), e->t, -e->t,
                                  s->heard.brings };
     memcpy(flag, mine, sizeof mine);
-    read_own(s, v);
+    share_read(m, v);
     look_at_share(s, v);
     cloud->x[KIND_FLUID] = s->now.x;
     ranks_most(FLAGS, flag);
@@ -247,7 +182,7 @@ static int hear(struct moment *m, const struct view *v)
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct look l;
+    struct share_drift l;
     double flag[FLAGS];
 
     if (m->share->full)
@@ -260,7 +195,7 @@ int share_list(struct evaluation *e, struct cloud *cloud)
 int share_list_beside(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct look l;
+    struct share_drift l;
     double flag[FLAGS];
 
     TRY(ask(e, cloud, &l, flag));

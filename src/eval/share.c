@@ -31,13 +31,6 @@ void share_own(const struct moment *m, const int *owner)
     }
 }
 
-int share_fit_own(struct moment_share *s)
-{
-    free(s->seen);
-    s->seen = status_alloc((size_t)share_seen(s, s->from[s->me][KINDS]) + 1, sizeof *s->seen);
-    return s->seen ? STATUS_DONE : STATUS_FAILED;
-}
-
 /* --- from all to all -------------------------------------------------------------------- */
 
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,

@@ -39,7 +39,6 @@ struct moment_share {
     int (*from)[KINDS + 1]; /* [ranks] of rank r and kind k: row[from[r][k]] ..
                               row[from[r][k + 1] - 1]                          */
     int *count;            /* [ranks] scratch                                  */
-    double *seen;          /* [numbers of own rows] as they travel: kind by kind */
     struct {
         double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
     } now;                 /* own rows and the halo now, of others some time ago */
@@ -48,6 +47,8 @@ struct moment_share {
     struct share_halo {
         int n, *row;       /* [n] that come, by owner                          */
         double *in;        /* [numbers that come]                              */
+        int leaves, *out;  /* [leaves] own ones that leave, by who asked       */
+        double *seen;      /* [numbers that leave]                             */
         double leaving;    /* numbers that passes read of rows that leave, by the plan */
         bool any;          /* passes may read densities of any solid           */
     } halo;
@@ -83,6 +84,20 @@ struct moment_share {
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
 
+/* share-own.c: what the list would ask itself, of own particles. */
+struct share_drift {
+    bool moved; /* further than half the margin                                  */
+    bool back;  /* was left out, and is inside again; or there is no list yet    */
+    int bad;    /* smallest id of those that are nowhere, n: none                */
+};
+struct share_drift share_drift(const struct moment *m, const struct view *v);
+
+/* Is a density of own rows in y out of bounds?  All have to know before they sum. */
+bool share_refuses(const struct moment *m, const struct view *v);
+
+/* Own rows of y, to where those of others will be: now. */
+void share_read(const struct moment *m, const struct view *v);
+
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
 
@@ -102,22 +117,11 @@ int own_exchange(const struct moment *m, int k, const int *owner, int *from);
 /* From now on the particle with id i belongs to rank owner[i] [n]. */
 void share_own(const struct moment *m, const int *owner);
 
-/* Numbers of a row of this kind as it travels; where those of this rank's own row i stand in seen. */
+/* Numbers of a row of this kind as it travels. */
 static inline int share_width(int kind)
 {
     return kind == KIND_FLUID ? SHARE_HALO : 1;
 }
-
-static inline int share_seen(const struct moment_share *s, int i)
-{
-    const int *from = s->from[s->me], n = from[KIND_FLUID + 1] - from[KIND_FLUID];
-
-    i -= from[KIND_FLUID];
-    return i < n ? i * SHARE_HALO : n * SHARE_HALO + i - n;
-}
-
-/* Room for own rows as they travel, after share_own().  STATUS_FAILED, here: no memory. */
-int share_fit_own(struct moment_share *s);
 
 /* Rows of a kind, c numbers each, of their owners to all; `from` and `to` may be the same. */
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
@@ -181,6 +185,7 @@ int share_reads(const struct moment *m, int kind);
 /* What rows of the list need of other ranks, after it was made with this status here: on all ranks
  * the first that is none.  Settles how unequal work is, too. */
 int share_halo(struct moment *m, int status);
+void share_free_halo(struct share_halo *halo);
 
 /* share-solids.c */
 

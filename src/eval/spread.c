@@ -27,7 +27,7 @@ struct sum_rates spread_places(const struct moment *m, const struct ask *ask, do
 void spread_stop(const struct moment *m, struct sum_rates to)
 {
     const struct list *l = m->list;
-    const int n = particles_count(m->particles, KIND_FLUID);
+    const int n = l->whole ? l->whole->from[KIND_FLUID + 1] : particles_count(m->particles, KIND_FLUID);
 
     for (int i = 0; i < to.rows && l->start[KIND_FLUID + 1] < n; i++) {
         if (l->slot[i] >= 0)

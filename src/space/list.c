@@ -29,17 +29,6 @@ static void look_closer(const struct list *list, int i, const double *x, struct 
     c->back |= list->slot[i] < 0 && list_inside(&list->def, x);
 }
 
-/* |a - b|^2, written out: each particle is asked in every right-hand side. */
-static inline double distance2(const double *a, const double *b)
-{
-    double sum = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
-
-#if DIM == 3
-    sum += (a[2] - b[2]) * (a[2] - b[2]);
-#endif
-    return sum;
-}
-
 /* Displacements of particles of one kind, x of the first; `built` of those left out is infinite. */
 static void check_range(const struct list *list, const double *x, int from, int to,
                         struct check *c)
@@ -48,7 +37,7 @@ static void check_range(const struct list *list, const double *x, int from, int 
     const double limit = list->def.skin / 2;
 
     for (int i = from; i < to; i++, x += DIM, built += DIM)
-        if (!(distance2(x, built) <= limit * limit))
+        if (!(list_square(x, built) <= limit * limit))
             look_closer(list, i, x, c);
 }
 

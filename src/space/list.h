@@ -160,6 +160,17 @@ static inline bool list_inside(const struct list_def *def, const double *x)
     return inside;
 }
 
+/* |a - b|^2, written out: each particle is asked in every right-hand side. */
+static inline double list_square(const double *a, const double *b)
+{
+    double sum = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+
+#if DIM == 3
+    sum += (a[2] - b[2]) * (a[2] - b[2]);
+#endif
+    return sum;
+}
+
 /* Sums over pairs of owners of these kinds are there, each in its place: of all ranks, where
  * those want all (eval/share-full.c). */
 static inline void list_complete(const struct list *list, unsigned kinds, int width, double *to)
