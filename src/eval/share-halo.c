@@ -144,8 +144,8 @@ static int answer(struct moment *m, struct ranks_route *questions, const struct 
 
     next->leaves = n;
     next->out = status_alloc((size_t)n + 1, sizeof *next->out);
-    next->seen = status_alloc((size_t)n * SHARE_HALO + 1, sizeof *next->seen);
-    status = tell(m, asked && to && row && units && next->out && next->seen ? STATUS_DONE : STATUS_FAILED);
+    next->sent = status_alloc((size_t)n * SHARE_HALO + 1, sizeof *next->sent);
+    status = tell(m, asked && to && row && units && next->out && next->sent ? STATUS_DONE : STATUS_FAILED);
     if (status == STATUS_DONE) {
         const struct share_halo was = s->halo;
         next->any = was.any;
@@ -161,7 +161,7 @@ static int answer(struct moment *m, struct ranks_route *questions, const struct 
             s->halo.leaving += share_reads(m, k);
         }
         ranks_route_free(&s->route);
-        status = ranks_route_create_uneven(&s->route, STATUS_DONE, sizeof *s->halo.seen, n, to, row, units);
+        status = ranks_route_create_uneven(&s->route, STATUS_DONE, sizeof *s->halo.sent, n, to, row, units);
     }
     free(asked);
     free(to);
@@ -223,7 +223,7 @@ void share_free_halo(struct share_halo *halo)
     free(halo->row);
     free(halo->in);
     free(halo->out);
-    free(halo->seen);
+    free(halo->sent);
 }
 
 int share_halo(struct moment *m, int status)

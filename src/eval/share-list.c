@@ -28,7 +28,7 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
 /* Own rows that leave, as they travel. */
 static void pack_halo(struct moment_share *s, const struct view *v)
 {
-    double *to = s->halo.seen;
+    double *to = s->halo.sent;
 
     for (int i = 0; i < s->halo.leaves; i++) {
         const size_t row = (size_t)s->halo.out[i];
@@ -47,7 +47,7 @@ static void hear_halo(struct moment_share *s, const struct view *v)
     const double *from = s->halo.in;
 
     pack_halo(s, v);
-    ranks_route_go(s->route, sizeof *from, s->halo.seen, s->halo.in);
+    ranks_route_go(s->route, sizeof *from, s->halo.sent, s->halo.in);
     for (int i = 0; i < s->halo.n; i++) {
         const size_t row = (size_t)s->halo.row[i];
         if (s->halo.row[i] < v->p->from[KIND_FLUID + 1]) {

@@ -48,7 +48,7 @@ struct moment_share {
         int n, *row;       /* [n] that come, by owner                          */
         double *in;        /* [numbers that come]                              */
         int leaves, *out;  /* [leaves] own ones that leave, by who asked       */
-        double *seen;      /* [numbers that leave]                             */
+        double *sent;      /* [numbers that leave]                             */
         double leaving;    /* numbers that passes read of rows that leave, by the plan */
         bool any;          /* passes may read densities of any solid           */
     } halo;
