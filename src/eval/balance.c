@@ -11,6 +11,8 @@
 static const double tolerable = 1.1; /* imbalance */
 static const double worth = 1.05;    /* more than a cut leaves, before the next; few particles
                                         cannot be shared any better           */
+enum { TRIES = 3 };                  /* cuts, one after the other: what groups take that are in part
+                                        another's is known of the cut before  */
 
 /* Who owns what from now on, and the rows of y that go there. */
 struct balance_move {
@@ -20,7 +22,7 @@ struct balance_move {
     int *was, *now;        /* [n] rows that stay and move                      */
     int *to, *row;         /* [n] scratch: of routes                           */
     int *out, *in;         /* [n] rows that leave, that come, kind by kind     */
-    double *weight;        /* [n] neighbours                                   */
+    double *weight;        /* [n] rows of pairs                                */
     struct vector_travel travel[KINDS];
 };
 
@@ -74,6 +76,8 @@ static bool is_due(const struct moment *m)
 {
     struct balance *b = &m->share->balance;
 
+    if (b->tries > 0)
+        return true;
     b->steps++;
     if (b->every < 0 || !m->own->stands || (b->every > 0 && b->steps % b->every != 0)
         || (b->every == 0 && b->builds == m->own->builds))
@@ -83,33 +87,6 @@ static bool is_due(const struct moment *m)
         return false;
     b->before = fmax(b->before, b->now); /* of a NAN and a number, the number */
     return true;
-}
-
-/* --- where ------------------------------------------------------------------------ */
-
-/* How many neighbours each particle has in rows here; weight [n] by row. */
-static void count_neighbours(const struct list *l, double *weight)
-{
-    for (int g = 0; g < l->groups; g++)
-        for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++)
-            for (int i = 0; i < l->segment[k].rows * l->lanes; i++)
-                if (list_place(l->segment[k].j[i]) < l->listed)
-                    weight[l->order[l->group_slot[g] + i % l->lanes]]++;
-}
-
-/* Each rank brings its own particles, where they were when the list was made. */
-static int cut(const struct moment *m, struct ranks_cut **out)
-{
-    const struct moment_share *s = m->share;
-    double *x = s->all, *weight = s->pack, *of = s->move->weight;
-    int n = 0;
-
-    count_neighbours(m->own, of);
-    for (int i = s->from[s->me][0]; i < s->from[s->me][KINDS]; i++, n++) {
-        memcpy(x + (size_t)n * DIM, s->built + (size_t)s->row[i] * DIM, DIM * sizeof *x);
-        weight[n] = of[s->row[i]];
-    }
-    return ranks_cut_create(out, DIM, n, x, weight);
 }
 
 /* --- what goes where -------------------------------------------------------------- */
@@ -202,13 +179,28 @@ static int find_travels(struct moment *m, long *moved)
 
     TRY(ranks_agree(take_memory(s, &s->move)));
     share_built(m);
-    TRY(cut(m, &cuts));
+    TRY(balance_where(m, s->move->weight, &cuts));
     *moved = find_owners(m, cuts, s->move);
     ranks_cut_free(&cuts);
     for (int k = 0; k < KINDS && *moved > 0; k++)
         if (k == KIND_FLUID || m->plan->row.density[k] >= 0)
             TRY(plan_travel(m, s->move, k));
     return STATUS_DONE;
+}
+
+/* Was this the last cut for now? */
+static void finish(struct balance *b, bool last)
+{
+    b->tries = last ? 0 : b->tries + 1;
+    if (!last)
+        return;
+    b->cuts++;
+    b->after = fmax(b->after, b->left);
+}
+
+bool balance_goes_on(const struct moment *m)
+{
+    return m->share && m->share->balance.tries > 0;
 }
 
 int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *blocks)
@@ -224,10 +216,13 @@ int balance_cut(struct moment *m, struct vector_rows row[MOMENT_ROWS], int *bloc
     s->balance.moved += moved;
     for (int k = 0; k < KINDS; k++)
         travel[k] = s->move->travel[k].route ? &s->move->travel[k] : NULL;
-    if (moved > 0)
+    if (moved > 0) {
         *blocks = moment_travels(m, travel, row);
-    else
-        balance_free(&s->move);
+        return STATUS_DONE;
+    }
+    balance_free(&s->move);
+    if (s->balance.tries > 0)
+        finish(&s->balance, true);
     return STATUS_DONE;
 }
 
@@ -279,8 +274,7 @@ int balance_carry_out(struct moment *m)
     m->own->builds = builds;
     wet_forget(m);
     s->near.known = s->near.made;
-    b->cuts++;
     b->left = b->now;
-    b->after = fmax(b->after, b->left);
+    finish(b, b->left <= tolerable || b->tries == TRIES - 1);
     return STATUS_DONE;
 }

@@ -130,6 +130,12 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 /* press.c: pressure of all solids in a view of own rows, all ranks together. */
 void press_together(struct moment *m, struct view *v);
 
+/* balance-where.c: space cut anew, by places where the list was made.  Each rank brings its own particles
+ * with their rows, [particles] to be 0 before, and spreads over these what its groups take that are its
+ * own in part only.  On all ranks the first failure. */
+struct ranks_cut;
+int balance_where(const struct moment *m, double *rows, struct ranks_cut **cut);
+
 /* share-beside.c */
 
 /* A moment for looking finds forces at (t, y), of own rows, on all ranks together where own rows are packed.

@@ -40,11 +40,14 @@ int run_ranks_balance(struct run *r)
     struct vector_rows row[MOMENT_ROWS];
     int blocks;
 
-    TRY(balance_cut(r->moment, row, &blocks));
-    if (blocks == 0)
-        return STATUS_DONE;
-    TRY(ranks_agree(r->method->rearrange(r->self, blocks, row)));
-    return balance_carry_out(r->moment);
+    do {
+        TRY(balance_cut(r->moment, row, &blocks));
+        if (blocks == 0)
+            return STATUS_DONE;
+        TRY(ranks_agree(r->method->rearrange(r->self, blocks, row)));
+        TRY(balance_carry_out(r->moment));
+    } while (balance_goes_on(r->moment));
+    return STATUS_DONE;
 }
 
 bool run_ranks_writes(void)

@@ -231,6 +231,28 @@ static void weights_are_shared_evenly(const struct ranks_cut *cut)
     claim(mine <= 1.10, "the heaviest rank has %.3f of the mean, at most 1.10", mine);
 }
 
+/* Ten columns: ranks that are no divisor of ten get parts of some. */
+static void columns_are_shared_evenly(void)
+{
+    enum { COLUMNS = 10, N = 400 };
+    double x[N][2], weight[N], mine = 0;
+    struct ranks_cut *cut;
+    int n = 0, status;
+
+    for (int i = ranks_me(); i < N; i += ranks_count(), n++) {
+        x[n][0] = i % COLUMNS;
+        x[n][1] = i / COLUMNS;
+        weight[n] = 1;
+    }
+    status = ranks_cut_create(&cut, 2, n, x[0], weight);
+    for (int i = 0; i < N && status == STATUS_DONE; i++)
+        mine += ranks_cut_owner(cut, (double[2]){ i % COLUMNS, i / COLUMNS }) == ranks_me();
+    mine *= (double)ranks_count() / N;
+    ranks_most(1, &mine);
+    claim(status == STATUS_DONE && mine <= 1.02, "of a lattice the heaviest rank has %.3f of the mean, at most 1.02", mine);
+    ranks_cut_free(&cut);
+}
+
 static double distance_outside(const double *x, const double *low, const double *high, int dim)
 {
     double far = 0;
@@ -448,6 +470,7 @@ static void try_cuts(int dim)
 
     all_find_the_same_owners(cut);
     weights_are_shared_evenly(cut);
+    columns_are_shared_evenly();
     owners_in_a_box_are_near_it(cut, dim);
     far_boxes_are_not_near(cut, dim);
     halos_are_complete(cut, dim);
@@ -474,6 +497,7 @@ int main(int argc, char **argv)
     a_route_fails_for_all();
     try_cuts(2);
     try_cuts(3);
+    columns_are_shared_evenly();
     status = claims_end();
     ranks_end();
     return status;
