@@ -15,7 +15,7 @@ struct ranks_cut {
 
 /* Lattices have many particles at one coordinate, and no plane across an axis shares these out.  So planes are
  * a little aslant: along axis d counts x[d] + slant x[d + 1], where no two of a lattice are alike. */
-static const double slant = 0.0618;
+static const double slant = 6.18e-4;
 
 static void skew(int dim, const double *x, double *to)
 {
