@@ -250,6 +250,20 @@ fi
 if [ "$(value parts ranks)" = 2 ] && [ "$(hash whole)" = "$(hash parts)" ]; then good "resume --ranks 2"
 else wrong "resume --ranks 2"; cat "$out/said"; fi
 
+# A density out of bounds is refused by all: as many short steps, the same end.
+narrow="$scenes/dam-break.scene spacing=0.01 until=0.2 tol=10 eos.highest=1.01"
+ranks 1 "$top_builddir/stiffwater-2d-mpi" run $narrow output.fields=100 output.snapshots=0 -q -f -o "$out/narrow"
+alone=$code
+ranks 2 "$top_builddir/stiffwater-2d-mpi" run $narrow output.fields=100 output.snapshots=0 -q -f -o "$out/narrow-2"
+if [ $alone$code = 11 ] && [ "$(value narrow refused)" -gt 9 ] \
+    && [ "$(value narrow refused)" = "$(value narrow-2 refused)" ]; then
+    bits narrow 2
+    good "a density is refused $(value narrow-2 refused) times on 2 ranks as on one"
+else
+    wrong "a density that is refused: status $alone alone and $code on 2," \
+        "$(value narrow refused) and $(value narrow-2 refused) times"
+fi
+
 # --- what ranks say ------------------------------------------------------------------------------
 # A right-hand side asks all once: who has to make a list or to refuse, and whether they are at one
 # time; once all hear the forces on solids, and with them powers.  Norms of a step ask all once.

@@ -47,16 +47,22 @@ static const bool *note_others(const struct moment *m)
     return other;
 }
 
+enum { ENTRIES = 4 }; /* that are asked together: lanes are whole times as many */
+
 /* Rows that others own and that are neighbours of rows here, of which numbers come. */
 static void mark_neighbours(const struct moment *m, const struct list_segment *of, const bool *other,
                             bool *needed)
 {
     const struct list *l = m->own;
+    const int *j = of->j, *end = j + (size_t)of->rows * (size_t)l->lanes;
 
-    for (int i = 0; i < of->rows * l->lanes; i++) {
-        const int j = list_place(of->j[i]);
-        if (other[j])
-            needed[l->order[j]] = true;
+    for (; j < end; j += ENTRIES) {
+        if (!(other[list_place(j[0])] | other[list_place(j[1])] | other[list_place(j[2])]
+              | other[list_place(j[3])]))
+            continue;
+        for (int i = 0; i < ENTRIES; i++)
+            if (other[list_place(j[i])])
+                needed[l->order[list_place(j[i])]] = true;
     }
 }
 

@@ -70,16 +70,19 @@ static int name_ranks(const struct moment *m, const struct told *all, double rea
     return n;
 }
 
-/* Calls for each own row of fluid, once for each rank that it is near to; returns how often.
- * to, row [that often] or NULL. */
-static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all,
+/* Own rows of fluid, each once for each rank that it is near to; returns how often.  to, row [that often], or
+ * NULL, which notes in near [own rows] of which rows there is anything to ask next time. */
+static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all, bool *near,
                      int *to, int *row)
 {
     const double reach = list_reach(m->own, &m->share->near.whole);
     int rank[m->share->ranks], n = 0;
-    const int ranks = name_ranks(m, all, reach, rank);
+    const int ranks = name_ranks(m, all, reach, rank), own = moment_rows_of(m, KIND_FLUID);
 
-    for (int i = 0; i < moment_rows_of(m, KIND_FLUID); i++) {
+    for (int i = 0; i < own; i++) {
+        const int before = n;
+        if (to && !near[i])
+            continue;
         const double *x = list_home(m->own, cloud, KIND_FLUID, i);
         for (int r = 0; r < ranks && list_inside(&m->own->def, x); r++)
             if (list_near(m->own, &all[rank[r]].box, reach, x)) {
@@ -89,6 +92,7 @@ static int name_rows(const struct moment *m, const struct cloud *cloud, const st
                 }
                 n++;
             }
+        near[i] = n > before;
     }
     return n;
 }
@@ -96,12 +100,13 @@ static int name_rows(const struct moment *m, const struct cloud *cloud, const st
 static int make_route(struct moment *m, const struct cloud *cloud, const struct told *all,
                       struct ranks_route **route)
 {
-    const int n = name_rows(m, cloud, all, NULL, NULL);
+    bool *near = (bool *)m->share->pack;
+    const int n = name_rows(m, cloud, all, near, NULL, NULL);
     int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
     int status = to && row ? STATUS_DONE : STATUS_FAILED;
 
     if (status == STATUS_DONE)
-        name_rows(m, cloud, all, to, row);
+        name_rows(m, cloud, all, near, to, row);
     status = ranks_route_create(route, status, NAMED * sizeof(double), n, to, row);
     free(to);
     free(row);
@@ -114,10 +119,11 @@ static void name_fluid(struct moment *m)
     struct moment_share *s = m->share;
     struct list_whole *whole = &s->near.whole;
     const size_t n = (size_t)particles_count(m->particles, KIND_FLUID);
+    const int own = moment_rows_of(m, KIND_FLUID);
     unsigned char *here = (unsigned char *)s->pack, *at = here; /* [n] by id */
 
     memset(here, 0, n);
-    for (int i = 0; i < moment_rows_of(m, KIND_FLUID); i++)
+    for (int i = 0; i < own; i++)
         here[particles_id_of(m->particles, i)] = 1;
     for (int i = 0; i < s->near.n; i++)
         here[particles_id_of(m->particles, s->near.row[i])] = 1;

@@ -1,8 +1,13 @@
 /* share-own.c -- what a rank sees of its own rows before it hears of others. */
 #include "eval/share.h"
 
+#include "space/reach.h"
+
 #include <math.h>
 #include <string.h>
+
+enum { STRETCH = 64 }; /* particles that are looked at together */
+static const double anywhere = 1e150; /* m: its square is a number */
 
 static bool is_finite(const double *x)
 {
@@ -27,16 +32,42 @@ static void look_closer(const struct moment *m, int row, const double *x, struct
     }
 }
 
+/* At n particles from `row` on, one by one; x: of the first. */
+static void look_at_each(const struct moment *m, int row, int n, const double *x, struct share_drift *l)
+{
+    const struct list *list = m->own;
+    const double *was = m->share->built + (size_t)row * DIM, limit = list->def.skin / 2;
+
+    for (int i = row; i < row + n; i++, x += DIM, was += DIM)
+        if (!(list->stands && list_square(x, was) <= limit * limit && list->slot[i] >= 0))
+            look_closer(m, i, x, l);
+}
+
+/* Is there nothing to see in a stretch?  Once one has moved, only who is nowhere or was left out
+ * matters: what is far from where it was need not be known. */
+static bool is_quiet(const struct list *list, const double *was, int row, const double *x, bool moved)
+{
+    const double limit = moved ? anywhere : list->def.skin / 2;
+    struct reach r = reach_none();
+    int left_out = 0;
+
+    for (int i = 0; i < STRETCH; i++)
+        left_out |= list->slot[row + i];
+    for (int i = 0; i < STRETCH * DIM; i += DIM)
+        reach_take(&r, less(coords_at(x + i), coords_at(was + i)));
+    return left_out >= 0 && reach_within(&r, limit);
+}
+
 /* At those in rows from..to-1, x: of the first. */
 static void look_at(const struct moment *m, int from, int to, const double *x, struct share_drift *l)
 {
     const struct list *list = m->own;
-    const double *was = m->share->built + (size_t)from * DIM, limit = list->def.skin / 2;
-    const bool stands = list->stands;
+    const double *was = m->share->built;
 
-    for (int i = from; i < to; i++, x += DIM, was += DIM)
-        if (!(stands && list_square(x, was) <= limit * limit && list->slot[i] >= 0))
-            look_closer(m, i, x, l);
+    for (int row = from; row < to; row += STRETCH, x += STRETCH * DIM)
+        if (to - row < STRETCH || !list->stands
+            || !is_quiet(list, was + (size_t)row * DIM, row, x, l->moved))
+            look_at_each(m, row, to - row < STRETCH ? to - row : STRETCH, x, l);
 }
 
 /* Own rows of a kind, stretch by stretch: returns where the next one ends, *row: where it begins; 0: there
@@ -69,15 +100,32 @@ struct share_drift share_drift(const struct moment *m, const struct view *v)
     return l;
 }
 
+/* Of so many densities, are all in bounds?  One that is no number stays in the sum. */
+static bool are_within(const double *rho, int n, const double *bound)
+{
+    struct reach r = reach_none();
+    double least[DIM], most[DIM];
+    bool good = true;
+    int i = 0;
+
+    for (; i + DIM <= n; i += DIM)
+        reach_take(&r, coords_at(rho + i));
+    coords_put(r.least, least);
+    coords_put(r.most, most);
+    for (int d = 0; d < DIM; d++)
+        good &= least[d] >= bound[0] && most[d] <= bound[1];
+    for (; i < n; i++)
+        good &= rho[i] >= bound[0] && rho[i] <= bound[1];
+    return good && length2(r.sum) >= 0;
+}
+
 bool share_refuses(const struct moment *m, const struct view *v)
 {
-    const double low = m->density[0], high = m->density[1];
     bool all = true;
 
     for (int k = 0; k < KINDS; k++)
         for (int at = 0, row, to; v->rho[k] && (to = next_rows(m, k, &at, &row)) > 0;)
-            for (const double *rho = v->rho[k] + row - v->p->from[k]; row < to; row++, rho++)
-                all &= (*rho >= low) & (*rho <= high);
+            all &= are_within(v->rho[k] + row - v->p->from[k], to - row, m->density);
     return !all;
 }
 

@@ -3,8 +3,8 @@
 
 #include "base/threads.h"
 #include "base/waiting.h"
-#include "space/coords.h"
 #include "space/list-private.h"
+#include "space/reach.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -20,8 +20,6 @@ struct crowd {
     int n;
     double now[CROWD][DIM], was[CROWD][DIM]; /* [m] */
 };
-
-static const double nothing[3] = { 0 }, far_off[3] = { INFINITY, INFINITY, INFINITY };
 
 /* Positions of the particles in rows one after the other: rows of a kind mostly follow rows
  * of the same. */
@@ -42,18 +40,9 @@ static inline const double *position(struct positions *of, int row)
     return of->cloud->x[of->kind] + (size_t)(row - from[of->kind]) * DIM;
 }
 
-/* Of some particles: least and largest displacement, and the sum of all [m]. */
-struct reach {
-    coords least, most, sum;
-};
-
 static inline void take_one(struct reach *r, const double *x, const double *was)
 {
-    const coords moved = less(coords_at(x), coords_at(was));
-
-    r->least = lesser(moved, r->least);
-    r->most = larger(moved, r->most);
-    r->sum = plus(r->sum, moved);
+    reach_take(r, less(coords_at(x), coords_at(was)));
 }
 
 /* None that went too far, or nowhere: seldom asked. */
@@ -71,8 +60,8 @@ static bool all_near(const struct list *list, const struct cloud *cloud, int blo
 }
 
 /* The range of displacements in a block; false when a particle went too far, or nowhere.
- * Images go where their originals do.  Only where a displacement made of the largest of all
- * along each axis is too far, or the sum of all is no number, need each be asked. */
+ * Images go where their originals do.  Only where all together are not within the limit need each be
+ * asked. */
 static bool find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
@@ -82,20 +71,18 @@ static bool find_range(const struct list *list, const struct cloud *cloud, int b
     const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
     struct positions others = { list, cloud, 0 };
-    const coords none = coords_at(nothing), far = coords_at(far_off);
-    struct reach r = { far, less(none, far), none };
+    struct reach r = reach_none();
     int m = from;
 
     if (drift->moving[block] < drift->count[block]) /* others stand still */
-        r.least = r.most = none;
+        r.least = r.most = r.sum;
     for (; m < from + drift->first[block]; m++)
         take_one(&r, x + (size_t)row[m] * DIM, was[m]);
     for (; m < from + drift->moving[block]; m++)
         take_one(&r, position(&others, row[m]), was[m]);
     coords_put(r.least, range);
     coords_put(r.most, range + DIM);
-    return (length2(larger(less(none, r.least), r.most)) <= limit * limit && length2(r.sum) >= 0)
-           || all_near(list, cloud, block);
+    return reach_within(&r, limit) || all_near(list, cloud, block);
 }
 
 /* The largest displacement of one within the first range against one within the other,
