@@ -70,8 +70,9 @@ static int name_ranks(const struct moment *m, const struct told *all, double rea
     return n;
 }
 
-/* Own rows of fluid, each once for each rank that it is near to; returns how often.  to, row [that often], or
- * NULL, which notes in near [own rows] of which rows there is anything to ask next time. */
+/* Names own rows of fluid, each once for each rank that it is near to; returns how many names there are.
+ * At first to and row are NULL: near [own rows] then notes which rows have one.  Then these alone are asked
+ * again, for to, row [names]. */
 static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all, bool *near,
                      int *to, int *row)
 {
