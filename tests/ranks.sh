@@ -161,15 +161,18 @@ anew() {
 if [ -n "$long" ]; then moving="spacing=0.005 until=0.12" cuts="never 7 23" least=50
 else moving="spacing=0.005 until=0.05" cuts=7 least=20; fi
 well moving "$scenes/dam-break.scene" $moving
+STIFFWATER_LANES=2 # which all machines have: how evenly rows can be shared depends on it
+export STIFFWATER_LANES
 for often in $cuts; do
     anew $often moving 3 $moving
     [ $often = never ] || claim "particles move, work is equal" "$(value moving-3 particles_moved) > $least \
-        && $(value moving-3 imbalance_after) <= 1.1"
+        && $(value moving-3 imbalance_after) <= 1.05"
 done
 if [ -n "$long" ]; then
     anew 7 moving 4 $moving
-    claim "so few particles are shared evenly" "$(value moving-4 imbalance_after) <= 1.1"
+    claim "so few particles are shared evenly" "$(value moving-4 imbalance_after) <= 1.05"
 fi
+unset STIFFWATER_LANES
 at_length claim "ranks whose work is unequal cut anew" "$(value dam-3 repartitions) > 0 && $(value dam-3 imbalance_before) > 1.1 \
     && $(value dam-3 imbalance_after) < $(value dam-3 imbalance_before)"
 past="spacing=0.01 until=0.01 method=adams"

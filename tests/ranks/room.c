@@ -470,7 +470,6 @@ static void try_cuts(int dim)
 
     all_find_the_same_owners(cut);
     weights_are_shared_evenly(cut);
-    columns_are_shared_evenly();
     owners_in_a_box_are_near_it(cut, dim);
     far_boxes_are_not_near(cut, dim);
     halos_are_complete(cut, dim);
