@@ -1,6 +1,8 @@
-/* balance-where.c -- how heavy each particle is where space is cut: rows of the list that stands. */
+/* balance-where.c -- space cut anew: how heavy each particle is, by rows of the list that stands, and
+ * whose it is then. */
 #include "eval/share.h"
 
+#include "base/status.h"
 #include "ranks/ranks.h"
 
 #include <string.h>
@@ -18,18 +20,71 @@ static void count_rows(const struct list *l, double *weight)
     }
 }
 
-int balance_where(const struct moment *m, double *rows, struct ranks_cut **out)
+static int cut(const struct moment *m, double *rows, struct ranks_cut **out)
 {
     const struct moment_share *s = m->share;
     double *x = s->all, *weight = s->pack, sum = 0;
     int n = 0;
 
     count_rows(m->own, rows);
-    for (int i = s->from[s->me][0]; i < s->from[s->me][KINDS]; i++, n++) {
-        memcpy(x + (size_t)n * DIM, s->built + (size_t)s->row[i] * DIM, DIM * sizeof *x);
-        sum += weight[n] = rows[s->row[i]];
-    }
+    for (int k = 0; k < KINDS; k++)
+        for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1]; i++, n++) {
+            memcpy(x + (size_t)n * DIM, share_was(m, k) + (size_t)(s->row[i] - m->particles->from[k]) * DIM, DIM * sizeof *x);
+            sum += weight[n] = rows[s->row[i]];
+        }
     for (int i = 0; i < n && sum > 0; i++)
         weight[i] *= list_entries(m->own) / sum;
     return ranks_cut_create(out, DIM, n, x, weight);
+}
+
+/* A particle that changes its owner. */
+struct change {
+    int id, owner;
+};
+
+/* Own particles that this cut gives to others; returns how many. */
+static int find_changes(const struct moment *m, const struct ranks_cut *cuts, struct change *to)
+{
+    const struct moment_share *s = m->share;
+    int n = 0;
+
+    for (int k = 0; k < KINDS; k++) {
+        const double *was = share_was(m, k) - (size_t)m->particles->from[k] * DIM;
+        for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1]; i++) {
+            const int owner = ranks_cut_owner(cuts, was + (size_t)s->row[i] * DIM);
+            if (owner != s->me)
+                to[n++] = (struct change){ particles_id_of(m->particles, s->row[i]), owner };
+        }
+    }
+    return n;
+}
+
+/* All hear of those of all ranks: how many particles move by this cut. */
+static long find_owners(const struct moment *m, const struct ranks_cut *cuts, int *owner)
+{
+    struct moment_share *s = m->share;
+    struct change *mine = (struct change *)s->pack, *all = (struct change *)s->all;
+    int own = find_changes(m, cuts, mine), changes[s->ranks];
+    long moved = 0;
+
+    for (int r = 0; r < s->ranks; r++)
+        s->count[r] = 1;
+    ranks_gather(s->count, sizeof own, &own, changes);
+    ranks_gather(changes, sizeof *mine, mine, all);
+    for (int r = 0; r < s->ranks; r++)
+        moved += changes[r];
+    memcpy(owner, s->owner, (size_t)s->n * sizeof *owner);
+    for (long i = 0; i < moved; i++)
+        owner[all[i].id] = all[i].owner;
+    return moved;
+}
+
+int balance_where(const struct moment *m, double *rows, int *owner, long *moved)
+{
+    struct ranks_cut *cuts;
+
+    TRY(cut(m, rows, &cuts));
+    *moved = find_owners(m, cuts, owner);
+    ranks_cut_free(&cuts);
+    return STATUS_DONE;
 }

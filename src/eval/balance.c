@@ -158,30 +158,12 @@ static int plan_travel(const struct moment *m, struct balance_move *b, int k)
                               t->leaving, b->to, out);
 }
 
-/* How many particles of all ranks move by this cut. */
-static long find_owners(const struct moment *m, const struct ranks_cut *cuts, struct balance_move *b)
-{
-    const struct moment_share *s = m->share;
-    long moved = 0;
-
-    for (int i = 0; i < s->n; i++) {
-        const int id = particles_id_of(m->particles, i);
-        b->owner[id] = ranks_cut_owner(cuts, s->built + (size_t)i * DIM);
-        moved += b->owner[id] != s->owner[id];
-    }
-    return moved;
-}
-
 static int find_travels(struct moment *m, long *moved)
 {
     struct moment_share *s = m->share;
-    struct ranks_cut *cuts;
 
     TRY(ranks_agree(take_memory(s, &s->move)));
-    share_built(m);
-    TRY(balance_where(m, s->move->weight, &cuts));
-    *moved = find_owners(m, cuts, s->move);
-    ranks_cut_free(&cuts);
+    TRY(balance_where(m, s->move->weight, s->move->owner, moved));
     for (int k = 0; k < KINDS && *moved > 0; k++)
         if (k == KIND_FLUID || m->plan->row.density[k] >= 0)
             TRY(plan_travel(m, s->move, k));
@@ -235,16 +217,26 @@ static void swap_places(double *x, double *y)
     memcpy(y, was, sizeof was);
 }
 
-/* Owners, and places where the list was made, of the rows as they will be. */
+/* Places of fluid where the list was made go where their rows go. */
+static int move_fluid(const struct moment *m)
+{
+    const struct vector_rows row = { .n = particles_count(m->particles, KIND_FLUID), .components = DIM,
+                                     .travel = &m->share->move->travel[KIND_FLUID] };
+
+    return row.travel->route ? vector_rows_move(1, &row, 1, &m->share->built) : STATUS_DONE;
+}
+
+/* Owners of the rows as they will be, and places of solids where the list was made. */
 static void move_rows(const struct moment *m)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
     const struct balance_move *b = s->move;
+
     for (int k = 0; k < KINDS; k++)
         for (int i = p->from[k]; i < p->from[k + 1]; i++) {
             const int row = b->travel[k].route ? p->from[k] + b->from[i] : i;
-            if (row > i) /* they change places in pairs */
+            if (k != KIND_FLUID && !share_stands(m, k) && row > i) /* they change places in pairs */
                 swap_places(s->built + (size_t)i * DIM, s->built + (size_t)row * DIM);
             s->mine[i] = b->owner[particles_id_of(p, row)] == s->me;
         }
@@ -263,7 +255,9 @@ int balance_carry_out(struct moment *m)
     for (int k = 0; k < KINDS; k++)
         from[k] = s->move->travel[k].route ? s->move->from + m->particles->from[k] : NULL;
     move_rows(m);
-    status = moment_rearrange(m, from);
+    status = move_fluid(m);
+    if (status == STATUS_DONE)
+        status = moment_rearrange(m, from);
     share_own(m, s->move->owner);
     balance_free(&s->move);
     TRY(ranks_agree(status));
@@ -273,7 +267,6 @@ int balance_carry_out(struct moment *m)
     TRY(share_make(m, &cloud, s->built));
     m->own->builds = builds;
     wet_forget(m);
-    s->near.known = s->near.made;
     b->left = b->now;
     finish(b, b->left <= tolerable || b->tries == TRIES - 1);
     return STATUS_DONE;

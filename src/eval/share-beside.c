@@ -9,7 +9,7 @@
 #include "space/list.h"
 
 /* The run's list becomes what it was, which had been made so often. */
-static int put_back(struct moment *run, bool stood, bool known, long builds)
+static int put_back(struct moment *run, bool stood, long builds)
 {
     struct moment_share *s = run->share;
     struct cloud cloud;
@@ -23,8 +23,6 @@ static int put_back(struct moment *run, bool stood, bool known, long builds)
     }
     run->own->builds = builds;
     wet_forget(run);
-    if (known)
-        s->near.known = s->near.made;
     return status;
 }
 
@@ -33,7 +31,7 @@ int share_look(struct moment *m, double t, const double *y)
     struct moment *run = m->beside;
     struct moment_share *s = run->share;
     struct list *own = m->own;
-    const bool stood = run->own->stands, known = s->near.known == s->near.made;
+    const bool stood = run->own->stands;
     const long builds = run->own->builds;
     int status, after = STATUS_DONE;
 
@@ -45,7 +43,7 @@ int share_look(struct moment *m, double t, const double *y)
     m->share = NULL;
     m->own = m->list = own;
     if (s->near.made_aside)
-        after = put_back(run, stood, known, builds);
+        after = put_back(run, stood, builds);
     s->near.looked = true;
     return status != STATUS_DONE ? status : after;
 }

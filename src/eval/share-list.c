@@ -14,7 +14,6 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
 {
     const struct moment_share *s = m->share;
     const struct particles *p = m->particles;
-    const size_t fluid = (size_t)particles_count(p, KIND_FLUID);
     const double *x = cloud->x[KIND_FLUID];
 
     if (x == s->built) /* a list that is made where it was */
@@ -22,7 +21,9 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
     memcpy(s->built, x, (size_t)moment_rows_of(m, KIND_FLUID) * DIM * sizeof *x);
     for (int i = 0; i < s->near.n; i++)
         memcpy(s->built + (size_t)s->near.row[i] * DIM, x + (size_t)s->near.row[i] * DIM, DIM * sizeof *x);
-    memcpy(s->built + fluid * DIM, p->x + fluid, ((size_t)p->n - fluid) * sizeof *p->x);
+    for (int k = KIND_WALL; k < KINDS; k++)
+        if (!share_stands(m, k))
+            memcpy(s->built + (size_t)p->from[k] * DIM, p->x + p->from[k], (size_t)particles_count(p, k) * sizeof *p->x);
 }
 
 /* Own rows that leave, as they travel. */

@@ -122,7 +122,20 @@ static void find_owners(const struct moment *m, const double *y, const struct ra
 
 static double owners_bytes(const struct moment_share *s)
 {
-    return (double)s->n * (sizeof *s->mine + sizeof *s->owner + sizeof *s->row + sizeof *s->built);
+    return (double)s->n * (sizeof *s->mine + sizeof *s->owner + sizeof *s->row);
+}
+
+/* Of particles in an order of their own: rows and names, and where solids are now and were at first; of those
+ * that move how fast, and where lists were made. */
+static double order_bytes(const struct moment *m)
+{
+    const struct particles *p = m->particles;
+    const double row = sizeof *p->m + sizeof *p->object_of + sizeof *p->dye + 2 * sizeof(int);
+    double bytes = p->n * row;
+
+    for (int k = KIND_WALL; k < KINDS; k++)
+        bytes += (share_stands(m, k) ? 2 : 5) * (double)sizeof *p->x * particles_count(p, k);
+    return bytes;
 }
 
 /* What is written of the arrays of take_memory(), and of those of a cut: all of what any rank may own, of
@@ -133,13 +146,12 @@ double moment_share_bytes(const struct moment *m)
     const struct moment_share *s = m->share;
     const double n = s ? s->n : 0, fluid = s ? m->particles->from[KIND_FLUID + 1] : 0;
     const double part = 1.0 / ranks_count(), number = sizeof(double);
-    const double rows = 8 + 5 + 8, solids = n - fluid; /* particles in an order of their own */
 
     if (!s || s->full)
         return moment_share_bytes_all(m);
     return owners_bytes(s) + n * (number + 4 * sizeof(int))
            + (3 * DIM * fluid + 1.25 * SHARE_HALO * n * part) * number
-           + (s->packed ? n * (rows + DIM * number) + solids * DIM * number : 0)
+           + (s->packed ? order_bytes(m) : n * DIM * number)
            + (s->me > 0 ? 0 : 2 * layout_size(&m->layout) * number);
 }
 
@@ -147,7 +159,7 @@ double moment_share_bytes_all(const struct moment *m)
 {
     const struct moment_share *s = m->share;
 
-    return s ? owners_bytes(s) + s->n * SHARE_WIDEST * (1 + 1.0 / s->ranks) * sizeof(double) : 0;
+    return s ? owners_bytes(s) + s->n * (DIM + SHARE_WIDEST * (1 + 1.0 / s->ranks)) * sizeof(double) : 0;
 }
 
 double moment_share_spared(const struct moment *m)

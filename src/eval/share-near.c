@@ -163,7 +163,6 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
     TRY(make_route(m, cloud, all, &route));
     ranks_route_free(&s->near.route);
     s->near.route = route;
-    s->near.made++;
     hear_named(m, x);
     name_solids(m, cloud, &all[s->me].box);
     return STATUS_DONE;

@@ -32,11 +32,12 @@ static void look_closer(const struct moment *m, int row, const double *x, struct
     }
 }
 
-/* At n particles from `row` on, one by one; x: of the first. */
-static void look_at_each(const struct moment *m, int row, int n, const double *x, struct share_drift *l)
+/* At n particles from `row` on, one by one; x, was: of the first, now and when the list was made. */
+static void look_at_each(const struct moment *m, int row, int n, const double *x, const double *was,
+                         struct share_drift *l)
 {
     const struct list *list = m->own;
-    const double *was = m->share->built + (size_t)row * DIM, limit = list->def.skin / 2;
+    const double limit = list->def.skin / 2;
 
     for (int i = row; i < row + n; i++, x += DIM, was += DIM)
         if (!(list->stands && list_square(x, was) <= limit * limit && list->slot[i] >= 0))
@@ -58,16 +59,15 @@ static bool is_quiet(const struct list *list, const double *was, int row, const 
     return left_out >= 0 && reach_within(&r, limit);
 }
 
-/* At those in rows from..to-1, x: of the first. */
-static void look_at(const struct moment *m, int from, int to, const double *x, struct share_drift *l)
+/* At those in rows from..to-1, likewise. */
+static void look_at(const struct moment *m, int from, int to, const double *x, const double *was,
+                    struct share_drift *l)
 {
     const struct list *list = m->own;
-    const double *was = m->share->built;
 
-    for (int row = from; row < to; row += STRETCH, x += STRETCH * DIM)
-        if (to - row < STRETCH || !list->stands
-            || !is_quiet(list, was + (size_t)row * DIM, row, x, l->moved))
-            look_at_each(m, row, to - row < STRETCH ? to - row : STRETCH, x, l);
+    for (int row = from; row < to; row += STRETCH, x += STRETCH * DIM, was += STRETCH * DIM)
+        if (to - row < STRETCH || !list->stands || !is_quiet(list, was, row, x, l->moved))
+            look_at_each(m, row, to - row < STRETCH ? to - row : STRETCH, x, was, l);
 }
 
 /* Own rows of a kind, stretch by stretch: returns where the next one ends, *row: where it begins; 0: there
@@ -96,7 +96,8 @@ struct share_drift share_drift(const struct moment *m, const struct view *v)
 
     for (int k = 0; k < (solids_move ? KINDS : KIND_FLUID + 1); k++)
         for (int at = 0, row, to; (to = next_rows(m, k, &at, &row)) > 0;)
-            look_at(m, row, to, k == KIND_FLUID ? v->x[k] + (size_t)row * DIM : p->x[row], &l);
+            look_at(m, row, to, k == KIND_FLUID ? v->x[k] + (size_t)row * DIM : p->x[row],
+                    share_was(m, k) + (size_t)(row - p->from[k]) * DIM, &l);
     return l;
 }
 

@@ -53,6 +53,14 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 
 /* --- where the list was made --------------------------------------------------------------- */
 
+/* Kinds that never move are where they are. */
+const double *share_was(const struct moment *m, int k)
+{
+    const size_t first = (size_t)m->particles->from[k];
+
+    return share_stands(m, k) ? m->particles->x[first] : m->share->built + first * DIM;
+}
+
 void share_cloud(const struct moment *m, struct cloud *cloud)
 {
     const struct particles *p = m->particles;
@@ -60,7 +68,7 @@ void share_cloud(const struct moment *m, struct cloud *cloud)
     memcpy(cloud->from, p->from, sizeof cloud->from);
     memcpy(cloud->row, p->row, sizeof cloud->row);
     for (int k = 0; k < KINDS; k++)
-        cloud->x[k] = m->share->built + (size_t)p->from[k] * DIM;
+        cloud->x[k] = share_was(m, k);
 }
 
 void share_set_aside(struct moment_share *s)
@@ -78,17 +86,6 @@ int share_remake(const struct moment *run, struct list *list)
 
     share_cloud(run, &cloud);
     return run->plan->engine->sum->list->update(list, &cloud);
-}
-
-/* Where the list was made, of rows that were not near, too: for a cut. */
-void share_built(struct moment *m)
-{
-    struct moment_share *s = m->share;
-
-    if (!s->packed || s->near.known == s->near.made)
-        return;
-    share_gather(s, m->particles, KIND_FLUID, DIM, s->built, s->built);
-    s->near.known = s->near.made;
 }
 
 /* --- rows of y ------------------------------------------------------------------------------ */

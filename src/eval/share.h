@@ -42,7 +42,7 @@ struct moment_share {
     struct {
         double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
     } now;                 /* own rows and the halo now, of others some time ago */
-    double *built;         /* [n][DIM] where the list was made                 */
+    double *built;         /* [n][DIM] where the list was made, of those it has: share_was() */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     struct share_halo {
         int n, *row;       /* [n] that come, by owner                          */
@@ -75,7 +75,6 @@ struct moment_share {
         struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
         int n, *row;       /* [n] rows that come                               */
         struct list_whole whole;
-        long made, known;  /* so far; when `built` was last known of all rows  */
         int seen_n, *seen; /* [seen_n] rows whose places came at the last look: now.x */
         double *aside;     /* [n][DIM] the same as `built`, of a list for a look */
         bool looked, made_aside; /* since the last restart; is that one there?  */
@@ -132,9 +131,9 @@ void press_together(struct moment *m, struct view *v);
 
 /* balance-where.c: space cut anew, by places where the list was made.  Each rank brings its own particles
  * with their rows, [particles] to be 0 before, and spreads over these what its groups take that are its
- * own in part only.  On all ranks the first failure. */
-struct ranks_cut;
-int balance_where(const struct moment *m, double *rows, struct ranks_cut **cut);
+ * own in part only; all hear whose each particle is then, owner [particles] by id, and how many that
+ * moves.  On all ranks the first failure. */
+int balance_where(const struct moment *m, double *rows, int *owner, long *moved);
 
 /* share-beside.c */
 
@@ -144,10 +143,15 @@ int share_look(struct moment *m, double t, const double *y);
 
 /* share.c */
 
-/* All ranks together: `built` of all rows. */
-void share_built(struct moment *m);
+/* Do particles of this kind never move? */
+static inline bool share_stands(const struct moment *m, int k)
+{
+    return m->own->def.still & KIND_BIT(k);
+}
 
-/* Where the list was made. */
+/* Where rows of this kind were when the list was made, [count of kind][DIM]: of fluid those that the
+ * list has. */
+const double *share_was(const struct moment *m, int k);
 void share_cloud(const struct moment *m, struct cloud *cloud);
 
 /* Notes other places in `built`, while those of the run's list are set aside; and back. */

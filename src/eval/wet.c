@@ -171,10 +171,11 @@ void wet_take(struct moment *m)
 
 bool wet_counts(const struct moment *m, int row)
 {
-    const struct moment_share *s = m->share;
+    const struct particles *p = m->particles;
+    const int k = p->object[p->object_of[row]].kind;
 
-    return s && s->packed ? list_inside(&m->list->def, s->built + (size_t)row * DIM)
-                          : m->list->slot[row] >= 0;
+    return moment_is_packed(m) ? list_inside(&m->list->def, share_was(m, k) + (size_t)(row - p->from[k]) * DIM)
+                               : m->list->slot[row] >= 0;
 }
 
 /* Where solids press each other, all rows of an object are looked at. */

@@ -25,8 +25,8 @@ static int take_press(const struct plan *p, struct workspace *w)
 {
     const size_t solids = (size_t)(p->particles->n - particles_count(p->particles, KIND_FLUID));
 
-    w->p2 = workspace_lines(solids);
-    w->pressed = workspace_lines(DIM * solids);
+    w->p2 = status_alloc(solids + 1, sizeof *w->p2);
+    w->pressed = status_alloc(solids + 1, DIM * sizeof *w->pressed);
     w->rows = status_alloc(solids + 1, sizeof *w->rows);
     if (!w->p2 || !w->pressed || !w->rows)
         return STATUS_FAILED;
@@ -62,7 +62,7 @@ static int take_sums(const struct plan *p, struct workspace *w)
     w->power = workspace_lines((size_t)p->slots + 1);
     if (p->passes.press)
         TRY(take_press(p, w));
-    if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = workspace_lines(n)))
+    if ((p->passes.fields > 0 || p->passes.press) && !(w->rho = status_alloc(n, sizeof *w->rho)))
         return STATUS_FAILED;
     if (p->passes.fields > 0 || p->passes.filters) {
         w->sum = (double (*)[PART_SUMS])workspace_lines(n * PART_SUMS);

@@ -72,13 +72,22 @@ int particles_create(int n, int objects, const struct scales *scales, struct par
                   place_fixed, out);
 }
 
+/* Most solids never move: where all is 0 already, nothing is written, and no memory is found for it. */
+static void move(size_t bytes, const void *x, void *to)
+{
+    if (memcmp(to, x, bytes) != 0)
+        memcpy(to, x, bytes);
+}
+
 /* Where solids stand at t = 0. */
 static void stand(struct particles *p)
 {
-    const size_t first = (size_t)p->from[KIND_FLUID + 1], solids = (size_t)p->n - first;
+    static const double rest[DIM];
 
-    memcpy(p->x + first, p->x0 + first, solids * sizeof *p->x0);
-    memset(p->u + first, 0, solids * sizeof *p->u);
+    for (int i = p->from[KIND_FLUID + 1]; i < p->n; i++) {
+        memcpy(p->x[i], p->x0[i], sizeof *p->x0);
+        move(sizeof rest, rest, p->u[i]);
+    }
 }
 
 /* Positions of the fluid are y's: theirs are not touched, and take no memory. */
@@ -135,10 +144,8 @@ static void move_rows(size_t bytes, int first, int n, const int *from, const voi
     const char *x = (const char *)old + first * bytes;
     char *y = (char *)to + first * bytes;
 
-    if (!from)
-        memcpy(y, x, n * bytes);
-    for (int i = 0; i < n && from; i++)
-        memcpy(y + i * bytes, x + from[i] * bytes, bytes);
+    for (int i = 0; i < n; i++)
+        move(bytes, x + (from ? from[i] : i) * bytes, y + i * bytes);
 }
 
 static void move_kind(const struct particles *p, enum kind k, const int *from,
@@ -178,8 +185,8 @@ static void swap_rows(size_t bytes, void *of, int i, int j)
     char *x = (char *)of + i * bytes, *y = (char *)of + j * bytes, was[DIM * sizeof(double)];
 
     memcpy(was, x, bytes);
-    memcpy(x, y, bytes);
-    memcpy(y, was, bytes);
+    move(bytes, y, x);
+    move(bytes, was, y);
 }
 
 /* Rows i and j, counted over all kinds. */
