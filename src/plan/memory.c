@@ -22,6 +22,7 @@ struct count {
     bool ahead;          /* a pressure that looks ahead is solved for           */
     bool faces;          /* the fluid sticks at faces                           */
     bool drifts;         /* positions move with more than velocities            */
+    bool moves;          /* solids do                                           */
 };
 
 /* Neighbours of a particle of the fluid in the list, on a full lattice. */
@@ -50,6 +51,12 @@ static double slots(const struct plan *p)
         if (p->scales.period[d] > 0)
             all *= 1 + 2 * reach / p->scales.period[d];
     return all;
+}
+
+/* Where solids are, and where they move how fast, at one moment. */
+static double stand(const struct count *c)
+{
+    return c->solid * 8 * DIM * (c->moves ? 2 : 1);
 }
 
 /* Particles as files have them. */
@@ -139,7 +146,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
               + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
-        .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
+        .particles = n * (8 * (1 + DIM) + 4 + 1) + 2 * stand(c), .beside = stand(c),
         .outputs = outputs(c), .frames = frames(c),
     };
 }
@@ -153,7 +160,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0 || p->passes.filters, .viscous = p->stiff,
-        .drifts = p->drifter, .faces = p->face, .ahead = plan_ahead(p) > 0,
+        .drifts = p->drifter, .faces = p->face, .moves = p->moving_walls || p->bodies > 0, .ahead = plan_ahead(p) > 0,
     };
 
     estimate(p, &c, out);
@@ -176,4 +183,18 @@ double plan_memory_each(const struct plan *p, bool fluid)
 
     estimate(p, &c, &m);
     return plan_memory_sum(&m);
+}
+
+void plan_show(const struct plan *p, part_see *see, void *whose)
+{
+    const struct particles *of = p->particles;
+    const struct plan_part *wall = p->passes.press;
+    const size_t n = (size_t)of->n;
+
+    see(whose, of->m, n * sizeof *of->m);
+    see(whose, of->x0, n * sizeof *of->x0);
+    see(whose, of->object_of, n * sizeof *of->object_of);
+    see(whose, of->dye, n * sizeof *of->dye);
+    if (wall)
+        wall->part->as.wall->press->show(wall->self, see, whose);
 }

@@ -7,6 +7,7 @@
 #define PLAN_MEMORY_H
 
 #include "plan/plan.h"
+#include "state/part.h"
 
 /* Bytes. */
 struct plan_memory {
@@ -14,6 +15,7 @@ struct plan_memory {
     double lists;      /* pair lists: the run's, and the outputs' own          */
     double sums;       /* what one evaluation of the pair sums works in        */
     double particles;  /* what does not evolve                                 */
+    double beside;     /* of these, of a second moment                          */
     double outputs;    /* frames, gauges                                        */
     double frames;     /* of these, what many ranks share                       */
 };
@@ -21,6 +23,9 @@ struct plan_memory {
 /* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list
  * as it is, moment_pairs(); 0: as a full lattice would make it. */
 void plan_memory(const struct plan *plan, double pairs, int vectors, struct plan_memory *out);
+
+/* Shows large arrays of a plan, which nothing writes to. */
+void plan_show(const struct plan *plan, part_see *see, void *whose);
 
 /* All of it in large pages, of which the last of an array is not full; measured. */
 double plan_memory_sum(const struct plan_memory *m);

@@ -63,6 +63,11 @@ void ranks_gather(const int *count, size_t bytes, const void *mine, void *all);
 /* The same to the first rank alone: elsewhere `all` is not touched. */
 void ranks_bring(const int *count, size_t bytes, const void *mine, void *all);
 
+/* A block of so many bytes (the same on all ranks) has the same in it on all, nearly everywhere: where
+ * it does, ranks of one machine need memory for it once.  Nothing else changes, and writing to it later
+ * is no error, but takes that memory back. */
+void ranks_alike(const void *block, size_t bytes);
+
 /* Of n rows in an order that all know, those that this rank takes where they are shared evenly: from
  * here to where those of rank + 1 begin. */
 static inline int ranks_part(int n, int rank)

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "implicit/release.h"
+#include "plan/memory.h"
 #include "ranks/ranks.h"
 #include "run/checkpoint.h"
 #include "run/ranks.h"
@@ -65,6 +66,12 @@ static int open_outputs(struct run *r, bool again)
     return outputs_open(&r->outputs, r->moment, &home, &r->past);
 }
 
+static void keep_once(void *self, const void *array, size_t bytes)
+{
+    (void)self;
+    ranks_alike(array, bytes);
+}
+
 /* On many ranks in arrays of all particles, of which each needs a part later. */
 static int let_go(struct run *r)
 {
@@ -101,6 +108,7 @@ static int write_start(struct run *r)
 int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
+    plan_show(r->plan, keep_once, NULL); /* a plan is the same on all ranks */
     TRY(let_go(r));
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(try_start(r));
@@ -122,6 +130,7 @@ static int agree_again(struct run *r, struct archive *from)
 int run_start_again(struct run *r, struct archive *from)
 {
     TRY(ranks_agree(agree_again(r, from)));
+    plan_show(r->plan, keep_once, NULL); /* a plan is the same on all ranks */
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     TRY(ranks_agree(create_method(r)));
     TRY(r->method->restart(r->self, r->past.tally.t, r->y, &r->pace));

@@ -53,21 +53,13 @@ static int ask_once(struct run *r, struct rank *me)
     return status;
 }
 
-/* Where solids are, and how they move, of a second moment. */
-static double stand(const struct run *r)
-{
-    const struct particles *p = plan_particles(r->plan);
-
-    return 8.0 * 2 * DIM * (p->n - particles_count(p, KIND_FLUID));
-}
-
 /* While fluid is let go, where it is; else 0.  Pairs are those of own rows. */
 static double before(const struct run *r, const struct rank *rank, const struct plan_memory *own)
 {
     const double release = release_memory(r->plan);
 
     return release > 0 ? release + rank->program + messages + 8.0 * plan_size(r->plan) + own->particles
-                             - stand(r) + own->lists / 2 + own->sums + moment_share_bytes_all(r->moment)
+                             - own->beside + own->lists / 2 + own->sums + moment_share_bytes_all(r->moment)
                        : 0;
 }
 
@@ -77,7 +69,7 @@ static double looking(const struct run *r, const struct plan_memory *whole, bool
 {
     if (moment_is_packed(r->moment))
         return 0;
-    return first || moment_is_full(r->moment) ? whole->lists / 2 : -stand(r);
+    return first || moment_is_full(r->moment) ? whole->lists / 2 : -whole->beside;
 }
 
 /* The first rank has the outputs, but for frames of which each has its part, and all of y to look at. */
@@ -101,10 +93,17 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
     return fmax(takes, before(r, rank, &own));
 }
 
+static void add_bytes(void *self, const void *array, size_t bytes)
+{
+    (void)array;
+    *(double *)self += (double)bytes;
+}
+
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)
 {
-    double all = 0, most = 0, others = 0;
+    double all = 0, most = 0, others = 0, alike = 0;
 
+    plan_show(r->plan, add_bytes, &alike);
     for (int i = 0; i < n; i++) {
         all += rank[i].pairs;
         most = fmax(most, rank[i].pairs);
@@ -112,8 +111,8 @@ static void print_memory(const struct run *r, const struct rank *rank, int n, do
     for (int i = 1; i < n; i++)
         others = fmax(others, memory_of(r, &rank[i], 0, all));
     printf("memory: about %.3g MB at its peak on the first rank, at most %.3g MB on others; %.3g MB "
-           "of that to share\n", memory_of(r, &rank[0], writing, all) / 1e6, others / 1e6,
-           rank[0].shared / 1e6);
+           "of that to share, and %.3g MB there once on each machine\n",
+           memory_of(r, &rank[0], writing, all) / 1e6, others / 1e6, rank[0].shared / 1e6, alike / 1e6);
     if (all > 0)
         printf("sums over pairs: %.3g entries, the busiest rank has %.2f times the mean\n", all,
                most * n / all);

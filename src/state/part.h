@@ -185,6 +185,9 @@ struct part_pressed {
 
 struct part_press_work; /* what members work in: memory of a wall model          */
 
+/* What is done with each of several arrays of so many bytes. */
+typedef void part_see(void *self, const void *array, size_t bytes);
+
 /* Solids that press by more than a density of their own.  What it knows of their places it
  * keeps in self, made once. */
 struct part_press {
@@ -223,6 +226,9 @@ struct part_press {
 
     /* Bytes that it took, with one work. */
     double (*memory)(const void *self);
+
+    /* Shows its large arrays, which only create() and free() write to. */
+    void (*show)(const void *self, part_see *see, void *whose);
 };
 
 /* A wall model: where the density of solids comes from, if not from its own sums. */

@@ -242,3 +242,16 @@ double contact_mean_memory(const struct contact_mean *m)
            + (double)(m->slices > 0 ? m->start[m->slices] : 0)
                  * (sizeof *m->column + sizeof *m->weight);
 }
+
+void contact_mean_show(const struct contact_mean *m, part_see *see, void *whose)
+{
+    const size_t n = (size_t)m->n, slices = (size_t)m->slices, numbers = (size_t)m->start[m->slices];
+
+    see(whose, m->solid, n * sizeof *m->solid);
+    see(whose, m->start, slices * sizeof *m->start);
+    see(whose, m->column, numbers * sizeof *m->column);
+    see(whose, m->weight, numbers * sizeof *m->weight);
+    see(whose, m->inverse, n * sizeof *m->inverse);
+    see(whose, m->reads_from, slices * sizeof *m->reads_from);
+    see(whose, m->reads, (size_t)m->reads_from[m->slices] * sizeof *m->reads);
+}

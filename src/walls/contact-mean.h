@@ -33,6 +33,7 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
                         const struct contact_cells *solids, const struct contact_share *share);
 void contact_mean_free(struct contact_mean *m);
 double contact_mean_memory(const struct contact_mean *m); /* [bytes] */
+void contact_mean_show(const struct contact_mean *m, part_see *see, void *whose);
 
 static inline long contact_mean_at(const struct contact_mean *m, int i, long e)
 {

@@ -222,6 +222,16 @@ double contact_press_memory(const void *self)
            + 8.0 * c->mean.n * (c->others.groups > 1 ? 9 + DIM : 6);
 }
 
+void contact_press_show(const void *self, part_see *see, void *whose)
+{
+    const struct contact_press_self *c = self;
+
+    contact_mean_show(&c->mean, see, whose);
+    see(whose, c->missing, (size_t)c->solids * sizeof *c->missing);
+    see(whose, c->others.room, (size_t)c->mean.n * sizeof *c->others.room);
+    see(whose, c->others.member, (size_t)c->mean.n * sizeof *c->others.member);
+}
+
 void contact_press_start(const void *self, const struct particles *p, enum kind k, double *rho)
 {
     const struct contact_press_self *c = self;

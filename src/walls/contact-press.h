@@ -62,5 +62,6 @@ void contact_press_mean(const void *self, struct part_press_work *w, const doubl
 void contact_press_spread(const void *self, struct part_press_work *w, const double *from,
                           double *to);
 double contact_press_memory(const void *self);
+void contact_press_show(const void *self, part_see *see, void *whose);
 
 #endif

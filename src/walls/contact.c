@@ -158,6 +158,7 @@ static const struct part_press contact_press = {
     .spread = contact_press_spread,
     .meet = contact_press_meet,
     .memory = contact_press_memory,
+    .show = contact_press_show,
 };
 
 static const char *const with[] = { "continuity", NULL };

@@ -3,6 +3,7 @@
 
 #include "algebra/exact-sum.h"
 #include "algebra/vector.h"
+#include "alike.h"
 #include "base/status.h"
 #include "claims.h"
 
@@ -497,6 +498,7 @@ int main(int argc, char **argv)
     try_cuts(2);
     try_cuts(3);
     columns_are_shared_evenly();
+    alike_claims();
     status = claims_end();
     ranks_end();
     return status;
