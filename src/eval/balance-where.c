@@ -27,11 +27,14 @@ static int cut(const struct moment *m, double *rows, struct ranks_cut **out)
     int n = 0;
 
     count_rows(m->own, rows);
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < KINDS; k++) {
+        const double *was = share_was(m, k);
         for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1]; i++, n++) {
-            memcpy(x + (size_t)n * DIM, share_was(m, k) + (size_t)(s->row[i] - m->particles->from[k]) * DIM, DIM * sizeof *x);
+            const size_t row = (size_t)(s->row[i] - m->particles->from[k]);
+            memcpy(x + (size_t)n * DIM, was + row * DIM, DIM * sizeof *x);
             sum += weight[n] = rows[s->row[i]];
         }
+    }
     for (int i = 0; i < n && sum > 0; i++)
         weight[i] *= list_entries(m->own) / sum;
     return ranks_cut_create(out, DIM, n, x, weight);
@@ -49,9 +52,10 @@ static int find_changes(const struct moment *m, const struct ranks_cut *cuts, st
     int n = 0;
 
     for (int k = 0; k < KINDS; k++) {
-        const double *was = share_was(m, k) - (size_t)m->particles->from[k] * DIM;
+        const double *was = share_was(m, k);
         for (int i = s->from[s->me][k]; i < s->from[s->me][k + 1]; i++) {
-            const int owner = ranks_cut_owner(cuts, was + (size_t)s->row[i] * DIM);
+            const size_t row = (size_t)(s->row[i] - m->particles->from[k]);
+            const int owner = ranks_cut_owner(cuts, was + row * DIM);
             if (owner != s->me)
                 to[n++] = (struct change){ particles_id_of(m->particles, s->row[i]), owner };
         }

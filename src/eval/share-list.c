@@ -23,7 +23,8 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
         memcpy(s->built + (size_t)s->near.row[i] * DIM, x + (size_t)s->near.row[i] * DIM, DIM * sizeof *x);
     for (int k = KIND_WALL; k < KINDS; k++)
         if (!share_stands(m, k))
-            memcpy(s->built + (size_t)p->from[k] * DIM, p->x + p->from[k], (size_t)particles_count(p, k) * sizeof *p->x);
+            memcpy(s->built + (size_t)p->from[k] * DIM, p->x + p->from[k],
+                   (size_t)particles_count(p, k) * sizeof *p->x);
 }
 
 /* Own rows that leave, as they travel. */

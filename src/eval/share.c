@@ -53,14 +53,6 @@ void share_gather(struct moment_share *s, const struct particles *p, enum kind k
 
 /* --- where the list was made --------------------------------------------------------------- */
 
-/* Kinds that never move are where they are. */
-const double *share_was(const struct moment *m, int k)
-{
-    const size_t first = (size_t)m->particles->from[k];
-
-    return share_stands(m, k) ? m->particles->x[first] : m->share->built + first * DIM;
-}
-
 void share_cloud(const struct moment *m, struct cloud *cloud)
 {
     const struct particles *p = m->particles;

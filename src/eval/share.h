@@ -150,8 +150,15 @@ static inline bool share_stands(const struct moment *m, int k)
 }
 
 /* Where rows of this kind were when the list was made, [count of kind][DIM]: of fluid those that the
- * list has. */
-const double *share_was(const struct moment *m, int k);
+ * list has.  Kinds that never move are where they were. */
+static inline const double *share_was(const struct moment *m, int k)
+{
+    const size_t first = (size_t)m->particles->from[k];
+
+    return share_stands(m, k) ? m->particles->x[first] : m->share->built + first * DIM;
+}
+
+/* The same of all kinds. */
 void share_cloud(const struct moment *m, struct cloud *cloud);
 
 /* Notes other places in `built`, while those of the run's list are set aside; and back. */

@@ -174,8 +174,9 @@ bool wet_counts(const struct moment *m, int row)
     const struct particles *p = m->particles;
     const int k = p->object[p->object_of[row]].kind;
 
-    return moment_is_packed(m) ? list_inside(&m->list->def, share_was(m, k) + (size_t)(row - p->from[k]) * DIM)
-                               : m->list->slot[row] >= 0;
+    return m->share && m->share->packed
+               ? list_inside(&m->list->def, share_was(m, k) + (size_t)(row - p->from[k]) * DIM)
+               : m->list->slot[row] >= 0;
 }
 
 /* Where solids press each other, all rows of an object are looked at. */
