@@ -85,7 +85,7 @@ double moment_share_bytes(const struct moment *moment);
 /* The same if each had all rows, as while fluid is let go. */
 double moment_share_bytes_all(const struct moment *moment);
 
-/* Bytes that sums over pairs do without, as the list has a part of the particles. */
+/* Bytes that sums over pairs and the list do without, as this has a part of the particles. */
 double moment_share_spared(const struct moment *moment);
 
 /* Numbers that passes declare to read of neighbours (house.md), of this rank's rows that go to others in

@@ -166,7 +166,7 @@ double moment_share_spared(const struct moment *m)
 {
     const double places = list_known(m->own) - (double)m->work->slots;
 
-    return m->own->whole && places > 0 ? places * (RECORD + DIM + 1) * (double)sizeof(double) : 0;
+    return m->own->whole && places > 0 ? places * (RECORD + DIM + 1 + DIM) * (double)sizeof(double) : 0;
 }
 
 /* Does a pass read numbers of all particles, or a filter between two steps? */

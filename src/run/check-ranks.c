@@ -19,7 +19,7 @@ static const double messages = 6e6;
 struct rank {
     double pairs, program, shared; /* entries of its list; bytes */
     double spared;                 /* numbers of y that are others' alone */
-    double absent;                 /* bytes of sums for particles that are not in its list */
+    double absent;                 /* bytes of sums, and of the list, for particles that are not in it */
     struct ranks_traffic sends;    /* for one right-hand side */
     double read;                   /* numbers that passes read of what it sends to partners */
 };

@@ -66,7 +66,7 @@ static inline int row_at(const struct rows *rows, int k)
 void cells_leave_out(struct list *list, int row)
 {
     list->slot[row] = -1;
-    for (int d = 0; d < DIM; d++)
+    for (int d = 0; d < DIM && !list->whole; d++)
         list->own->built[(size_t)DIM * (size_t)row + (size_t)d] = INFINITY;
 }
 

@@ -33,7 +33,7 @@ struct list_found {
 
 struct list_private {
     double *built;      /* [n][DIM] position at the last rebuild [m];
-                           infinite for those left out                       */
+                           infinite for those left out; of those that are here */
     int *place[LIST_WORDS]; /* [listed + LIST_PAD] the same by place and in
                            units, two coordinates modulo 2^16 in a word      */
     const double *stand; /* [n][DIM] where all stood then, as the list sees
