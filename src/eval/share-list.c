@@ -99,6 +99,7 @@ int share_make(struct moment *m, const struct cloud *cloud, double *x)
     int status;
 
     m->own->bad = -1;
+    m->share->near.far = false;
     status = share_near(m, cloud, x);
     if (status == STATUS_DONE)
         status = settle(m, cloud, m->plan->engine->sum->list->make(m->own, cloud));
@@ -131,7 +132,7 @@ static bool is_stale(struct moment *m, const struct cloud *cloud, const double *
     return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, m->share->now.x));
 }
 
-static int keep_list(struct moment *m, const struct cloud *cloud, const struct share_drift *l, const double *flag)
+static int keep_list(struct moment *m, const struct cloud *cloud, const struct share_seen *l, const double *flag)
 {
     struct moment_share *s = m->share;
 
@@ -149,20 +150,20 @@ static int keep_list(struct moment *m, const struct cloud *cloud, const struct s
 enum { FLAGS = 7 };
 
 /* Asks all whether the list fits and whether they are at one time. */
-static int ask(struct evaluation *e, struct cloud *cloud, struct share_drift *l, double flag[FLAGS])
+static int ask(struct evaluation *e, struct cloud *cloud, struct share_seen *l, double flag[FLAGS])
 {
     struct moment *m = e->m;
     struct moment_share *s = m->share;
     struct view *v = &e->view;
 
-    *l = share_drift(m, v);
-    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, share_refuses(m, v), e->t, -e->t,
+    *l = share_see(m, v);
+    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, l->refuses, e->t, -e->t,
                                  s->heard.brings };
     memcpy(flag, mine, sizeof mine);
-    share_read(m, v);
     look_at_share(s, v);
     cloud->x[KIND_FLUID] = s->now.x;
     ranks_most(FLAGS, flag);
+    s->near.far = s->near.far || flag[0] > 0;
     s->heard.refuses = flag[3] > 0;
     s->heard.apart = flag[4] != -flag[5];
     s->heard.wish = flag[6];
@@ -184,7 +185,7 @@ static int hear(struct moment *m, const struct view *v)
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct share_drift l;
+    struct share_seen l;
     double flag[FLAGS];
 
     if (m->share->full)
@@ -197,7 +198,7 @@ int share_list(struct evaluation *e, struct cloud *cloud)
 int share_list_beside(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct share_drift l;
+    struct share_seen l;
     double flag[FLAGS];
 
     TRY(ask(e, cloud, &l, flag));

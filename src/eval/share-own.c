@@ -1,4 +1,7 @@
-/* share-own.c -- what a rank sees of its own rows before it hears of others. */
+/* share-own.c -- what a rank sees of its own rows before it hears of others.
+ *
+ * Rows of y come from far away in memory, so they are read once: what is asked of them is asked of some at
+ * a time, as they are copied to where those of others will be. */
 #include "eval/share.h"
 
 #include "space/reach.h"
@@ -6,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { STRETCH = 64 }; /* particles that are looked at together */
+enum { STRETCH = 64 }; /* rows that are looked at together */
 static const double anywhere = 1e150; /* m: its square is a number */
 
 static bool is_finite(const double *x)
@@ -19,7 +22,7 @@ static bool is_finite(const double *x)
 }
 
 /* At a particle that moved far, was left out, or is nowhere. */
-static void look_closer(const struct moment *m, int row, const double *x, struct share_drift *l)
+static void look_closer(const struct moment *m, int row, const double *x, struct share_seen *l)
 {
     const struct list *list = m->own;
 
@@ -32,73 +35,34 @@ static void look_closer(const struct moment *m, int row, const double *x, struct
     }
 }
 
-/* At n particles from `row` on, one by one; x, was: of the first, now and when the list was made. */
-static void look_at_each(const struct moment *m, int row, int n, const double *x, const double *was,
-                         struct share_drift *l)
-{
-    const struct list *list = m->own;
-    const double limit = list->def.skin / 2;
-
-    for (int i = row; i < row + n; i++, x += DIM, was += DIM)
-        if (!(list->stands && list_square(x, was) <= limit * limit && list->slot[i] >= 0))
-            look_closer(m, i, x, l);
-}
-
-/* Is there nothing to see in a stretch?  Once one has moved, only who is nowhere or was left out
+/* Is there nothing to see at a stretch?  Once one has moved, only who is nowhere or was left out
  * matters: what is far from where it was need not be known. */
 static bool is_quiet(const struct list *list, const double *was, int row, const double *x, bool moved)
 {
-    const double limit = moved ? anywhere : list->def.skin / 2;
     struct reach r = reach_none();
     int left_out = 0;
 
     for (int i = 0; i < STRETCH; i++)
         left_out |= list->slot[row + i];
-    for (int i = 0; i < STRETCH * DIM; i += DIM)
+    for (int i = 0; i < STRETCH * DIM && moved; i += DIM)
+        reach_take(&r, coords_at(x + i));
+    for (int i = 0; i < STRETCH * DIM && !moved; i += DIM)
         reach_take(&r, less(coords_at(x + i), coords_at(was + i)));
-    return left_out >= 0 && reach_within(&r, limit);
+    return left_out >= 0 && reach_within(&r, moved ? anywhere : list->def.skin / 2);
 }
 
-/* At those in rows from..to-1, likewise. */
-static void look_at(const struct moment *m, int from, int to, const double *x, const double *was,
-                    struct share_drift *l)
+/* At n rows from `row` on; x, was: of the first, now and when the list was made. */
+static void look_at(const struct moment *m, int row, int n, const double *x, const double *was,
+                    struct share_seen *l)
 {
     const struct list *list = m->own;
+    const double limit = list->def.skin / 2;
 
-    for (int row = from; row < to; row += STRETCH, x += STRETCH * DIM, was += STRETCH * DIM)
-        if (to - row < STRETCH || !list->stands || !is_quiet(list, was, row, x, l->moved))
-            look_at_each(m, row, to - row < STRETCH ? to - row : STRETCH, x, was, l);
-}
-
-/* Own rows of a kind, stretch by stretch: returns where the next one ends, *row: where it begins; 0: there
- * are no more.  *at: 0 at first.  Where own rows stand before others they are one stretch, else each is one. */
-static int next_rows(const struct moment *m, int k, int *at, int *row)
-{
-    const struct moment_share *s = m->share;
-    const int n = s->from[s->me][k + 1] - s->from[s->me][k];
-
-    if (*at >= n)
-        return 0;
-    if (own_packs(m, k)) {
-        *row = m->particles->from[k];
-        *at = n;
-        return *row + n;
-    }
-    *row = s->row[s->from[s->me][k] + (*at)++];
-    return *row + 1;
-}
-
-struct share_drift share_drift(const struct moment *m, const struct view *v)
-{
-    const struct particles *p = m->particles;
-    const bool solids_move = m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
-    struct share_drift l = { .back = !m->own->stands, .bad = m->share->n };
-
-    for (int k = 0; k < (solids_move ? KINDS : KIND_FLUID + 1); k++)
-        for (int at = 0, row, to; (to = next_rows(m, k, &at, &row)) > 0;)
-            look_at(m, row, to, k == KIND_FLUID ? v->x[k] + (size_t)row * DIM : p->x[row],
-                    share_was(m, k) + (size_t)(row - p->from[k]) * DIM, &l);
-    return l;
+    if (n == STRETCH && list->stands && is_quiet(list, was, row, x, l->moved))
+        return;
+    for (int i = row; i < row + n; i++, x += DIM, was += DIM)
+        if (!(list->stands && list_square(x, was) <= limit * limit && list->slot[i] >= 0))
+            look_closer(m, i, x, l);
 }
 
 /* Of so many densities, are all in bounds?  One that is no number stays in the sum. */
@@ -120,28 +84,45 @@ static bool are_within(const double *rho, int n, const double *bound)
     return good && length2(r.sum) >= 0;
 }
 
-bool share_refuses(const struct moment *m, const struct view *v)
-{
-    bool all = true;
-
-    for (int k = 0; k < KINDS; k++)
-        for (int at = 0, row, to; v->rho[k] && (to = next_rows(m, k, &at, &row)) > 0;)
-            all &= are_within(v->rho[k] + row - v->p->from[k], to - row, m->density);
-    return !all;
-}
-
-void share_read(const struct moment *m, const struct view *v)
+/* Own rows of a kind, some at a time: returns how many come next, *row: from which on; 0: there are no
+ * more.  *at: 0 at first.  Where own rows do not stand before others each comes alone. */
+static int next_rows(const struct moment *m, int k, int *at, int *row)
 {
     const struct moment_share *s = m->share;
-    const size_t number = sizeof *s->now.x;
+    const int left = s->from[s->me][k + 1] - s->from[s->me][k] - *at;
+    const int n = !own_packs(m, k) ? left > 0 : left < STRETCH ? left : STRETCH;
+
+    *row = own_packs(m, k) ? m->particles->from[k] + *at : n > 0 ? s->row[s->from[s->me][k] + *at] : 0;
+    *at += n;
+    return n;
+}
+
+/* Where n rows from `row` on are, and how dense. */
+static void see(const struct moment *m, const struct view *v, int k, int row, int n, struct share_seen *l)
+{
+    const size_t first = (size_t)(row - v->p->from[k]), number = sizeof(double), numbers = (size_t)n * number;
+    const struct moment_share *s = m->share;
+    const bool moves = m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
+
+    if (k == KIND_FLUID || moves)
+        look_at(m, row, n, k == KIND_FLUID ? v->x[k] + first * DIM : v->p->x[row],
+                share_was(m, k) + first * DIM, l);
+    if (v->rho[k]) {
+        l->refuses |= !are_within(v->rho[k] + first, n, m->density);
+        memcpy(s->now.rho + row, v->rho[k] + first, numbers);
+    }
+    if (k != KIND_FLUID)
+        return;
+    memcpy(s->now.x + first * DIM, v->x[k] + first * DIM, DIM * numbers);
+    memcpy(s->now.u + first * DIM, v->u[k] + first * DIM, DIM * numbers);
+}
+
+struct share_seen share_see(const struct moment *m, const struct view *v)
+{
+    struct share_seen l = { .back = !m->own->stands, .moved = m->share->near.far, .bad = m->share->n };
 
     for (int k = 0; k < KINDS; k++)
-        for (int at = 0, row, to; v->rho[k] && (to = next_rows(m, k, &at, &row)) > 0;) {
-            const size_t n = (size_t)(to - row), first = (size_t)(row - v->p->from[k]);
-            memcpy(s->now.rho + row, v->rho[k] + first, n * number);
-            if (k != KIND_FLUID)
-                continue;
-            memcpy(s->now.x + first * DIM, v->x[k] + first * DIM, n * DIM * number);
-            memcpy(s->now.u + first * DIM, v->u[k] + first * DIM, n * DIM * number);
-        }
+        for (int at = 0, row, n; (n = next_rows(m, k, &at, &row)) > 0;)
+            see(m, v, k, row, n, &l);
+    return l;
 }

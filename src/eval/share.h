@@ -78,24 +78,21 @@ struct moment_share {
         int seen_n, *seen; /* [seen_n] rows whose places came at the last look: now.x */
         double *aside;     /* [n][DIM] the same as `built`, of a list for a look */
         bool looked, made_aside; /* since the last restart; is that one there?  */
+        bool far;          /* since the list was made a rank has seen one that moved */
     } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
 
-/* share-own.c: what the list would ask itself, of own particles. */
-struct share_drift {
-    bool moved; /* further than half the margin                                  */
-    bool back;  /* was left out, and is inside again; or there is no list yet    */
-    int bad;    /* smallest id of those that are nowhere, n: none                */
+/* share-own.c: own rows of y go to where those of others will be, `now`; what they are asked by the way, by
+ * the list and for densities: */
+struct share_seen {
+    bool moved;   /* further than half the margin                                */
+    bool back;    /* was left out, and is inside again; or there is no list yet  */
+    bool refuses; /* a density in y is out of bounds: all have to know before they sum */
+    int bad;      /* smallest id of those that are nowhere, n: none              */
 };
-struct share_drift share_drift(const struct moment *m, const struct view *v);
-
-/* Is a density of own rows in y out of bounds?  All have to know before they sum. */
-bool share_refuses(const struct moment *m, const struct view *v);
-
-/* Own rows of y, to where those of others will be: now. */
-void share_read(const struct moment *m, const struct view *v);
+struct share_seen share_see(const struct moment *m, const struct view *v);
 
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */

@@ -32,6 +32,7 @@ void wet_free(struct wet_solids *wet)
     free(wet->other);
     free(wet->of);
     free(wet->f);
+    free(wet->seen);
     *wet = (struct wet_solids){ 0 };
 }
 
@@ -56,28 +57,30 @@ static void mark_owners(const struct moment *m, int group, const struct list_seg
         }
 }
 
-/* Solids that are neighbours of own fluid, whoever owns them. */
-static void mark_neighbours(const struct moment *m, const struct list_segment *s)
+/* Solids that are neighbours of own fluid, whoever owns them: many entries name the same place. */
+static void mark_neighbours(const struct moment *m)
 {
     const struct list *l = m->list;
+    bool *seen = m->work->wet.seen;
 
-    for (int i = 0; i < s->rows * l->lanes; i++)
-        if (list_place(s->j[i]) != l->listed)
-            m->work->wet.met[number_of(m, l->order[list_place(s->j[i])])] = true;
+    memset(seen, 0, ((size_t)l->listed + 1) * sizeof *seen);
+    for (int s = 0; s < l->segment_from[l->group_from[KIND_FLUID + 1]]; s++)
+        for (int i = 0; l->segment[s].partner != KIND_FLUID && i < l->segment[s].rows * l->lanes; i++)
+            seen[list_place(l->segment[s].j[i])] = true;
+    for (int place = l->start[KIND_WALL]; place < l->listed; place++)
+        if (seen[place])
+            m->work->wet.met[number_of(m, l->order[place])] = true;
 }
 
 static void mark(const struct moment *m)
 {
     const struct list *l = m->list;
-    const bool shared = m->share != NULL;
 
     for (int g = l->group_from[KIND_WALL]; g < l->groups; g++)
         for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
             mark_owners(m, g, &l->segment[s]);
-    for (int g = 0; shared && g < l->group_from[KIND_FLUID + 1]; g++)
-        for (int s = l->segment_from[g]; s < l->segment_from[g + 1]; s++)
-            if (l->segment[s].partner != KIND_FLUID)
-                mark_neighbours(m, &l->segment[s]);
+    if (m->share)
+        mark_neighbours(m);
 }
 
 /* On many ranks: what all have heard, or any. */

@@ -20,6 +20,7 @@ struct wet_solids {
                                 of ids, [solids], [objects + 1]; counted over all kinds */
     double (*f)[DIM];        /* [solids] by row: forces on them [N]                */
     int others, *other;      /* [solids] rows that solids press, likewise counted  */
+    bool *seen;              /* [slots] of the workspace, by place: scratch        */
 };
 
 int wet_create(const struct plan *p, struct wet_solids *wet);

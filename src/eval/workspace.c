@@ -43,10 +43,12 @@ static int take_places(struct workspace *w, size_t slots)
     free(w->record);
     free(w->f);
     free(w->drho);
+    free(w->wet.seen);
     w->record = workspace_lines(slots * RECORD);
     w->f = workspace_lines(slots * DIM);
     w->drho = workspace_lines(slots);
-    w->slots = w->record && w->f && w->drho ? slots : 0;
+    w->wet.seen = status_alloc(slots, sizeof *w->wet.seen);
+    w->slots = w->record && w->f && w->drho && w->wet.seen ? slots : 0;
     return w->slots > 0 ? STATUS_DONE : STATUS_FAILED;
 }
 

@@ -48,6 +48,49 @@ static inline double length2(coords a)
 
     return _mm_cvtsd_f64(square) + _mm_cvtsd_f64(_mm_unpackhi_pd(square, square));
 }
+#elif DIM == 3 && defined __SSE2__
+typedef struct {
+    __m128d xy, z; /* z: the other half is 0 */
+} coords;
+
+static inline coords coords_at(const double *x)
+{
+    return (coords){ _mm_loadu_pd(x), _mm_load_sd(x + 2) };
+}
+
+static inline void coords_put(coords a, double *x)
+{
+    _mm_storeu_pd(x, a.xy);
+    _mm_store_sd(x + 2, a.z);
+}
+
+static inline coords less(coords a, coords b)
+{
+    return (coords){ _mm_sub_pd(a.xy, b.xy), _mm_sub_sd(a.z, b.z) };
+}
+
+static inline coords plus(coords a, coords b)
+{
+    return (coords){ _mm_add_pd(a.xy, b.xy), _mm_add_sd(a.z, b.z) };
+}
+
+static inline coords lesser(coords a, coords b)
+{
+    return (coords){ _mm_min_pd(a.xy, b.xy), _mm_min_sd(a.z, b.z) };
+}
+
+static inline coords larger(coords a, coords b)
+{
+    return (coords){ _mm_max_pd(a.xy, b.xy), _mm_max_sd(a.z, b.z) };
+}
+
+static inline double length2(coords a)
+{
+    const __m128d square = _mm_mul_pd(a.xy, a.xy);
+
+    return _mm_cvtsd_f64(square) + _mm_cvtsd_f64(_mm_unpackhi_pd(square, square))
+           + _mm_cvtsd_f64(_mm_mul_sd(a.z, a.z));
+}
 #else
 typedef struct {
     double x[DIM];

@@ -66,11 +66,11 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows);
 int list_rearrange(struct list *list, const int *const from[KINDS],
                    const int *const row[KINDS], list_rows *rows);
 
-/* Do particles of this kind stand where they stood when the list was made?  What a rank holds
- * of others may change. */
+/* Do particles of this kind stand where they stood when the list was made?  Not asked where a list has all
+ * particles, and a rank owns some of them. */
 static inline bool list_is_still(const struct list *list, int kind)
 {
-    return (list->def.still & KIND_BIT(kind)) && !list->mine;
+    return (list->def.still & KIND_BIT(kind)) && (!list->mine || list->whole);
 }
 
 /* Room for `want` entries in all in an array that grows by half at least;

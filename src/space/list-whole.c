@@ -1,5 +1,6 @@
 /* list-whole.c -- what one of many ranks must know of all particles, so that its list has the grids,
  * the order and the patience of one that has them all. */
+#include "space/coords.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -18,40 +19,63 @@ static struct list_bounds none(void)
     return none;
 }
 
-static struct list_bounds at(const double *x)
-{
-    struct list_bounds one = { .n = 1 };
+/* A box that grows. */
+struct growing {
+    coords low, high;
+    double n;
+};
 
-    memcpy(one.low, x, sizeof one.low);
-    memcpy(one.high, x, sizeof one.high);
-    return one;
+static struct growing nothing(void)
+{
+    const struct list_bounds empty = none();
+
+    return (struct growing){ coords_at(empty.low), coords_at(empty.high), 0 };
+}
+
+static inline void grow(struct growing *b, coords x)
+{
+    b->low = lesser(x, b->low);
+    b->high = larger(x, b->high);
+    b->n++;
+}
+
+static struct list_bounds grown(const struct growing *b)
+{
+    struct list_bounds to = { .n = b->n };
+
+    coords_put(b->low, to.low);
+    coords_put(b->high, to.high);
+    return to;
 }
 
 void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
                  struct list_bounds *box)
 {
-    *box = none();
+    struct growing own = nothing();
+
     if (list->own->images.home)
         images_bring_home(list, cloud);
     for (int kind = 0; kind < KINDS; kind++) {
-        to->of[kind] = to->images[kind] = none();
+        struct growing all = nothing();
+        to->images[kind] = none();
         for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
             const bool mine = list->mine[i];
             if (kind == KIND_FLUID && !mine)
                 continue;
             const double *x = list_home(list, cloud, kind, i);
-            const struct list_bounds one = at(x);
 
             if (!list_inside(&list->def, x))
                 continue;
-            list_widen(&to->of[kind], &one);
+            grow(&all, coords_at(x));
             if (mine)
-                list_widen(box, &one);
+                grow(&own, coords_at(x));
             if (list->own->images.home)
                 images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
                              &to->images[kind]);
         }
+        to->of[kind] = grown(&all);
     }
+    *box = grown(&own);
 }
 
 /* The grid that sorting will have for these. */
@@ -94,9 +118,9 @@ static bool touches(const struct list *list, const struct list_bounds *box, doub
         const double period = list->def.period[d];
         const int turns = period > 0 ? TURNS : 0;
 
-        near = false;
-        for (int k = -turns; k <= turns; k++)
-            near |= high[d] + k * period >= box->low[d] - reach && low[d] + k * period <= box->high[d] + reach;
+        near = high[d] >= box->low[d] - reach && low[d] <= box->high[d] + reach;
+        for (int k = -turns; k <= turns && !near; k++)
+            near = high[d] + k * period >= box->low[d] - reach && low[d] + k * period <= box->high[d] + reach;
     }
     return near;
 }
