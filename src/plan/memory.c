@@ -53,12 +53,6 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* Where solids are, and where they move how fast, at one moment. */
-static double stand(const struct count *c)
-{
-    return c->solid * 8 * DIM * (c->moves ? 2 : 1);
-}
-
 /* Particles as files have them. */
 static double frames(const struct count *c)
 {
@@ -146,7 +140,8 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
         .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
               + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
-        .particles = n * (8 * (1 + DIM) + 4 + 1) + 2 * stand(c), .beside = stand(c),
+        .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
+        .beside = c->solid * 8 * DIM * (c->moves ? 2 : 1), .idle = c->moves ? 0 : c->solid * 8 * 2 * DIM,
         .outputs = outputs(c), .frames = frames(c),
     };
 }

@@ -15,7 +15,9 @@ struct plan_memory {
     double lists;      /* pair lists: the run's, and the outputs' own          */
     double sums;       /* what one evaluation of the pair sums works in        */
     double particles;  /* what does not evolve                                 */
-    double beside;     /* of these, of a second moment                          */
+    double idle;       /* of these, velocities of solids that never move, which take memory in
+                          large pages alone, as ranks have none                 */
+    double beside;     /* of these, but for that, of a second moment            */
     double outputs;    /* frames, gauges                                        */
     double frames;     /* of these, what many ranks share                       */
 };

@@ -59,7 +59,7 @@ static double before(const struct run *r, const struct rank *rank, const struct 
     const double release = release_memory(r->plan);
 
     return release > 0 ? release + rank->program + messages + 8.0 * plan_size(r->plan) + own->particles
-                             - own->beside + own->lists / 2 + own->sums + moment_share_bytes_all(r->moment)
+                             - own->idle - own->beside + own->lists / 2 + own->sums + moment_share_bytes_all(r->moment)
                        : 0;
 }
 
@@ -83,7 +83,7 @@ static double memory_of(const struct run *r, const struct rank *rank, double wri
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
-    takes = rank->program + messages + writing + rank->shared + own.state + own.particles + own.sums
+    takes = rank->program + messages + writing + rank->shared + own.state + own.particles - own.idle + own.sums
             + own.lists / 2;
     if (r->method->room.sparing)
         takes -= 8 * rank->spared * (vectors + (first ? packed : 2));
