@@ -20,6 +20,7 @@ static void count_rows(const struct list *l, double *weight)
     }
 }
 
+/* By own particles, with what they weigh. */
 static int cut(const struct moment *m, double *rows, struct ranks_cut **out)
 {
     const struct moment_share *s = m->share;

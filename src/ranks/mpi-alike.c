@@ -16,9 +16,13 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-enum { WINDOW = 1 << 18 }; /* bytes that are compared, and replaced, together */
+enum {
+    WINDOW = 1 << 18, /* bytes that are compared, and replaced, together */
+    SEALS = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE
+};
 
 /* Whole pages of a block. */
 struct pages {
@@ -57,33 +61,52 @@ static bool may_be_written(size_t bytes)
     return getrlimit(RLIMIT_FSIZE, &most) != 0 || most.rlim_cur == RLIM_INFINITY || most.rlim_cur >= bytes;
 }
 
-/* A file with these pages; -1: none can be had. */
-static int lend(struct pages p)
+static bool write_all(int file, struct pages p)
 {
-    int file = may_be_written(p.bytes) ? memfd_create("stiffwater", MFD_CLOEXEC) : -1;
+    ssize_t wrote = 1;
 
-    for (size_t done = 0; file >= 0 && done < p.bytes;) {
-        const ssize_t wrote = write(file, p.first + done, p.bytes - done);
-        if (wrote <= 0) {
-            close(file);
-            file = -1;
-        } else
-            done += (size_t)wrote;
-    }
-    return file;
+    for (size_t done = 0; wrote > 0 && done < p.bytes; done += wrote > 0 ? (size_t)wrote : 0)
+        wrote = write(file, p.first + done, p.bytes - done);
+    return wrote > 0 && fcntl(file, F_ADD_SEALS, SEALS) == 0;
 }
 
+/* A file with these pages, which nobody can change; -1: none can be had. */
+static int lend(struct pages p)
+{
+    const int file = may_be_written(p.bytes) ? memfd_create("stiffwater", MFD_CLOEXEC | MFD_ALLOW_SEALING) : -1;
+
+    if (file < 0 || write_all(file, p))
+        return file;
+    close(file);
+    return -1;
+}
+
+static bool is_lent(int file, uint64_t bytes)
+{
+    const int seals = fcntl(file, F_GET_SEALS); /* -1: of another kind of file */
+    struct stat is;
+
+    return seals >= 0 && (seals & SEALS) == SEALS && fstat(file, &is) == 0 && (uint64_t)is.st_size == bytes;
+}
+
+/* That of another process, if it is one: where processes have other numbers in each other's view, what
+ * has this name may be anything. */
 static int borrow(const struct loan *of)
 {
     char path[80];
+    int file;
 
     snprintf(path, sizeof path, "/proc/%lld/fd/%lld", (long long)of->process, (long long)of->file);
-    return open(path, O_RDONLY | O_CLOEXEC);
+    file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0 || is_lent(file, of->bytes))
+        return file;
+    close(file);
+    return -1;
 }
 
 static bool are_equal(int file, size_t from, const char *own, size_t bytes)
 {
-    const void *there = mmap(NULL, bytes, PROT_READ, MAP_SHARED, file, (off_t)from);
+    const void *there = mmap(NULL, bytes, PROT_READ, MAP_PRIVATE, file, (off_t)from);
     const bool equal = there != MAP_FAILED && memcmp(there, own, bytes) == 0;
 
     if (there != MAP_FAILED)
