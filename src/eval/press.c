@@ -19,14 +19,30 @@ void press_narrow(struct moment *m)
     w->narrowed_builds = m->list->builds;
 }
 
-/* From densities of rows of y, both [solids], to p/rho^2. */
-static void press(struct moment *m, double *rho, double *p2, bool all)
+/* From densities of rows of y to what is shown, which may be the same, and p/rho^2, all [solids]. */
+static void press(struct moment *m, const double *rho, double *shown, double *p2, bool all)
 {
     const struct plan_part *wall = m->plan->passes.press;
-    const struct part_pressed io = { .rho = rho, .shown = rho, .p2 = p2, .mean = m->work->mean,
+    const struct part_pressed io = { .rho = rho, .shown = shown, .p2 = p2, .mean = m->work->mean,
                                      .all = all };
 
     wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
+}
+
+/* Densities of all solids where they are one array already; NULL: they are several. */
+static const double *one_array(const struct view *v)
+{
+    const int *from = v->p->from;
+    const double *first = NULL;
+
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        if (particles_count(v->p, k) == 0)
+            continue;
+        first = first ? first : v->rho[k]; /* kinds before have none: it is that of the first solid */
+        if (v->rho[k] != first + (from[k] - from[KIND_WALL]))
+            return NULL;
+    }
+    return first;
 }
 
 /* Densities of y, of which this rank has all rows or, together, its own. */
@@ -34,6 +50,7 @@ static void press_rows(struct moment *m, struct view *v, bool all, bool together
 {
     struct workspace *w = m->work;
     const int *from = v->p->from;
+    const double *one = together ? NULL : one_array(v);
 
     for (int k = KIND_WALL; k < KINDS; k++) {
         const int n = particles_count(v->p, k);
@@ -41,12 +58,12 @@ static void press_rows(struct moment *m, struct view *v, bool all, bool together
             continue;
         if (together)
             share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], w->rho + from[k]);
-        else
+        else if (!one)
             memcpy(w->rho + from[k], v->rho[k], (size_t)n * sizeof *w->rho);
         v->rho[k] = w->rho + from[k];
         v->p2[k] = w->p2 + (from[k] - from[KIND_WALL]);
     }
-    press(m, w->rho + from[KIND_WALL], w->p2, all);
+    press(m, one ? one : w->rho + from[KIND_WALL], w->rho + from[KIND_WALL], w->p2, all);
 }
 
 void moment_press(struct moment *m, struct view *v)
@@ -116,7 +133,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
         return STATUS_DONE;
     lead(e, rho);
-    press(e->m, rho, p2, moment_is_full(e->m));
+    press(e->m, rho, rho, p2, moment_is_full(e->m));
     for (int id = first; id < p->n; id++) {
         const int row = particles_row_of(p, id);
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);

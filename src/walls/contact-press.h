@@ -28,6 +28,10 @@ struct part_press_work {
     bool *touched;   /* other solids are near                          */
     int *row;        /* from the first solid                           */
     const struct contact_slices *last; /* those of the last press()    */
+    struct {
+        const double *shown, *p2;
+        long made;   /* of reach */
+    } rest;          /* arrays that have what there is without water beside all slices of `near` */
     struct contact_reach reach;
     struct contact_others_work others;
 };

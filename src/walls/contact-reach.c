@@ -70,6 +70,7 @@ static void spread(struct contact_reach *r, enum contact_stage stage)
 
 static void settle(struct contact_reach *r)
 {
+    r->made++;
     collect(r, CONTACT_Q);
     spread(r, CONTACT_Q);
     collect(r, CONTACT_PI);

@@ -20,6 +20,7 @@ struct contact_reach {
     const struct contact_mean *mean;
     struct contact_slices near, all; /* the last narrow() with what was added, all there are */
     unsigned char *in;               /* [slices] bits of stages of `near`                      */
+    long made;                       /* times that `near` has become another                   */
 };
 
 int contact_reach_create(struct contact_reach *r, const struct contact_mean *mean);

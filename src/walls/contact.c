@@ -105,8 +105,30 @@ static void push_slice(const struct pressing *of, int slice)
         of->io->p2[row[i]] = sum[i - from] / m[row[i]];
 }
 
+/* Where no water is. */
+static void rest(const struct part_pressed *io, double rho0, int i)
+{
+    io->shown[i] = rho0;
+    io->p2[i] = 0;
+    if (io->mean)
+        io->mean[i] = rho0;
+}
+
+/* Must solids where no water is be written?  Those of the last press() have it already, where slices and
+ * arrays are the same and nothing else writes to these. */
+static bool rests_anew(struct part_press_work *w, const struct part_pressed *io)
+{
+    const bool lasts = !io->all && !io->mean && io->rho != io->shown;
+    const bool anew = !lasts || io->shown != w->rest.shown || io->p2 != w->rest.p2 || w->reach.made != w->rest.made;
+
+    w->rest.shown = lasts ? io->shown : NULL;
+    w->rest.p2 = io->p2;
+    w->rest.made = w->reach.made;
+    return anew;
+}
+
 /* All that is asked for. */
-static void press_slices(const struct pressing *of, const struct contact_slices *slices)
+static void press_slices(const struct pressing *of, const struct contact_slices *slices, bool anew)
 {
     const int *n = slices->n, *const *slice = (const int *const *)slices->slice;
     const int solids = of->p->n - of->p->from[KIND_WALL];
@@ -118,12 +140,8 @@ static void press_slices(const struct pressing *of, const struct contact_slices 
         read_slice(of, slice[CONTACT_R][k]);
     threads_meet();
 #pragma omp for schedule(static) nowait
-    for (int i = 0; i < solids; i++) { /* where no water is */
-        io->shown[i] = rho0;
-        io->p2[i] = 0;
-        if (io->mean)
-            io->mean[i] = rho0;
-    }
+    for (int i = 0; i < (anew ? solids : 0); i++)
+        rest(io, rho0, i);
     threads_meet();
 #pragma omp for schedule(static) nowait
     for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
@@ -142,7 +160,9 @@ static void press(const void *self, struct part_press_work *w, const struct part
     const struct contact_slices *slices = contact_press_look(c, w, p, io->all);
     const struct pressing of = { c, w, p, io };
 
-    THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices));
+    const bool anew = rests_anew(w, io);
+
+    THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices, anew));
 }
 
 static const struct part_press contact_press = {
