@@ -53,18 +53,20 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* Particles as files have them. */
+/* Particles as files have them, and who is in company. */
 static double frames(const struct count *c)
 {
-    return (c->fluid + c->solid) * (2 * DIM + 2) * 8;
+    const double kind = 1, crowd = 4 + 8 + 2;
+
+    return (c->fluid + c->solid) * ((2 * DIM + 2) * 8 + kind + crowd);
 }
 
 /* While their file is made, it takes no more for each (output/fields-file.c). */
 static double outputs(const struct count *c)
 {
-    const double kind = 1, crowd = 4 + 8 + 2, pairing = 4 + 8 + 16, pressures = 8;
+    const double pairing = 4 + 8 + 16, pressures = 8;
 
-    return frames(c) + (c->fluid + c->solid) * (kind + crowd) + c->fluid * (pairing + pressures);
+    return frames(c) + c->fluid * (pairing + pressures);
 }
 
 /* Coefficients of pairs, velocities and their sums by place, y of a stage, vectors. */

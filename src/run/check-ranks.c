@@ -63,34 +63,58 @@ static double before(const struct run *r, const struct rank *rank, const struct 
                        : 0;
 }
 
+/* What a rank takes memory for [bytes]. */
+enum item { PROGRAM, STATE, LISTS, SUMS, PARTICLES, SHARED, OUTPUTS, ITEMS };
+struct items {
+    double of[ITEMS], all;
+    double before; /* what it took before, if that is more; else 0 */
+};
+
+static const char *const item_names[ITEMS] = { "program, libraries and messages", "state and vectors like it",
+                                               "pair list", "sums over pairs", "particles",
+                                               "what ranks share, and with whom", "outputs" };
+
 /* A second moment, to look through, has a list of all pairs, on the first rank and on each that may look at sums
- * over sums for itself; where own rows are packed, it has the run's. */
-static double looking(const struct run *r, const struct plan_memory *whole, bool first)
+ * over sums for itself, and is not there on others; where own rows are packed, it has the run's list, and solids
+ * of the run are those in an order of their own. */
+static void add_looks(const struct run *r, const struct plan_memory *whole, bool first, struct items *to)
 {
-    if (moment_is_packed(r->moment))
-        return 0;
-    return first || moment_is_full(r->moment) ? whole->lists / 2 : -whole->beside;
+    if (!moment_is_packed(r->moment) && (first || moment_is_full(r->moment)))
+        to->of[LISTS] += whole->lists / 2;
+    else
+        to->of[PARTICLES] -= whole->beside;
 }
 
 /* The first rank has the outputs, but for frames of which each has its part, and all of y to look at. */
-static double memory_of(const struct run *r, const struct rank *rank, double writing,
-                        double all)
+static struct items items_of(const struct run *r, const struct rank *rank, double writing, double all)
 {
     const int vectors = r->method->room.vectors(r->method, r->plan);
     const bool first = writing > 0, packed = moment_is_packed(r->moment);
     struct plan_memory own, whole;
-    double takes;
+    struct items to;
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
-    takes = rank->program + messages + writing + rank->shared + own.state + own.particles - own.idle + own.sums
-            + own.lists / 2;
+    to = (struct items){ .of = {
+        [PROGRAM] = rank->program + messages + writing, [STATE] = own.state, [LISTS] = own.lists / 2,
+        [SUMS] = own.sums - (packed || !first ? rank->absent : 0), [PARTICLES] = own.particles - own.idle,
+        [SHARED] = rank->shared,
+        [OUTPUTS] = (first ? own.outputs - own.frames : 0)
+                    + (packed ? own.frames / ranks_count() : first ? own.frames : 0),
+    } };
     if (r->method->room.sparing)
-        takes -= 8 * rank->spared * (vectors + (first ? packed : 2));
-    takes += looking(r, &whole, first);
-    takes += (first ? own.outputs - own.frames : 0) - (packed || !first ? rank->absent : 0);
-    takes += packed ? own.frames / ranks_count() : first ? own.frames : 0;
-    return fmax(takes, before(r, rank, &own));
+        to.of[STATE] -= 8 * rank->spared * (vectors + (first ? packed : 2));
+    add_looks(r, &whole, first, &to);
+    for (int i = 0; i < ITEMS; i++)
+        to.all += to.of[i];
+    to.before = before(r, rank, &own);
+    to.before = to.before > to.all ? to.before : 0;
+    return to;
+}
+
+static double peak_of(const struct items *items)
+{
+    return fmax(items->all, items->before);
 }
 
 static void add_bytes(void *self, const void *array, size_t bytes)
@@ -99,20 +123,36 @@ static void add_bytes(void *self, const void *array, size_t bytes)
     *(double *)self += (double)bytes;
 }
 
+/* Of the first rank, and of that of the others that takes most. */
+static void print_items(const struct items *first, const struct items *other)
+{
+    printf("  %-32s %11s %11s\n", "", "the first", "another");
+    for (int i = 0; i < ITEMS; i++)
+        printf("  %-32s %8.1f MB %8.1f MB\n", item_names[i], first->of[i] / 1e6, other->of[i] / 1e6);
+    if (first->before > 0 || other->before > 0)
+        printf("  %-32s %8.1f MB %8.1f MB\n", "while the start is solved for, all", peak_of(first) / 1e6,
+               peak_of(other) / 1e6);
+}
+
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)
 {
-    double all = 0, most = 0, others = 0, alike = 0;
+    struct items first, other = { .all = 0 };
+    double all = 0, most = 0, alike = 0;
 
     plan_show(r->plan, add_bytes, &alike);
     for (int i = 0; i < n; i++) {
         all += rank[i].pairs;
         most = fmax(most, rank[i].pairs);
     }
-    for (int i = 1; i < n; i++)
-        others = fmax(others, memory_of(r, &rank[i], 0, all));
+    first = items_of(r, &rank[0], writing, all);
+    for (int i = 1; i < n; i++) {
+        const struct items one = items_of(r, &rank[i], 0, all);
+        other = peak_of(&one) > peak_of(&other) ? one : other;
+    }
     printf("memory: about %.3g MB at its peak on the first rank, at most %.3g MB on others; %.3g MB "
-           "of that to share, and %.3g MB there once on each machine\n",
-           memory_of(r, &rank[0], writing, all) / 1e6, others / 1e6, rank[0].shared / 1e6, alike / 1e6);
+           "of that are there once on each machine\n",
+           peak_of(&first) / 1e6, peak_of(&other) / 1e6, alike / 1e6);
+    print_items(&first, &other);
     if (all > 0)
         printf("sums over pairs: %.3g entries, the busiest rank has %.2f times the mean\n", all,
                most * n / all);
