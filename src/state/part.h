@@ -184,9 +184,7 @@ struct part_pressed {
 };
 
 struct part_press_work; /* what members work in: memory of a wall model          */
-
-/* What is done with each of several arrays of so many bytes. */
-typedef void part_see(void *self, const void *array, size_t bytes);
+typedef void part_see(void *self, const void *array, size_t bytes); /* one of several */
 
 /* Solids that press by more than a density of their own.  What it knows of their places it
  * keeps in self, made once. */
@@ -224,10 +222,8 @@ struct part_press {
     int (*meet)(const void *self, struct part_press_work *w, const struct particles *p,
                 const double *p2, double (*f)[DIM], int *row);
 
-    /* Bytes that it took, with one work. */
+    /* Bytes that it took, with one work; its large arrays, which create() alone writes to. */
     double (*memory)(const void *self);
-
-    /* Shows its large arrays, which only create() and free() write to. */
     void (*show)(const void *self, part_see *see, void *whose);
 };
 
