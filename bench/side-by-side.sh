@@ -7,9 +7,9 @@
 #         "new/stiffwater-3d run my.scene -q -f -o b"
 #
 # Each turn prints CPU seconds of both, those of their children too, and B over A.  Whatever slows the core
-# slows both alike, so that on a machine that others use a ratio scatters by half a per cent, where runs in
-# turn scatter by a third.  Two runs of one program tell how much it is on yours.  Both want the same
-# amount of work: the longer one runs its last part alone.
+# slows both alike, so that on a machine that others use a ratio of runs of 20 s scatters by half a per cent,
+# of one second by 2, where runs in turn scatter by a third.  Two runs of one program tell how much it is
+# on yours.  Both want the same amount of work: the longer one runs its last part alone.
 set -eu
 
 [ $# = 3 ] || {
