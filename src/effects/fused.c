@@ -96,6 +96,14 @@ LANES_INLINE void add_row(const struct pairs_work *w, const struct side *a, cons
         fourth(w[3].self, a, row, &to->four);
 }
 
+/* Member by member, which leaves them in registers; a whole struct would go through memory. */
+LANES_INLINE void take(const struct sum *from, struct sum *to)
+{
+    for (int d = 0; d < DIM; d++)
+        to->f[d] = from->f[d];
+    to->drho = from->drho;
+}
+
 /* The laws are constants; so is `alike`.  With AHEAD there is a row. */
 LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source *of, bool alike,
                       int n, struct sum *sum, pairs_row_law *first, pairs_row_law *second,
@@ -104,12 +112,16 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
     const struct pairs_work *w = table->work;
     const struct side *a = owners(of);
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
-    struct sums s = { .one = sum[w[0].slot] };
+    struct sums s;
     struct row row;
 
-    s.two = second ? sum[w[1].slot] : s.one;
-    s.three = third ? sum[w[2].slot] : s.one;
-    s.four = fourth ? sum[w[3].slot] : s.one;
+    take(&sum[w[0].slot], &s.one);
+    if (second)
+        take(&sum[w[1].slot], &s.two);
+    if (third)
+        take(&sum[w[2].slot], &s.three);
+    if (fourth)
+        take(&sum[w[3].slot], &s.four);
     if (AHEAD)
         row = row_of(&c, of, alike, 0);
     for (int k = AHEAD; k < n; k++) {
@@ -120,13 +132,13 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
     }
     if (AHEAD)
         add_row(w, a, &row, &s, first, second, third, fourth);
-    sum[w[0].slot] = s.one;
+    take(&s.one, &sum[w[0].slot]);
     if (second)
-        sum[w[1].slot] = s.two;
+        take(&s.two, &sum[w[1].slot]);
     if (third)
-        sum[w[2].slot] = s.three;
+        take(&s.three, &sum[w[2].slot]);
     if (fourth)
-        sum[w[3].slot] = s.four;
+        take(&s.four, &sum[w[3].slot]);
 }
 
 #define LOOP(name, ...)                                                                    \
