@@ -8,8 +8,13 @@
 #include "effects/laminar-viscosity.h"
 #include "effects/pressure-force.h"
 #include "kernels/wendland-c2.h"
-#ifdef SINGLE
+
+/* See fused.h. */
+#if defined SINGLE && LANES == 16
+#define STRAIGHT 1
 #include "space/single-row.h"
+#else
+#define STRAIGHT 0
 #endif
 
 #include <stdbool.h>
@@ -17,13 +22,11 @@
 
 enum {
     MOST = 4,            /* laws in one loop: more do not fit into the registers    */
-    AHEAD = LANES == 16, /* the next row is under way while laws wait for this one's division:
-                            for that 32 registers are enough, and 16 too few         */
+    AHEAD = STRAIGHT,    /* the next row is under way while laws wait for this one's
+                            division                                                */
 };
 
-#ifdef SINGLE
-/* From the list, one after the other: to form a row takes less time than to store it and read
- * it.  In double precision it does not. */
+#if STRAIGHT
 typedef pairs_straight loop;
 #define PARAMETERS const struct pairs_table *table, const struct pairs_source *of, int n,  \
                    struct sum *sum
@@ -218,11 +221,28 @@ static loop *find(const struct pairs_table *table)
     return NULL;
 }
 
-#ifdef SINGLE
-pairs_straight *fused_straight(const struct pairs_table *table)
-#else
+#if STRAIGHT
 pairs_laws *fused_laws(const struct pairs_table *table)
-#endif
+{
+    (void)table;
+    return NULL;
+}
+
+pairs_straight *fused_straight(const struct pairs_table *table)
 {
     return find(table);
 }
+#else
+pairs_laws *fused_laws(const struct pairs_table *table)
+{
+    return find(table);
+}
+
+#ifdef SINGLE
+pairs_straight *fused_straight(const struct pairs_table *table)
+{
+    (void)table;
+    return NULL;
+}
+#endif
+#endif

@@ -10,13 +10,16 @@
 #include "space/pairs.h"
 
 /* One loop for all laws of this table, or NULL: there is none for these laws in this
- * order and with this kernel.  In single precision it takes rows from the list. */
+ * order and with this kernel. */
+#define fused_laws LANE_NAME(fused_laws)
+pairs_laws *fused_laws(const struct pairs_table *table);
+
+/* The same with rows from the list, for widths at which to form a row takes less time than
+ * to store it and read it: single precision with 32 registers.  With 16 the parts of a loop
+ * that does both wait for each other (a whole right-hand side takes 1.06). */
 #ifdef SINGLE
 #define fused_straight LANE_NAME(fused_straight)
 pairs_straight *fused_straight(const struct pairs_table *table);
-#else
-#define fused_laws LANE_NAME(fused_laws)
-pairs_laws *fused_laws(const struct pairs_table *table);
 #endif
 
 #endif

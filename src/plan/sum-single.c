@@ -29,7 +29,9 @@ static void laws_in_turn(const struct pairs_table *table, const struct side *a,
 
 static void arrange(struct pairs_table *table, bool fuse)
 {
-    table->laws = laws_in_turn;
+    pairs_laws *const fused = fuse ? fused_laws(table) : NULL;
+
+    table->laws = fused ? fused : laws_in_turn;
     table->straight = fuse ? fused_straight(table) : NULL;
 }
 

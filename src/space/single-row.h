@@ -95,7 +95,21 @@ LANES_INLINE void fetch_four(const float *const of[LANES], int at, lanes *to)
          to);
 }
 
-#if LANES != 16
+#if LANES == 8
+LANES_INLINE void fetch_eight(const float *const of[LANES], lanes *to)
+{
+    lanes near[4], far[4], r[8];
+
+    for (int l = 0; l < 8; l++)
+        r[l] = (lanes)_mm256_loadu_ps(of[l]); /* records of 12 floats are not aligned to 32 bytes */
+    turn(r[0], r[1], r[2], r[3], near);
+    turn(r[4], r[5], r[6], r[7], far);
+    for (int i = 0; i < 4; i++) {
+        to[i] = (lanes)_mm256_permute2f128_ps((__m256)near[i], (__m256)far[i], 0x20);
+        to[4 + i] = (lanes)_mm256_permute2f128_ps((__m256)near[i], (__m256)far[i], 0x31);
+    }
+}
+#elif LANES != 16
 LANES_INLINE void fetch_eight(const float *const of[LANES], lanes *to)
 {
     fetch_four(of, 0, to);
