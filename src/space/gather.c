@@ -50,9 +50,9 @@ LANES_INLINE lanes dot(const lanes *a, const lanes *b)
     return sum;
 }
 
-/* One row; `needs` is a constant, so what is not needed is not even loaded.
- * The root is taken here because here it hides behind the loads. */
-LANES_INLINE void gather_row(const double *record, const int *j, const struct side *a,
+/* One row but for its r, of which r^2 is returned; `needs` is a constant, so what is not needed
+ * is not even loaded. */
+LANES_INLINE lanes gather_row(const double *record, const int *j, const struct side *a,
                              struct block *b, int k, unsigned needs)
 {
     struct side of;
@@ -62,7 +62,6 @@ LANES_INLINE void gather_row(const double *record, const int *j, const struct si
     gather_separation(a->x, of.x, x);
     const lanes r2 = dot(x, x);
     b->r2[k] = r2;
-    b->r[k] = lanes_sqrt(r2);
     b->mm[k] = a->m * of.m;
     for (int d = 0; d < DIM; d++) {
         b->x[d][k] = x[d];
@@ -80,14 +79,32 @@ LANES_INLINE void gather_row(const double *record, const int *j, const struct si
         b->irho[k] = of.irho;
     if (needs & NEED_MASS)
         b->m[k] = of.m;
+    return r2;
+}
+
+/* The root is taken here because here it hides behind the loads, and a row later than the rest
+ * because then what comes behind it need not wait for it. */
+LANES_INLINE void gather(const double *record, const int *j, int n, const struct side *a,
+                         struct block *b, unsigned needs)
+{
+    lanes last = { 0 };
+
+    for (int k = 0; k < n; k++, j += LANES) {
+        const lanes r2 = gather_row(record, j, a, b, k, needs);
+
+        if (k > 0)
+            b->r[k - 1] = lanes_sqrt(last);
+        last = r2;
+    }
+    if (n > 0)
+        b->r[n - 1] = lanes_sqrt(last);
 }
 
 #define GATHER(name, needs)                                                                \
     static void name(const double *record, const int *j, int n, const struct side *a,      \
                      struct block *b)                                                      \
     {                                                                                      \
-        for (int k = 0; k < n; k++, j += LANES)                                            \
-            gather_row(record, j, a, b, k, needs);                                         \
+        gather(record, j, n, a, b, needs);                                                 \
     }
 
 GATHER(gather_place, 0)

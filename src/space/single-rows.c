@@ -44,8 +44,8 @@ void single_rows_side(const struct single_records *all, const struct single_owne
         fill_side(all, false, at, own);
 }
 
-/* Row k; `needs` and `alike` are constants, as in gather.c. */
-LANES_INLINE void fill_row(const float *const of[LANES], const struct single_records *all,
+/* Row k, and its r^2, as in gather.c; `needs` and `alike` are constants. */
+LANES_INLINE lanes fill_row(const float *const of[LANES], const struct single_records *all,
                            bool alike, const struct single_side *own, unsigned needs,
                            struct block *b, int k)
 {
@@ -53,7 +53,6 @@ LANES_INLINE void fill_row(const float *const of[LANES], const struct single_rec
 
     single_row_at(of, all, alike, own, &row);
     b->r2[k] = row.pair.r2;
-    b->r[k] = row.r;
     b->mm[k] = row.mm;
     for (int d = 0; d < DIM; d++) {
         b->x[d][k] = row.pair.x[d];
@@ -70,6 +69,7 @@ LANES_INLINE void fill_row(const float *const of[LANES], const struct single_rec
         b->irho[k] = row.pair.irho;
     if (needs & NEED_MASS)
         b->m[k] = row.m;
+    return row.pair.r2;
 }
 
 LANES_INLINE void fill(const struct single_records *all, bool alike,
@@ -77,15 +77,21 @@ LANES_INLINE void fill(const struct single_records *all, bool alike,
                        unsigned needs, struct block *b, int at)
 {
     const int *first = from[0].j, *second = from[1].j;
+    lanes last = { 0 };
 
     for (int k = at; k < at + n; k++) {
         const float *of[LANES];
 
         single_find(all, alike, first, second, of);
-        fill_row(of, all, alike, own, needs, b, k);
+        const lanes r2 = fill_row(of, all, alike, own, needs, b, k);
+        if (k > at)
+            b->r[k - 1] = lanes_sqrt(last);
+        last = r2;
         first += from[0].step;
         second += from[1].step;
     }
+    if (n > 0)
+        b->r[at + n - 1] = lanes_sqrt(last);
 }
 
 /* Fewer kinds of rows than in double precision: a needless store costs less here. */
