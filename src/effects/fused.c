@@ -22,8 +22,6 @@
 
 enum {
     MOST = 4,            /* laws in one loop: more do not fit into the registers    */
-    AHEAD = STRAIGHT,    /* the next row is under way while laws wait for this one's
-                            division                                                */
 };
 
 #if STRAIGHT
@@ -41,8 +39,11 @@ LANES_INLINE const struct side *owners(const struct pairs_source *of)
     return &of->own->a;
 }
 
-LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_source *of,
-                               bool alike, int k)
+/* What is under way of a row: here, all of it. */
+typedef struct row begun;
+
+LANES_INLINE begun begin(const struct wendland_c2 *c, const struct pairs_source *of, bool alike,
+                         int k)
 {
     struct whole_row row;
 
@@ -50,6 +51,13 @@ LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_s
     row.pair.gw = wendland_c2_gradient(c, row.r, row.mm);
     row.pair.gw_r2 = wendland_c2_softened(c, row.pair.gw, row.pair.r2);
     return row.pair;
+}
+
+LANES_INLINE struct row row_of(const struct pairs_source *of, int k, const begun *row)
+{
+    (void)of;
+    (void)k;
+    return *row;
 }
 #else
 typedef pairs_laws loop;
@@ -67,15 +75,29 @@ LANES_INLINE const struct side *owners(const struct pairs_source *of)
     return of->a;
 }
 
-/* Row k with the gradients that gather_kernel() would have left there. */
-LANES_INLINE struct row row_of(const struct wendland_c2 *c, const struct pairs_source *of,
-                               bool alike, int k)
+/* The gradients that gather_kernel() would have left there. */
+typedef struct {
+    lanes gw, gw_r2;
+} begun;
+
+LANES_INLINE begun begin(const struct wendland_c2 *c, const struct pairs_source *of, bool alike,
+                         int k)
+{
+    const struct block *b = of->b;
+    begun row;
+
+    (void)alike;
+    row.gw = wendland_c2_gradient(c, b->r[k], b->mm[k]);
+    row.gw_r2 = wendland_c2_softened(c, row.gw, b->r2[k]);
+    return row;
+}
+
+LANES_INLINE struct row row_of(const struct pairs_source *of, int k, const begun *with)
 {
     struct row row = pairs_row(of->b, k);
 
-    (void)alike;
-    row.gw = wendland_c2_gradient(c, of->b->r[k], of->b->mm[k]);
-    row.gw_r2 = wendland_c2_softened(c, row.gw, row.r2);
+    row.gw = with->gw;
+    row.gw_r2 = with->gw_r2;
     return row;
 }
 #endif
@@ -107,7 +129,8 @@ LANES_INLINE void take(const struct sum *from, struct sum *to)
     to->drho = from->drho;
 }
 
-/* The laws are constants; so is `alike`.  With AHEAD there is a row. */
+/* The next row is under way while laws wait for the division of this one.  The laws are
+ * constants; so is `alike`; n > 0. */
 LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source *of, bool alike,
                       int n, struct sum *sum, pairs_row_law *first, pairs_row_law *second,
                       pairs_row_law *third, pairs_row_law *fourth)
@@ -115,6 +138,7 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
     const struct pairs_work *w = table->work;
     const struct side *a = owners(of);
     const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
+    begun at = begin(&c, of, alike, 0);
     struct sums s;
     struct row row;
 
@@ -125,16 +149,15 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
         take(&sum[w[2].slot], &s.three);
     if (fourth)
         take(&sum[w[3].slot], &s.four);
-    if (AHEAD)
-        row = row_of(&c, of, alike, 0);
-    for (int k = AHEAD; k < n; k++) {
-        const struct row next = row_of(&c, of, alike, k);
+    for (int k = 1; k < n; k++) {
+        const begun next = begin(&c, of, alike, k);
 
-        add_row(w, a, AHEAD ? &row : &next, &s, first, second, third, fourth);
-        row = next;
-    }
-    if (AHEAD)
+        row = row_of(of, k - 1, &at);
         add_row(w, a, &row, &s, first, second, third, fourth);
+        at = next;
+    }
+    row = row_of(of, n - 1, &at);
+    add_row(w, a, &row, &s, first, second, third, fourth);
     take(&s.one, &sum[w[0].slot]);
     if (second)
         take(&s.two, &sum[w[1].slot]);
