@@ -137,7 +137,7 @@ LANES_INLINE void run(const struct pairs_table *table, const struct pairs_source
 {
     const struct pairs_work *w = table->work;
     const struct side *a = owners(of);
-    const struct wendland_c2 c = wendland_c2_make(w->kernel->support, w->kernel->scale);
+    const struct wendland_c2 c = wendland_c2_of(w->kernel->support, w->kernel->inverse, w->kernel->scale);
     begun at = begin(&c, of, alike, 0);
     struct sums s;
     struct row row;

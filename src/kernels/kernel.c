@@ -9,6 +9,7 @@ struct kernel_use kernel_use_make(const struct kernel *kernel, double support, i
         .kernel = kernel,
         .support = support,
         .scale = kernel->sigma[dimension] / pow(support, dimension),
+        .inverse = 1 / support,
     };
 }
 

@@ -38,6 +38,7 @@ struct kernel_use {
     const struct kernel *kernel;
     double support; /* H [m]                                                 */
     double scale;   /* sigma_D / H^D [m^-D]                                  */
+    double inverse; /* 1/H [1/m]                                             */
 };
 
 /* A kernel with its scale worked out; it must have a sigma in that dimension. */

@@ -13,12 +13,15 @@ struct wendland_c2 {
     real eta2;    /* softens 1/r^2                      [m^2]              */
 };
 
-LANES_INLINE struct wendland_c2 wendland_c2_make(double support, double scale)
+LANES_INLINE struct wendland_c2 wendland_c2_of(double support, double inverse, double scale)
 {
-    const double inverse = 1 / support;
-
     return (struct wendland_c2){ (real)inverse, (real)(-20 * scale * inverse * inverse),
                                  (real)kernel_softening(support) };
+}
+
+LANES_INLINE struct wendland_c2 wendland_c2_make(double support, double scale)
+{
+    return wendland_c2_of(support, 1 / support, scale);
 }
 
 /* m W'(r)/r, 0 beyond the support. */
