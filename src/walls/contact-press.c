@@ -32,6 +32,7 @@ void contact_press_work_free(struct part_press_work **work)
     free(w->slope);
     free(w->touched);
     free(w->row);
+    free(w->rest.slice);
     contact_reach_free(&w->reach);
     contact_others_work_free(&w->others);
     free(w);
@@ -52,7 +53,8 @@ int contact_press_work(const void *self, struct part_press_work **out)
     w->slope = status_alloc(n, sizeof *w->slope);
     w->touched = status_alloc(n, sizeof *w->touched);
     w->row = status_alloc(n, sizeof *w->row);
-    if (w->rho && w->pi && w->around && w->slope && w->touched && w->row
+    w->rest.slice = status_alloc(n / CONTACT_ROWS + 1, sizeof *w->rest.slice);
+    if (w->rest.slice && w->rho && w->pi && w->around && w->slope && w->touched && w->row
         && contact_reach_create(&w->reach, &c->mean) == STATUS_DONE
         && contact_others_work(&c->others, &w->others) == STATUS_DONE)
         return STATUS_DONE;
@@ -218,7 +220,7 @@ double contact_press_memory(const void *self)
 {
     const struct contact_press_self *c = self;
 
-    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + 6.0 * c->mean.n
+    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + (6 + 4.0 / CONTACT_ROWS) * c->mean.n
            + 8.0 * c->mean.n * (c->others.groups > 1 ? 9 + DIM : 6);
 }
 

@@ -30,8 +30,9 @@ struct part_press_work {
     const struct contact_slices *last; /* those of the last press()    */
     struct {
         const double *shown, *p2;
-        long made;   /* of reach */
-    } rest;          /* arrays that have what there is without water beside all slices of `near` */
+        long made;   /* of reach                                   */
+        int n, *slice; /* those whose rows are not at rest         */
+    } rest;          /* arrays that have what there is without water, but in some slices */
     struct contact_reach reach;
     struct contact_others_work others;
 };

@@ -24,6 +24,8 @@
 #include "walls/solid-rows.h"
 #include "walls/walls.h"
 
+#include <string.h>
+
 enum {
     CHUNK = 32, /* slices                                                 */
     WORTH = 32  /* a slice takes as long as so many particles of a light loop */
@@ -114,34 +116,53 @@ static void rest(const struct part_pressed *io, double rho0, int i)
         io->mean[i] = rho0;
 }
 
-/* Must solids where no water is be written?  Those of the last press() have it already, where slices and
- * arrays are the same and nothing else writes to these. */
-static bool rests_anew(struct part_press_work *w, const struct part_pressed *io)
-{
-    const bool lasts = !io->all && !io->mean && io->rho != io->shown;
-    const bool anew = !lasts || io->shown != w->rest.shown || io->p2 != w->rest.p2 || w->reach.made != w->rest.made;
+/* Which solids must be written as they are where no water is?  Arrays of the last press() have it already
+ * where that did not write, as long as nothing else writes to them. */
+enum rests { RESTS_STAND, RESTS_LAST, RESTS_ALL };
 
+static enum rests rests_of(const struct part_press_work *w, const struct part_pressed *io, bool lasts)
+{
+    if (!lasts || io->shown != w->rest.shown || io->p2 != w->rest.p2)
+        return RESTS_ALL;
+    return w->reach.made == w->rest.made ? RESTS_STAND : RESTS_LAST;
+}
+
+/* For the next press(): where this one wrote. */
+static void keep_rests(struct part_press_work *w, const struct part_pressed *io,
+                       const struct contact_slices *slices, bool lasts)
+{
     w->rest.shown = lasts ? io->shown : NULL;
     w->rest.p2 = io->p2;
     w->rest.made = w->reach.made;
-    return anew;
+    w->rest.n = slices->n[CONTACT_PI]; /* slices of q are among them */
+    memcpy(w->rest.slice, slices->slice[CONTACT_PI], (size_t)w->rest.n * sizeof *w->rest.slice);
 }
 
-/* All that is asked for. */
-static void press_slices(const struct pressing *of, const struct contact_slices *slices, bool anew)
+static void rest_slice(const struct pressing *of, int slice)
+{
+    for (int i = slice * CONTACT_ROWS; i < end_of(&of->c->mean, slice); i++)
+        rest(of->io, of->c->eos.rho0, of->w->row[i]);
+}
+
+/* All that is asked for.  Rows in which the last press() wrote are needed before they are found anew;
+ * densities are read before all are written, as that may be the same array. */
+static void press_slices(const struct pressing *of, const struct contact_slices *slices, enum rests rests)
 {
     const int *n = slices->n, *const *slice = (const int *const *)slices->slice;
     const int solids = of->p->n - of->p->from[KIND_WALL];
-    const struct part_pressed *io = of->io;
-    const double rho0 = of->c->eos.rho0;
 
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < (rests == RESTS_LAST ? of->w->rest.n : 0); k++)
+        rest_slice(of, of->w->rest.slice[k]);
+    if (rests == RESTS_LAST)
+        threads_meet();
 #pragma omp for schedule(static) nowait
     for (int k = 0; k < n[CONTACT_R]; k++)
         read_slice(of, slice[CONTACT_R][k]);
     threads_meet();
 #pragma omp for schedule(static) nowait
-    for (int i = 0; i < (anew ? solids : 0); i++)
-        rest(io, rho0, i);
+    for (int i = 0; i < (rests == RESTS_ALL ? solids : 0); i++)
+        rest(of->io, of->c->eos.rho0, i);
     threads_meet();
 #pragma omp for schedule(static) nowait
     for (int k = 0; k < n[CONTACT_PI]; k += CHUNK)
@@ -160,9 +181,12 @@ static void press(const void *self, struct part_press_work *w, const struct part
     const struct contact_slices *slices = contact_press_look(c, w, p, io->all);
     const struct pressing of = { c, w, p, io };
 
-    const bool anew = rests_anew(w, io);
+    const bool lasts = !io->all && !io->mean && io->rho != io->shown;
+    const enum rests rests = rests_of(w, io, lasts);
 
-    THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices, anew));
+    THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices, rests));
+    if (rests != RESTS_STAND)
+        keep_rests(w, io, slices, lasts);
 }
 
 static const struct part_press contact_press = {
