@@ -44,17 +44,22 @@ static int end_of(const struct contact_mean *m, int slice)
     return (slice + 1) * CONTACT_ROWS < m->n ? (slice + 1) * CONTACT_ROWS : m->n;
 }
 
-/* Rows of a slice, and r there. */
+/* Rows of a slice: where the same slices are asked for as before, nothing was rearranged. */
+static void find_rows(const struct pressing *of, int slice)
+{
+    for (int i = slice * CONTACT_ROWS; i < end_of(&of->c->mean, slice); i++)
+        of->w->row[i] = contact_press_row(of->c, of->p, i) - of->p->from[KIND_WALL];
+}
+
+/* r of a slice. */
 static void read_slice(const struct pressing *of, int slice)
 {
     const struct contact_press_self *c = of->c;
     struct part_press_work *w = of->w;
 
-    for (int i = slice * CONTACT_ROWS; i < end_of(&c->mean, slice); i++) {
-        w->row[i] = contact_press_row(c, of->p, i) - of->p->from[KIND_WALL];
+    for (int i = slice * CONTACT_ROWS; i < end_of(&c->mean, slice); i++)
         w->rho[i] = of->io->rho[w->row[i]]
                     + contact_others_fill(&c->others, i, w->around[i], &w->slope[i]);
-    }
 }
 
 /* What the one side is taken of. */
@@ -157,8 +162,11 @@ static void press_slices(const struct pressing *of, const struct contact_slices 
     if (rests == RESTS_LAST)
         threads_meet();
 #pragma omp for schedule(static) nowait
-    for (int k = 0; k < n[CONTACT_R]; k++)
+    for (int k = 0; k < n[CONTACT_R]; k++) {
+        if (rests != RESTS_STAND)
+            find_rows(of, slice[CONTACT_R][k]);
         read_slice(of, slice[CONTACT_R][k]);
+    }
     threads_meet();
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < (rests == RESTS_ALL ? solids : 0); i++)
