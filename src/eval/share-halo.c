@@ -83,6 +83,17 @@ static bool mark_pressing(struct moment *m, bool *needed)
     return some;
 }
 
+/* Can an owner of this group have neighbours that others own? */
+static bool is_near(const struct list *l, int g)
+{
+    const int from = l->group_slot[g], end = l->start[l->group_kind[g] + 1];
+    bool near = false;
+
+    for (int s = from; s < from + l->lanes && s < end; s++)
+        near |= drift_is_near(l, s);
+    return near;
+}
+
 /* Marks rows that others own and whose numbers are read here. */
 static void mark_needed(struct moment *m, bool *needed)
 {
@@ -91,12 +102,15 @@ static void mark_needed(struct moment *m, bool *needed)
     const bool *other = note_others(m);
 
     m->share->halo.any = press && !mark_pressing(m, needed);
-    for (int g = 0; g < l->groups; g++)
-        for (int k = l->segment_from[g]; k < l->segment_from[g + 1]; k++) {
+    drift_mark(l, other);
+    for (int g = 0; g < l->groups; g++) {
+        const int end = is_near(l, g) ? l->segment_from[g + 1] : l->segment_from[g];
+        for (int k = l->segment_from[g]; k < end; k++) {
             const int kind = l->segment[k].partner;
             if (kind == KIND_FLUID || (!press && share_comes(m, kind)))
                 mark_neighbours(m, &l->segment[k], other, needed);
         }
+    }
 }
 
 /* What a rank asks another for. */

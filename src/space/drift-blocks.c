@@ -233,6 +233,35 @@ int drift_note(struct list *list, const struct cloud *cloud)
     return STATUS_DONE;
 }
 
+void drift_mark(const struct list *list, const bool *of)
+{
+    const struct drift *drift = &list->own->drift;
+    int *mark = drift->thread, offset[DRIFT_TOUCHING];
+    const int offsets = drift_touching(drift, offset);
+    enum { TOUCHES = 1, HAS = 2 };
+
+    for (int s = 0; s < list->listed; s++)
+        mark[drift->block[s]] = 0;
+    for (int s = 0; s < list->listed; s++) {
+        const int b = drift->block[s];
+
+        if (!of[s] || mark[b] & HAS)
+            continue;
+        for (int o = 0; o < offsets; o++) {
+            mark[b + offset[o]] |= TOUCHES;
+            mark[b - offset[o]] |= TOUCHES;
+        }
+        mark[b] |= HAS;
+    }
+}
+
+bool drift_is_near(const struct list *list, int place)
+{
+    const struct drift *drift = &list->own->drift;
+
+    return drift->thread[drift->block[place]] != 0;
+}
+
 void drift_free(struct drift *drift)
 {
     free(drift->block);

@@ -37,7 +37,8 @@ struct drift {
                               unless they are images                         */
     int *moving;           /* [blocks] of them, those that can move: they come before those
                               that stand still                               */
-    int *thread;           /* [blocks] of them, the thread that gathers it when it is made  */
+    int *thread;           /* [blocks] of them, the thread that gathers it when it is made; then
+                              what drift_mark() says                         */
     int *used;             /* [useds] blocks that are compared: something can move there, or
                               in one behind that touches it                  */
     int useds;
@@ -71,6 +72,11 @@ void drift_free(struct drift *drift);
  * block itself. */
 enum { DRIFT_TOUCHING = 14 };
 int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING]);
+
+/* Marks blocks that have places of these, of [listed], and blocks that touch one.  Until the list is made
+ * anew drift_is_near() is true of each place that has one of these as a neighbour. */
+void drift_mark(const struct list *list, const bool *of);
+bool drift_is_near(const struct list *list, int place);
 
 /* Where the particle or image of this place stands when the particle is at x. */
 void drift_place(const struct list *list, int slot, const double *x, double *to);
