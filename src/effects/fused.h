@@ -15,8 +15,8 @@
 pairs_laws *fused_laws(const struct pairs_table *table);
 
 /* The same with rows from the list, for widths at which to form a row takes less time than
- * to store it and read it: single precision with 32 registers.  With 16 the parts of a loop
- * that does both wait for each other (a whole right-hand side takes 1.06). */
+ * to store it and read it: single precision with 32 registers.  With 16 the parts of a
+ * loop that does both wait for each other (a whole run takes 1.06 with four lanes). */
 #ifdef SINGLE
 #define fused_straight LANE_NAME(fused_straight)
 pairs_straight *fused_straight(const struct pairs_table *table);
