@@ -334,10 +334,10 @@ static double serial_share(struct water *w, double *regions)
     bench_regions_alone(true);
     for (int r = 0; r < BENCH_REPEATS; r++) {
         const struct bench_regions was = bench_regions();
-        const double start = bench_cpu();
+        const double start = bench_wall();
 
         call(w);
-        const double all = bench_cpu() - start;
+        const double all = bench_wall() - start;
         const struct bench_regions now = bench_regions();
         const double clocks = (double)(now.n - was.n) * now.clock; /* inside; and as much outside */
         share[r] = 1 - (now.inside - was.inside - clocks) / (all - 2 * clocks);
