@@ -67,16 +67,15 @@ static inline void threads_meet(void)
         }                                                                                  \
     } while (0)
 
-/* `call` on all threads where the work is worth it.  A region is a call of the library even
- * for one thread, and a right-hand side has a dozen: where the program has one, the call is made
- * at once. */
+/* `call` on all threads where the work is worth it, else at once: a region is a call of the library,
+ * which makes a team even of one thread, and a right-hand side has a dozen.  Not for calls out of
+ * a region, whose threads would share the call's loops. */
 #define THREADS(worth, call)                                                               \
     do {                                                                                   \
-        if (threads_most() == 1) {                                                         \
+        if (threads_most() == 1 || !(worth)) {                                             \
             call;                                                                          \
         } else {                                                                           \
-            const int threads_worth = (worth);                                             \
-            _Pragma("omp parallel if (threads_worth)")                                     \
+            _Pragma("omp parallel")                                                        \
             call;                                                                          \
         }                                                                                  \
     } while (0)

@@ -13,7 +13,7 @@
 enum {
     TURNS = 5000, /* 50 to 200 microseconds: longer than what is between two loops */
     LOOKS = 5,    /* at the machine                                               */
-    WORTH_WAKING = 12000, /* particles of waiting_repays(), where threads sleep    */
+    WORTH_WAKING = 12000, /* particles of waiting_worth(), where threads sleep     */
     WORTH_CALLING = 1500  /* and where they spin                                   */
 };
 
@@ -101,9 +101,16 @@ void waiting_choose(int threads)
         setenv("GOMP_SPINCOUNT", turns, 0);
 }
 
+long waiting_worth(const char *turns)
+{
+    return turns && atol(turns) > 0 ? WORTH_CALLING : WORTH_WAKING;
+}
+
 bool waiting_repays(long n)
 {
-    const char *turns = getenv("GOMP_SPINCOUNT");
+    static long worth; /* the environment is searched once: a right-hand side asks several times */
 
-    return n > (turns && atol(turns) > 0 ? WORTH_CALLING : WORTH_WAKING);
+    if (worth == 0)
+        worth = waiting_worth(getenv("GOMP_SPINCOUNT"));
+    return n > worth;
 }

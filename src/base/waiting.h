@@ -22,8 +22,11 @@ void waiting_choose(int threads);
 /* The same where programs will run side by side: they sleep. */
 void waiting_sleep(void);
 
-/* Does a loop that takes a nanosecond or two for each of n particles repay waking the
- * threads?  Much sooner where they spin, as GOMP_SPINCOUNT says. */
+/* Particles, with a nanosecond or two for each, above which a loop repays waking the threads:
+ * many fewer where they spin.  turns: as GOMP_SPINCOUNT says, NULL where it is not set. */
+long waiting_worth(const char *turns);
+
+/* Does a loop over n such particles?  From the environment at the first call; not within a region. */
 bool waiting_repays(long n);
 
 #endif

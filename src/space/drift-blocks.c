@@ -166,16 +166,29 @@ static void add_all(const struct list *list, struct drift *drift)
     add_kinds(list, drift, false);
 }
 
+/* How many members each block has.  Places follow each other in space, so a block is named by some
+ * in a row, and its count is written once for these: each would wait for the one before. */
+static void count_members(const struct list *list, struct drift *drift)
+{
+    const int *block = drift->block, n = list->listed;
+    int useds = 0;
+
+    for (int s = 0, first = 0; s < n; s++) {
+        if (s + 1 < n && block[s + 1] == block[s])
+            continue;
+        drift->used[useds] = block[s];
+        useds += drift->count[block[s]] == 0; /* else written over */
+        drift->count[block[s]] += s + 1 - first;
+        first = s + 1;
+    }
+    drift->useds = useds;
+}
+
 /* Members of each block, one block after the other, each in the order of places: what is near
  * in space is near in memory. */
 static void gather_members(const struct list *list, struct drift *drift)
 {
-    drift->useds = 0;
-    for (int s = 0; s < list->listed; s++) {
-        const int b = drift->block[s];
-        drift->used[drift->useds] = b; /* without a branch: written over if it is there already */
-        drift->useds += drift->count[b]++ == 0;
-    }
+    count_members(list, drift);
     THREADS(waiting_repays(list->listed / 4), add_all(list, drift));
 }
 
