@@ -13,6 +13,7 @@ enum { USUAL_VECTORS = 20 }; /* of a method that is not known yet: 4 stages */
 
 struct count {
     double fluid, solid; /* particles                                           */
+    double floor, cells; /* solids below the domain; cells over it               */
     double numbers;      /* in y                                                */
     double entries;      /* in the rows of one pair list                        */
     double slots;        /* of a particle, images included                      */
@@ -53,20 +54,51 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* Particles as files have them, and who is in company. */
+/* Of a particle that may be company of others (measure/crowd.c): its row, twice, and cell. */
+enum { COMPANY = 4 + 4 + 8 };
+
+/* Particles as files have them, fluid that is company, and pressures for gauges. */
 static double frames(const struct count *c)
 {
-    const double kind = 1, crowd = 4 + 8 + 2;
+    const double kind = 1, pressures = 8;
 
-    return (c->fluid + c->solid) * ((2 * DIM + 2) * 8 + kind + crowd);
+    return (c->fluid + c->solid) * ((2 * DIM + 2) * 8 + kind) + c->fluid * (COMPANY + pressures);
+}
+
+/* What else may be company, and where it begins in cells. */
+static double company(const struct count *c)
+{
+    return c->floor * COMPANY + 4 * c->cells;
 }
 
 /* While their file is made, it takes no more for each (output/fields-file.c). */
 static double outputs(const struct count *c)
 {
-    const double pairing = 4 + 8 + 16, pressures = 8;
+    const double pairing = 4 + 8 + 16;
 
-    return frames(c) + c->fluid * (pairing + pressures);
+    return frames(c) + company(c) + c->fluid * pairing;
+}
+
+/* Cells of one support over the domain, or fewer (measure/crowd.c). */
+static double cells(const struct plan *p)
+{
+    const double support = p->scales.support, most = 4.0 * p->particles->n + 64;
+    double all = 1;
+
+    for (int d = 0; d < DIM; d++)
+        all *= floor((p->scales.high[d] - p->scales.low[d]) / support + 2) + 1;
+    return fmin(all, most);
+}
+
+/* Solids below the domain, on which water may stand. */
+static double floor_of(const struct plan *p)
+{
+    const struct particles *all = p->particles;
+    double n = 0;
+
+    for (int i = all->from[KIND_WALL]; i < all->n; i++)
+        n += all->x0[i][DIM - 1] < p->scales.low[DIM - 1];
+    return n;
 }
 
 /* Coefficients of pairs, velocities and their sums by place, y of a stage, vectors. */
@@ -144,7 +176,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
               + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
         .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
         .beside = c->solid * 8 * DIM * (c->moves ? 2 : 1), .idle = c->moves ? 0 : c->solid * 8 * 2 * DIM,
-        .outputs = outputs(c), .frames = frames(c),
+        .outputs = outputs(c), .frames = frames(c), .company = company(c),
     };
 }
 
@@ -152,7 +184,7 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
 {
     const double fluid = particles_count(p->particles, KIND_FLUID);
     const struct count c = {
-        .fluid = fluid, .solid = p->particles->n - fluid, .numbers = layout_size(&p->layout),
+        .fluid = fluid, .solid = p->particles->n - fluid, .floor = floor_of(p), .cells = cells(p), .numbers = layout_size(&p->layout),
         .entries = pairs > 0
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
@@ -172,7 +204,7 @@ double plan_memory_sum(const struct plan_memory *m)
 double plan_memory_each(const struct plan *p, bool fluid)
 {
     const struct count c = {
-        .fluid = fluid, .solid = !fluid, .numbers = fluid ? 2 * DIM + 1 : 1,
+        .fluid = fluid, .solid = !fluid, .floor = !fluid, .numbers = fluid ? 2 * DIM + 1 : 1,
         .entries = fluid ? neighbours(p) : neighbours_of_wall(p), .slots = slots(p),
         .vectors = USUAL_VECTORS,
     };

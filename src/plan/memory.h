@@ -20,6 +20,7 @@ struct plan_memory {
     double beside;     /* of these, but for that, of a second moment            */
     double outputs;    /* frames, gauges                                        */
     double frames;     /* of these, what many ranks share                       */
+    double company;    /* of these, what each rank with such a part has         */
 };
 
 /* For a method that holds so many vectors of the size of y.  `pairs`: entries of the list

@@ -99,8 +99,8 @@ static struct items items_of(const struct run *r, const struct rank *rank, doubl
         [PROGRAM] = rank->program + messages + writing, [STATE] = own.state, [LISTS] = own.lists / 2,
         [SUMS] = own.sums - (packed || !first ? rank->absent : 0), [PARTICLES] = own.particles - own.idle,
         [SHARED] = rank->shared,
-        [OUTPUTS] = (first ? own.outputs - own.frames : 0)
-                    + (packed ? own.frames / ranks_count() : first ? own.frames : 0),
+        [OUTPUTS] = (first ? own.outputs - own.frames - own.company : 0)
+                    + (packed ? own.frames / ranks_count() + own.company : first ? own.frames + own.company : 0),
     } };
     if (r->method->room.sparing)
         to.of[STATE] -= 8 * rank->spared * (vectors + (first ? packed : 2));
