@@ -30,27 +30,24 @@ else
     after=0
 fi
 
-# complain COMMIT SUBJECT WHY
-complain() {
-    echo "$1: \"$2\" $3"
-    bad=$((bad + 1))
-}
-
-count=0
 bad=0
 list=$(mktemp) || exit 99
 trap 'rm -f "$list"' EXIT
-git log --no-merges --format='%ct %h %s' "$range" >"$list" || exit 99
-while read -r date commit subject; do
-    [ "$date" -gt "$after" ] || continue
-    count=$((count + 1))
-    printf '%s\n' "$subject" | grep -q '^.\{73\}' &&
-        complain "$commit" "$subject" 'has more than 72 characters'
-    printf '%s\n' "$subject" | grep -q '^[[:upper:]]' ||
-        complain "$commit" "$subject" 'does not begin with a capital letter'
-    printf '%s\n' "$subject" | grep -q '\.$' &&
-        complain "$commit" "$subject" 'ends with a full stop'
-done <"$list"
+git log --no-merges --format='%ct %h %s' "$range" |
+    awk -v after=$after '$1 > after { sub(/^[0-9]* /, ""); print }' >"$list" || exit 99
+count=$(wc -l <"$list")
+
+# complain WHY OPTION... PATTERN: of subjects that match; a commit's name stands before each
+complain() {
+    why=$1
+    shift
+    grep "$@" "$list" || return 0
+    echo "^ $why"
+    bad=$((bad + $(grep -c "$@" "$list")))
+}
+complain 'more than 72 characters' '^[0-9a-f]* .\{73\}'
+complain 'does not begin with a capital letter' -v '^[0-9a-f]* [[:upper:]]'
+complain 'ends with a full stop' '\.$'
 
 echo "commit-subjects: $count commits, $bad complaints"
 [ $bad = 0 ]
