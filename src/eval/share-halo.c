@@ -76,9 +76,9 @@ static bool mark_pressing(struct moment *m, bool *needed)
     memset(read, 0, (size_t)n * sizeof *read);
     press_narrow(m);
     some = wall->part->as.wall->press->reads(wall->self, m->work->press, read);
-    for (int id = 0; id < n && some; id++) {
-        const int row = particles_row_of(m->particles, first + id);
-        needed[row] |= read[id] && !m->share->mine[row];
+    for (const bool *at = read; some && (at = memchr(at, true, (size_t)(read + n - at))); at++) {
+        const int row = particles_row_of(m->particles, first + (int)(at - read));
+        needed[row] |= !m->share->mine[row];
     }
     return some;
 }
@@ -220,21 +220,23 @@ static int request(struct moment *m, int status, struct share_halo *next)
 static int collect(const struct moment *m, const bool *needed, struct share_halo *next)
 {
     const struct moment_share *s = m->share;
-    size_t numbers = 0;
-    int n = 0;
+    size_t numbers = 0, all = 0;
 
-    for (int i = 0; i < s->n; i++)
-        if (needed[i]) {
-            n++;
-            numbers += (size_t)share_width(kind_of(m, i));
-        }
-    next->row = status_alloc((size_t)n + 1, sizeof *next->row);
+    for (int k = 0; k < KINDS; k++) {
+        size_t n = 0;
+        for (int i = m->particles->from[k]; i < m->particles->from[k + 1]; i++)
+            n += needed[i];
+        all += n;
+        numbers += n * (size_t)share_width(k);
+    }
+    next->row = status_alloc(all + 1, sizeof *next->row);
     next->in = status_alloc(numbers + 1, sizeof *next->in);
     if (!next->row || !next->in)
         return STATUS_FAILED;
-    for (int i = 0; i < s->n; i++)
-        if (needed[s->row[i]])
-            next->row[next->n++] = s->row[i];
+    for (int r = 0; r < s->ranks; r++)
+        for (int i = s->from[r][0]; r != s->me && i < s->from[r][KINDS]; i++)
+            if (needed[s->row[i]])
+                next->row[next->n++] = s->row[i];
     return STATUS_DONE;
 }
 
