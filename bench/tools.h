@@ -34,9 +34,9 @@ void bench_threads(int n);
 void bench_start(char **argv);
 
 /* Loops for several threads, so far: how many, and, while regions are alone, the time that their
- * calling thread was in them [s].  Needs bench/regions.c and the linker's --wrap=GOMP_parallel; a loop that its
- * `if` denies threads is none.  0 with other compilers than gcc.  Half of the two looks at the clock
- * that each of them takes is inside, half outside. */
+ * calling thread was in them [s].  Needs bench/regions.c and the linker's --wrap=GOMP_parallel; a
+ * loop that its `if` denies threads is none.  0 with other compilers than gcc.  Half of the two
+ * looks at the clock that each of them takes is inside, half outside. */
 struct bench_regions {
     long n;
     double inside;

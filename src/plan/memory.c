@@ -184,7 +184,8 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
 {
     const double fluid = particles_count(p->particles, KIND_FLUID);
     const struct count c = {
-        .fluid = fluid, .solid = p->particles->n - fluid, .floor = floor_of(p), .cells = cells(p), .numbers = layout_size(&p->layout),
+        .fluid = fluid, .solid = p->particles->n - fluid, .floor = floor_of(p), .cells = cells(p),
+        .numbers = layout_size(&p->layout),
         .entries = pairs > 0
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
