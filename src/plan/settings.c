@@ -49,7 +49,7 @@ const struct param settings_params[] = {
       .about = "how solids meet the fluid (see `list walls`)" },
     { .key = "precision", .unit = "", .type = PARAM_WORD, AT(settings, precision),
       .words = precision_words, .about = "of what pairs of particles give; all else is double. "
-      "single takes 0.8 to 0.9 of the time, is as good as double down to tol 1e-3, below which it buys "
+      "single takes 0.75 to 0.85 of the time, is as good as double down to tol 1e-3, below which it buys "
       "nothing, and rounds momentum" },
     { 0 },
 };
