@@ -32,9 +32,9 @@ fi
 
 bad=0
 list=$(mktemp) || exit 99
-trap 'rm -f "$list"' EXIT
-git log --no-merges --format='%ct %h %s' "$range" |
-    awk -v after=$after '$1 > after { sub(/^[0-9]* /, ""); print }' >"$list" || exit 99
+trap 'rm -f "$list" "$list.all"' EXIT
+git log --no-merges --format='%ct %h %s' "$range" >"$list.all" || exit 99
+awk -v after=$after '$1 > after { sub(/^[0-9]* /, ""); print }' "$list.all" >"$list" || exit 99
 count=$(wc -l <"$list")
 
 # complain WHY OPTION... PATTERN: of subjects that match; a commit's name stands before each
