@@ -349,10 +349,12 @@ static double serial_share(struct water *w, double *regions)
 }
 
 /* Wall time of one thread over that of two, in turn, and CPU time likewise; and the least time of
- * one over the least of two, which other guests of a machine disturb less. */
+ * one over the least of two, which other guests of a machine disturb less.  And how far apart the
+ * cores are: a host that moves them changes what threads are worth. */
 static void two_threads(const struct water_def *def)
 {
     double wall[BENCH_REPEATS], cpu[BENCH_REPEATS], least[2] = { HUGE_VAL, HUGE_VAL }, regions;
+    double apart[BENCH_REPEATS];
     struct water w;
 
     water_make(&w, def);
@@ -371,16 +373,18 @@ static void two_threads(const struct water_def *def)
         }
         wall[r] = took[0] / took[1];
         cpu[r] = used[1] / used[0];
+        apart[r] = bench_apart();
     }
     bench_threads(1);
     const struct bench_times a = bench_sort(wall, BENCH_REPEATS);
-    const struct bench_times c = bench_sort(cpu, BENCH_REPEATS);
+    const struct bench_times c = bench_sort(cpu, BENCH_REPEATS), d = bench_sort(apart, BENCH_REPEATS);
     const double serial = serial_share(&w, &regions);
     printf("two threads, %6d particles, %s: %.2f times as fast (%.2f-%.2f), by least times %.1f/%.1f ns "
-           "= %.2f, CPU time %.2f-fold (%.2f-%.2f), %.1f loops, serial %.1f %%\n", w.all,
+           "= %.2f, CPU time %.2f-fold (%.2f-%.2f), %.1f loops, serial %.1f %%, ", w.all,
            def->single ? "single" : "double", a.median, a.least, a.most,
            1e9 * least[0] / CALLS / w.all, 1e9 * least[1] / CALLS / w.all, least[0] / least[1],
            c.median, c.least, c.most, regions, 100 * serial);
+    printf("cores %.0f ns apart (%.0f-%.0f)\n", 1e9 * d.median, 1e9 * d.least, 1e9 * d.most);
     water_free(&w);
 }
 

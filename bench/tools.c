@@ -4,6 +4,8 @@
 #include "base/status.h"
 #include "base/waiting.h"
 
+#include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -75,6 +77,45 @@ void bench_threads(int n)
     (void)n;
 #endif
 }
+
+#ifdef _OPENMP
+/* This thread says 1, 3, ..; the other answers with 2, 4, .. */
+static void say(atomic_int *last, int turns)
+{
+    const int me = omp_get_thread_num();
+
+    for (int i = 0; i < turns; i++) {
+        while (atomic_load(last) != 2 * i + me)
+            ;
+        atomic_store(last, 2 * i + me + 1);
+    }
+}
+
+double bench_apart(void)
+{
+    enum { TURNS = 500, TIMES = 5 };
+    double least = HUGE_VAL;
+
+    for (int k = 0; k < TIMES; k++) {
+        _Alignas(64) atomic_int last = 0;
+        double took = 0;
+
+#pragma omp parallel num_threads(2) reduction(max : took)
+        if (omp_get_num_threads() == 2) {
+            const double start = bench_wall();
+            say(&last, TURNS);
+            took = bench_wall() - start;
+        }
+        least = fmin(least, took / TURNS);
+    }
+    return least;
+}
+#else
+double bench_apart(void)
+{
+    return 0;
+}
+#endif
 
 void bench_start(char **argv)
 {

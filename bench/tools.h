@@ -29,6 +29,11 @@ uint64_t bench_hash(uint64_t hash, const void *bytes, size_t n);
 
 void bench_threads(int n);
 
+/* What one thread writes, seen by another that answers, seen by the first [s], the least mean of
+ * some: some 0.1 microseconds where their cores have a cache in common, several times that where
+ * not.  0 without OpenMP. */
+double bench_apart(void);
+
 /* First of all: one thread, and threads that wait as in the real program, which looks for
  * free cores (base/waiting.h).  Means starting once more. */
 void bench_start(char **argv);

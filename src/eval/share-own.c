@@ -44,11 +44,11 @@ static bool is_quiet(const struct list *list, const double *was, int row, const 
 
     for (int i = 0; i < STRETCH; i++)
         left_out |= list->slot[row + i];
-    for (int i = 0; i < STRETCH * DIM && moved; i += DIM)
+    if (!moved)
+        return left_out >= 0 && reach_all_within(x, was, STRETCH, list->def.skin / 2);
+    for (int i = 0; i < STRETCH * DIM; i += DIM)
         reach_take(&r, coords_at(x + i));
-    for (int i = 0; i < STRETCH * DIM && !moved; i += DIM)
-        reach_take(&r, less(coords_at(x + i), coords_at(was + i)));
-    return left_out >= 0 && reach_within(&r, moved ? anywhere : list->def.skin / 2);
+    return left_out >= 0 && reach_within(&r, anywhere);
 }
 
 /* At n rows from `row` on; x, was: of the first, now and when the list was made. */

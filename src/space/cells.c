@@ -6,6 +6,7 @@
 
 #include "base/status.h"
 #include "base/threads.h"
+#include "space/coords.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -20,28 +21,26 @@ enum { WORTH_THREADS = 4096 };
 
 /* A box around particles, and how many they are. */
 struct around {
-    double low[DIM], high[DIM];
+    coords low, high;
     int inside;
 };
 
-static void widen(struct around *to, const double *low, const double *high, int inside)
+static inline void widen(struct around *to, coords low, coords high, int inside)
 {
-    for (int d = 0; d < DIM; d++) {
-        to->low[d] = low[d] < to->low[d] ? low[d] : to->low[d];
-        to->high[d] = high[d] > to->high[d] ? high[d] : to->high[d];
-    }
+    to->low = lesser(low, to->low);
+    to->high = larger(high, to->high);
     to->inside += inside;
 }
 
 static struct around nothing(void)
 {
-    struct around none = { .inside = 0 };
+    double low[DIM], high[DIM];
 
     for (int d = 0; d < DIM; d++) {
-        none.low[d] = INFINITY;
-        none.high[d] = -INFINITY;
+        low[d] = INFINITY;
+        high[d] = -INFINITY;
     }
-    return none;
+    return (struct around){ coords_at(low), coords_at(high), 0 };
 }
 
 /* Rows of a kind that are here, of all or of some. */
@@ -65,6 +64,7 @@ static inline int row_at(const struct rows *rows, int k)
 
 void cells_leave_out(struct list *list, int row)
 {
+    list->own->sorted = 0;
     list->slot[row] = -1;
     for (int d = 0; d < DIM && !list->whole; d++)
         list->own->built[(size_t)DIM * (size_t)row + (size_t)d] = INFINITY;
@@ -75,15 +75,16 @@ static void mark_part(struct list *list, const struct cloud *cloud, int kind, st
 {
     const struct rows rows = rows_here(list, kind);
     const struct threads_part part = threads_part(rows.n);
+    const double *home = list_homes(list, cloud, kind);
     struct around mine = nothing();
 
     for (int k = part.from; k < part.to; k++) {
         const int i = row_at(&rows, k);
-        const double *x = list_home(list, cloud, kind, i);
+        const double *x = home + (size_t)DIM * (size_t)(i - list->def.from[kind]);
 
         list->slot[i] = list_inside(&list->def, x) ? 0 : -1;
         if (list->slot[i] == 0)
-            widen(&mine, x, x, 1);
+            widen(&mine, coords_at(x), coords_at(x), 1);
     }
     THREADS_IN_TURN(widen(all, mine.low, mine.high, mine.inside));
 }
@@ -94,8 +95,8 @@ static int bounds(struct list *list, const struct cloud *cloud, int kind, double
     struct around all = nothing();
 
     THREADS(rows_here(list, kind).n > WORTH_THREADS, mark_part(list, cloud, kind, &all));
-    memcpy(low, all.low, sizeof all.low);
-    memcpy(high, all.high, sizeof all.high);
+    coords_put(all.low, low);
+    coords_put(all.high, high);
     return all.inside;
 }
 
@@ -129,10 +130,11 @@ int cells_grid(struct list *list, struct cells *c, const double *high, double n)
     size_t cells = 0;
 
     memset(c->n, 0, sizeof c->n);
+    c->farthest = 0;
     if (n > 0) {
         cells = cells_shape(list, c, high, n);
         for (int d = 0; d < DIM; d++)
-            list->own->farthest = fmax(list->own->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
+            c->farthest = fmax(c->farthest, fmax(fabs(c->low[d]), fabs(high[d])));
     }
     if (!list_grow((void **)&c->start, &c->room, cells + 2, sizeof *c->start))
         return list_no_memory(list);
@@ -173,11 +175,12 @@ static void rank_part(struct list *list, const struct cloud *cloud, int kind,
 {
     const struct rows rows = rows_here(list, kind);
     const struct threads_part part = threads_part(rows.n);
+    const double *home = list_homes(list, cloud, kind);
 
     for (int k = part.from; k < part.to; k++) {
         const int i = row_at(&rows, k);
         if (list->slot[i] >= 0)
-            list->slot[i] = cells_rank(c, list_home(list, cloud, kind, i));
+            list->slot[i] = cells_rank(c, home + (size_t)DIM * (size_t)(i - list->def.from[kind]));
     }
 }
 
@@ -241,40 +244,56 @@ static void note_part(struct list *list, const struct cloud *cloud, int kind)
 {
     const struct rows rows = rows_here(list, kind);
     const struct threads_part part = threads_part(rows.n);
+    const double *home = list_homes(list, cloud, kind);
 
     for (int k = part.from; k < part.to; k++) {
-        const int i = row_at(&rows, k);
-        const double *x = cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]);
+        const int i = row_at(&rows, k), slot = list->slot[i];
+        const size_t at = (size_t)DIM * (size_t)(i - list->def.from[kind]);
         double *built = list->own->built + (size_t)DIM * (size_t)i;
 
         for (int d = 0; d < DIM; d++)
-            built[d] = list->slot[i] < 0 ? INFINITY : x[d];
-        if (list->slot[i] >= 0)
-            cells_note(list, list->slot[i], list_home(list, cloud, kind, i));
+            built[d] = slot < 0 ? INFINITY : cloud->x[kind][at + (size_t)d];
+        if (slot >= 0)
+            cells_note(list, slot, home + at);
     }
 }
 
+static int sort_kind(struct list *list, const struct cloud *cloud, int kind)
+{
+    struct cells *c = &list->own->cells[kind];
+    double high[DIM];
+    const int inside = bounds(list, cloud, kind, c->low, high);
+    double n = inside;
+
+    if (list->whole) {
+        const struct list_bounds *all = &list->whole->of[kind];
+        memcpy(c->low, all->low, sizeof c->low);
+        memcpy(high, all->high, sizeof high);
+        n = all->n;
+    }
+    TRY(cells_grid(list, c, high, n));
+    count(list, cloud, kind, c);
+    place(list, cloud, kind, c);
+    THREADS(rows_here(list, kind).n > WORTH_THREADS, note_part(list, cloud, kind));
+    list->start[kind + 1] = list->start[kind] + inside;
+    return STATUS_DONE;
+}
+
+/* Those that stand still, behind as many others as before, keep their places. */
 int cells_sort(struct list *list, const struct cloud *cloud)
 {
-    list->start[0] = 0;
-    list->own->farthest = 0;
-    for (int kind = 0; kind < KINDS; kind++) {
-        struct cells *c = &list->own->cells[kind];
-        double high[DIM];
-        const int inside = bounds(list, cloud, kind, c->low, high);
-        double n = inside;
+    const unsigned sorted = list->own->sorted;
+    int was[KINDS + 1];
 
-        if (list->whole) {
-            const struct list_bounds *all = &list->whole->of[kind];
-            memcpy(c->low, all->low, sizeof c->low);
-            memcpy(high, all->high, sizeof high);
-            n = all->n;
-        }
-        TRY(cells_grid(list, c, high, n));
-        count(list, cloud, kind, c);
-        place(list, cloud, kind, c);
-        THREADS(rows_here(list, kind).n > WORTH_THREADS, note_part(list, cloud, kind));
-        list->start[kind + 1] = list->start[kind] + inside;
+    memcpy(was, list->start, sizeof was);
+    list->own->sorted = 0;
+    list->start[0] = 0;
+    for (int kind = 0; kind < KINDS; kind++) {
+        if ((sorted & KIND_BIT(kind)) && list_is_still(list, kind) && list->start[kind] == was[kind])
+            list->start[kind + 1] = was[kind + 1];
+        else
+            TRY(sort_kind(list, cloud, kind));
+        list->own->sorted |= KIND_BIT(kind);
     }
     return STATUS_DONE;
 }

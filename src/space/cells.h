@@ -18,6 +18,7 @@ struct cells {
     int n[DIM];           /* cells; all 0: no particles                      */
     int *start;           /* [cells+1] first place of a cell                 */
     size_t room;          /* entries allocated in start                      */
+    double farthest;      /* from 0, of a coordinate              [m]        */
 };
 
 /* A box of cells. */

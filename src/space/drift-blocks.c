@@ -57,6 +57,7 @@ static int make_room(const struct list *list, struct drift *drift, size_t blocks
     const size_t all = (size_t)list->listed + 1;
 
     if (list_grow((void **)&drift->block, &drift->room.block, all, sizeof *drift->block)
+        && list_grow((void **)&drift->run, &drift->room.run, all, sizeof *drift->run)
         && list_grow((void **)&drift->member, &drift->room.member, all, sizeof *drift->member)
         && list_grow((void **)&drift->row, &drift->room.row, all, sizeof *drift->row)
         && list_grow((void **)&drift->was, &drift->room.was, all, sizeof *drift->was)
@@ -112,34 +113,41 @@ static void find_blocks(const struct list *list, const struct cloud *cloud, stru
         }
 }
 
-/* The places from..to-1 become members of their blocks, those of this thread. */
-static void add_members(const struct list *list, struct drift *drift, int from, int to, bool moves)
+/* The n places from `from` on become members of block b. */
+static void add_run(const struct list *list, struct drift *drift, int b, int from, int n)
+{
+    const int m = drift->end[b];
+
+    drift->end[b] += n;
+    for (int k = 0; k < n; k++) {
+        drift->member[m + k] = from + k;
+        drift->row[m + k] = list->order[from + k];
+        memcpy(drift->was[m + k], list->own->built + (size_t)drift->row[m + k] * DIM, sizeof *drift->was);
+    }
+}
+
+/* Runs of a kind, those of this thread. */
+static void add_runs(const struct list *list, struct drift *drift, int kind, bool moves)
 {
     const int me = threads_me();
 
-    for (int s = from; s < to; s++) {
-        const int b = drift->block[s];
+    for (int r = drift->run_from[kind]; r < drift->run_from[kind + 1]; r++) {
+        const int from = drift->run[r], n = drift->run[r + 1] - from, b = drift->block[from];
 
         if (drift->thread[b] != me)
             continue;
-        const int m = drift->end[b]++;
-        drift->first[b] += s < list->start[1];
-        drift->moving[b] += moves;
-        drift->member[m] = s;
-        drift->row[m] = list->order[s];
-        memcpy(drift->was[m], list->own->built + (size_t)drift->row[m] * DIM, sizeof *drift->was);
+        drift->first[b] += kind == 0 ? n : 0;
+        drift->moving[b] += moves ? n : 0;
+        add_run(list, drift, b, from, n);
     }
 }
 
 /* Of kinds that move, or of those that do not. */
 static void add_kinds(const struct list *list, struct drift *drift, bool moves)
 {
-    for (int kind = 0; kind < KINDS; kind++)
-        if (list_is_still(list, kind) != moves)
-            add_members(list, drift, list->start[kind], list->start[kind + 1], moves);
-    for (int kind = 0; kind < KINDS; kind++)
-        if (list_is_still(list, kind) != moves)
-            add_members(list, drift, list->image[kind], list->image[kind + 1], moves);
+    for (int k = 0; k < 2 * KINDS; k++)
+        if (list_is_still(list, k % KINDS) != moves)
+            add_runs(list, drift, k, moves);
 }
 
 /* Shares blocks out to threads, by members; tells each where its members begin. */
@@ -166,22 +174,36 @@ static void add_all(const struct list *list, struct drift *drift)
     add_kinds(list, drift, false);
 }
 
-/* How many members each block has.  Places follow each other in space, so a block is named by some
- * in a row, and its count is written once for these: each would wait for the one before. */
+/* Of the places from..to-1: runs, and how many members each block has. */
+static void count_range(struct drift *drift, int from, int to, int *runs)
+{
+    const int *block = drift->block;
+
+    for (int s = from; s < to;) {
+        const int b = block[s], first = s;
+
+        while (++s < to && block[s] == b)
+            ;
+        drift->run[(*runs)++] = first;
+        drift->used[drift->useds] = b;
+        drift->useds += drift->count[b] == 0; /* else written over */
+        drift->count[b] += s - first;
+    }
+}
+
+/* Places follow each other in space, so a block is named by some in a row.  These are found once:
+ * if places were counted and added one by one, each would wait for the one before. */
 static void count_members(const struct list *list, struct drift *drift)
 {
-    const int *block = drift->block, n = list->listed;
-    int useds = 0;
+    int runs = 0;
 
-    for (int s = 0, first = 0; s < n; s++) {
-        if (s + 1 < n && block[s + 1] == block[s])
-            continue;
-        drift->used[useds] = block[s];
-        useds += drift->count[block[s]] == 0; /* else written over */
-        drift->count[block[s]] += s + 1 - first;
-        first = s + 1;
+    for (int k = 0; k < 2 * KINDS; k++) {
+        const int *start = k < KINDS ? list->start + k : list->image + k - KINDS;
+        drift->run_from[k] = runs;
+        count_range(drift, start[0], start[1], &runs);
     }
-    drift->useds = useds;
+    drift->run_from[2 * KINDS] = runs;
+    drift->run[runs] = list->listed;
 }
 
 /* Members of each block, one block after the other, each in the order of places: what is near
@@ -278,6 +300,7 @@ bool drift_is_near(const struct list *list, int place)
 void drift_free(struct drift *drift)
 {
     free(drift->block);
+    free(drift->run);
     free(drift->member);
     free(drift->row);
     free(drift->thread);

@@ -18,7 +18,7 @@ enum { DRIFT_FARTHEST = 2 }; /* displacement that blocks allow for [margins] */
 
 /* Entries allocated in the arrays of these names. */
 struct drift_room {
-    size_t block, member, row, was, end, count, first, moving, thread, used, range;
+    size_t block, run, member, row, was, end, count, first, moving, thread, used, range;
 };
 
 /* Blocks are so wide that particles that may meet stand in one block or in two that
@@ -28,6 +28,9 @@ struct drift {
     double per_metre[DIM]; /* blocks                               [1/m]     */
     int n[DIM];            /* blocks; the outermost are empty                */
     int *block;            /* [places] where each stood                      */
+    int *run;              /* [runs + 1] first places of runs, which have one block and kind;
+                              the last is `listed`                           */
+    int run_from[2 * KINDS + 1]; /* runs of each kind, then of images of each */
     int *member;           /* [places] places, block by block                */
     int *row;              /* [places] rows of the members                   */
     double (*was)[DIM];    /* [places] where the particles of members were   [m] */

@@ -5,9 +5,7 @@
 
 const double *list_home(const struct list *list, const struct cloud *cloud, int kind, int row)
 {
-    if (list->own->images.home)
-        return list->own->images.home[row];
-    return cloud->x[kind] + (size_t)DIM * (size_t)(row - list->def.from[kind]);
+    return list_homes(list, cloud, kind) + (size_t)DIM * (size_t)(row - list->def.from[kind]);
 }
 
 void list_widen(struct list_bounds *to, const struct list_bounds *by)

@@ -40,7 +40,7 @@ struct list_private {
                             it: built, or own->images.home                   */
     size_t order_room, place_room[LIST_WORDS], offset_room;
     double per_metre;   /* units of a place                         [1/m]    */
-    double farthest;    /* from 0, of a coordinate                    [m]    */
+    unsigned sorted;    /* kinds whose places are those of `built`, KIND_BITs */
     struct cells cells[KINDS];
     struct cells image_cells[KINDS];
     struct images images;
@@ -71,6 +71,12 @@ int list_rearrange(struct list *list, const int *const from[KINDS],
 static inline bool list_is_still(const struct list *list, int kind)
 {
     return (list->def.still & KIND_BIT(kind)) && (!list->mine || list->whole);
+}
+
+/* Where rows of a kind stand as the list sees them, [rows of the kind][DIM]. */
+static inline const double *list_homes(const struct list *list, const struct cloud *cloud, int kind)
+{
+    return list->own->images.home ? list->own->images.home[list->def.from[kind]] : cloud->x[kind];
 }
 
 /* Room for `want` entries in all in an array that grows by half at least;

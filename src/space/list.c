@@ -1,5 +1,6 @@
 /* list.c -- the pair list but for its rows: freshness, rebuilding. */
 #include "space/list-private.h"
+#include "space/reach.h"
 
 #include "base/status.h"
 #include "base/threads.h"
@@ -29,16 +30,24 @@ static void look_closer(const struct list *list, int i, const double *x, struct 
     c->back |= list->slot[i] < 0 && list_inside(&list->def, x);
 }
 
-/* Displacements of particles of one kind, x of the first; `built` of those left out is infinite. */
+/* Displacements of particles of one kind, x of the first; `built` of those left out is infinite.  Most
+ * are near, and asked together. */
 static void check_range(const struct list *list, const double *x, int from, int to,
                         struct check *c)
 {
+    enum { STRETCH = 64 };
     const double *built = list->own->built + (size_t)DIM * (size_t)from;
     const double limit = list->def.skin / 2;
 
-    for (int i = from; i < to; i++, x += DIM, built += DIM)
-        if (!(list_square(x, built) <= limit * limit))
-            look_closer(list, i, x, c);
+    for (; from < to; from += STRETCH, x += STRETCH * DIM, built += STRETCH * DIM) {
+        const int n = to - from < STRETCH ? to - from : STRETCH;
+
+        if (reach_all_within(x, built, n, limit))
+            continue;
+        for (int k = 0; k < n; k++)
+            if (!(list_square(x + (size_t)k * DIM, built + (size_t)k * DIM) <= limit * limit))
+                look_closer(list, from + k, x + (size_t)k * DIM, c);
+    }
 }
 
 /* Part t of `of`. */
@@ -218,12 +227,14 @@ static int sort(struct list *list, const struct cloud *cloud)
 static void find_rows(struct list *list, list_rows *rows, int before)
 {
     const int t = threads_me(), of = threads_all();
-    struct list_store *store = list->own->store;
+    struct list_store *store = list->own->store, mine; /* two in an array share a line of the cache */
 
 #pragma omp single nowait
     share_groups(list, before, of);
     threads_meet();
-    rows(list, &store[t], store[t].from, t + 1 < of ? store[t + 1].from : list->groups);
+    mine = store[t];
+    rows(list, &mine, mine.from, t + 1 < of ? store[t + 1].from : list->groups);
+    store[t] = mine;
 }
 
 int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)

@@ -3,6 +3,8 @@
  *     struct reach r = reach_none();
  *     reach_take(&r, displacement);            of each
  *     if (!reach_within(&r, limit))            one went further, or nowhere, or only the box is too large
+ *
+ * or, of n from where they were, !reach_all_within(x, was, n, limit).
  */
 #ifndef SPACE_REACH_H
 #define SPACE_REACH_H
@@ -37,6 +39,16 @@ static inline void reach_take(struct reach *r, coords moved)
 static inline bool reach_within(const struct reach *r, double limit)
 {
     return length2(larger(less(reach_none().sum, r->least), r->most)) <= limit * limit && length2(r->sum) >= 0;
+}
+
+/* x, was: [n][DIM]. */
+static inline bool reach_all_within(const double *x, const double *was, int n, double limit)
+{
+    struct reach r = reach_none();
+
+    for (int i = 0; i < n * DIM; i += DIM)
+        reach_take(&r, less(coords_at(x + i), coords_at(was + i)));
+    return reach_within(&r, limit);
 }
 
 #endif

@@ -32,8 +32,10 @@ int list_rearrange(struct list *list, const int *const from[KINDS],
     for (int kind = 0; kind < KINDS; kind++) {
         double *built = list->own->built + (size_t)list->def.from[kind] * DIM;
 
-        if (from[kind])
+        if (from[kind]) {
             move_rows(built, list->def.from[kind + 1] - list->def.from[kind], from[kind], scratch);
+            list->own->sorted &= ~KIND_BIT(kind);
+        }
         cloud.x[kind] = built;
         cloud.row[kind] = row[kind];
     }

@@ -36,6 +36,16 @@ static void take_window(struct scan *s, const struct cells *c, const struct cell
     }
 }
 
+/* From 0, of a coordinate of any particle or image [m]. */
+static double farthest(const struct list *list)
+{
+    double far = 0;
+
+    for (int kind = 0; kind < KINDS; kind++)
+        far = fmax(far, fmax(list->own->cells[kind].farthest, list->own->image_cells[kind].farthest));
+    return far;
+}
+
 /* Places are whole, so a distance is off by 2 sqrt(3) units at most; products of
  * coordinates are rounded. */
 void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
@@ -43,7 +53,7 @@ void scan_start(struct scan *s, const struct list *list, int *near, size_t room)
     const double radius = list->def.support + list->def.skin;
 
     s->list = list;
-    s->wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * list->own->farthest / radius) + 4;
+    s->wide = LIST_UNITS * (1 + 4 * DBL_EPSILON * farthest(list) / radius) + 4;
     s->reach = s->wide / list->own->per_metre;
     s->bound = (int)fmin(s->wide * s->wide, FARTHEST);
     for (int l = 0; l < LANES; l++)
