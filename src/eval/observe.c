@@ -215,7 +215,7 @@ void observe_near(struct moment *run, double t, const double *y, struct view *v)
         return;
     }
     moment_view(run, t, y, v);
-    v->x[KIND_FLUID] = s->now.x;
+    v->x[KIND_FLUID] = s->now.x; /* own ones, too: share_look() */
     v->others = particles_count(v->p, KIND_FLUID) - moment_rows_of(run, KIND_FLUID);
     v->mine = s->mine;
     v->near = s->near.seen;

@@ -36,10 +36,11 @@ static void write_place(double *r, const double *x, const double *offset)
 }
 
 /* What stands outside of the box since the list was made. */
-static void send_away(const struct moment *m, const struct record_source *of, int from, int to)
+static void send_away(const struct moment *m, const struct view *v, int k, const struct record_source *of,
+                      int from, int to)
 {
     for (int s = from; s < to; s++)
-        if (!list_inside(of->def, of->x + (size_t)(of->order[s] - of->first) * DIM))
+        if (!list_inside(of->def, view_x(v, k, of->order[s] - of->first)))
             pack_far(m->plan, s + 1, m->work->record + (size_t)s * RECORD);
 }
 
@@ -70,6 +71,7 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
         .order = m->list->order, .first = v->p->from[k], .x = v->x[k], .u = v->u[k],
         .m = v->p->m, .mass = p->table.mass, .rho = v->rho[k], .rho0 = p->scales.rho0,
         .bounds = { m->density[0], m->density[1] },
+        .beyond = k == KIND_FLUID ? v->beyond : (struct rows_beyond){ 0 },
         .offset = (const double (*)[DIM])m->list->offset, .def = &p->list_def,
     };
     double rho[CHUNK], press[CHUNK];
@@ -84,7 +86,7 @@ static int pack_chunk(const struct moment *m, const struct view *v, int k, int f
     if (v->p2[k])
         put_pressure(&of, from, to, v->p2[k], m->work->record);
     if (!inside)
-        send_away(m, &of, from, to);
+        send_away(m, v, k, &of, from, to);
     return -1;
 }
 
@@ -101,10 +103,10 @@ static void copy_chunk(const struct moment *m, const struct view *v, int k, int 
         original[s - from] = m->work->record + (size_t)l->slot[c] * RECORD;
         __builtin_prefetch(original[s - from]);
         __builtin_prefetch(original[s - from] + RECORD - 1);
-        __builtin_prefetch(v->x[k] + (size_t)(c - v->p->from[k]) * DIM);
+        __builtin_prefetch(view_x(v, k, c - v->p->from[k]));
     }
     for (int s = from; s < to; s++) {
-        const double *x = v->x[k] + (size_t)(l->order[s] - v->p->from[k]) * DIM;
+        const double *x = view_x(v, k, l->order[s] - v->p->from[k]);
         double *r = m->work->record + (size_t)s * RECORD;
         if (!list_inside(&p->list_def, x)) { /* already far, but its image is not */
             pack_far(p, s + 1, r);
@@ -130,7 +132,7 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     const int c = m->list->order[slot];
     const struct object *o = &v->p->object[v->p->object_of[c]];
     const int particle = particles_id_of(v->p, c);
-    const double rho = v->rho[o->kind][c - v->p->from[o->kind]];
+    const double rho = *view_rho(v, o->kind, c - v->p->from[o->kind]);
     char place[PLAN_PLACE];
 
     moment_place(m, v, c, place);

@@ -39,7 +39,7 @@ int share_look(struct moment *m, double t, const double *y)
     m->own = m->list = run->own;
     status = rates_eval(m, &ASK_ALL, t, y, m->work->rates, NULL, NULL);
     if (status == STATUS_DONE)
-        share_see_near(m);
+        share_see_near(m, y + layout_at(&m->layout, m->plan->row.x));
     m->share = NULL;
     m->own = m->list = own;
     if (s->near.made_aside)

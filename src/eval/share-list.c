@@ -31,20 +31,25 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
 static void pack_halo(struct moment_share *s, const struct view *v)
 {
     enum { AHEAD = 16 };
+    const double *x = v->x[KIND_FLUID], *u = v->u[KIND_FLUID];
+    const double *rho = v->rho[KIND_FLUID] ? v->rho[KIND_FLUID] : s->now.rho;
+    const int fluid = v->p->from[KIND_FLUID + 1];
     double *to = s->halo.sent;
 
     for (int i = 0; i < s->halo.leaves; i++) {
         const size_t row = (size_t)s->halo.out[i];
         const size_t later = (size_t)s->halo.out[i + AHEAD < s->halo.leaves ? i + AHEAD : i];
-        __builtin_prefetch(s->now.x + later * DIM);
-        __builtin_prefetch(s->now.u + later * DIM);
-        __builtin_prefetch(s->now.rho + later);
-        if (s->halo.out[i] < v->p->from[KIND_FLUID + 1]) {
-            memcpy(to, s->now.x + row * DIM, DIM * sizeof *to);
-            memcpy(to + DIM, s->now.u + row * DIM, DIM * sizeof *to);
-            to += 2 * DIM;
+        if (s->halo.out[i] >= fluid) {
+            *to++ = s->now.rho[row];
+            continue;
         }
-        *to++ = s->now.rho[row];
+        __builtin_prefetch(x + later * DIM);
+        __builtin_prefetch(u + later * DIM);
+        __builtin_prefetch(rho + later);
+        memcpy(to, x + row * DIM, DIM * sizeof *to);
+        memcpy(to + DIM, u + row * DIM, DIM * sizeof *to);
+        to[2 * DIM] = rho[row];
+        to += SHARE_HALO;
     }
 }
 
@@ -66,12 +71,19 @@ static void hear_halo(struct moment_share *s, const struct view *v)
     }
 }
 
-/* What is in y is read where the halo is, too, from now on. */
-static void look_at_share(const struct moment_share *s, struct view *v)
+/* Own fluid stays where y has it, where it comes first: others are beyond.  All else is read where
+ * the halo is, too, from now on. */
+static void look_at_share(const struct moment *m, struct view *v)
 {
-    v->x[KIND_FLUID] = s->now.x;
-    v->u[KIND_FLUID] = s->now.u;
-    for (int k = 0; k < KINDS; k++)
+    const struct moment_share *s = m->share;
+
+    if (s->packed) {
+        v->beyond = (struct rows_beyond){ s->now.x, s->now.u, s->now.rho, moment_rows_of(m, KIND_FLUID) };
+    } else {
+        v->x[KIND_FLUID] = s->now.x;
+        v->u[KIND_FLUID] = s->now.u;
+    }
+    for (int k = s->packed ? KIND_WALL : KIND_FLUID; k < KINDS; k++)
         if (v->rho[k])
             v->rho[k] = s->now.rho + v->p->from[k];
 }
@@ -137,7 +149,8 @@ static bool is_stale(struct moment *m, const struct cloud *cloud, const double *
     return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, m->share->now.x));
 }
 
-static int keep_list(struct moment *m, const struct cloud *cloud, const struct share_seen *l, const double *flag)
+static int keep_list(struct moment *m, const struct view *v, const struct cloud *cloud,
+                     const struct share_seen *l, const double *flag)
 {
     struct moment_share *s = m->share;
 
@@ -149,6 +162,9 @@ static int keep_list(struct moment *m, const struct cloud *cloud, const struct s
     }
     if (flag[2] > 0)
         return refuse_nowhere(m, l->bad);
+    if (fmax(flag[0], flag[1]) == 0)
+        return STATUS_DONE;
+    share_place(m, v->x[KIND_FLUID]);
     return is_stale(m, cloud, flag) ? share_make(m, cloud, s->now.x) : STATUS_DONE;
 }
 
@@ -165,7 +181,7 @@ static int ask(struct evaluation *e, struct cloud *cloud, struct share_seen *l, 
     const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, l->refuses, e->t, -e->t,
                                  s->heard.brings };
     memcpy(flag, mine, sizeof mine);
-    look_at_share(s, v);
+    look_at_share(m, v);
     cloud->x[KIND_FLUID] = s->now.x;
     ranks_most(FLAGS, flag);
     s->near.far = s->near.far || flag[0] > 0;
@@ -196,7 +212,7 @@ int share_list(struct evaluation *e, struct cloud *cloud)
     if (m->share->full)
         return remake(m, cloud);
     TRY(ask(e, cloud, &l, flag));
-    TRY(keep_list(m, cloud, &l, flag));
+    TRY(keep_list(m, &e->view, cloud, &l, flag));
     return hear(m, &e->view);
 }
 
@@ -209,6 +225,7 @@ int share_list_beside(struct evaluation *e, struct cloud *cloud)
     TRY(ask(e, cloud, &l, flag));
     if (flag[2] > 0)
         return refuse_nowhere(m, l.bad);
+    share_place(m, e->view.x[KIND_FLUID]);
     if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag)) {
         share_set_aside(m->share);
         TRY(share_make(m, cloud, m->share->now.x));

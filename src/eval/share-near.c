@@ -176,10 +176,16 @@ static void hear_places(struct moment_share *s, double *x)
         memcpy(x + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *x);
 }
 
-void share_see_near(struct moment *m)
+void share_place(const struct moment *m, const double *x)
+{
+    memcpy(m->share->now.x, x, (size_t)moment_rows_of(m, KIND_FLUID) * DIM * sizeof *x);
+}
+
+void share_see_near(struct moment *m, const double *x)
 {
     struct moment_share *s = m->share;
 
+    share_place(m, x);
     hear_places(s, s->now.x);
     s->near.seen_n = s->near.n;
     memcpy(s->near.seen, s->near.row, (size_t)s->near.n * sizeof *s->near.row);

@@ -97,7 +97,7 @@ static int next_rows(const struct moment *m, int k, int *at, int *row)
     return n;
 }
 
-/* Where n rows from `row` on are, and how dense. */
+/* Where n rows from `row` on are, and how dense.  What is not read where it is, is copied. */
 static void see(const struct moment *m, const struct view *v, int k, int row, int n, struct share_seen *l)
 {
     const size_t first = (size_t)(row - v->p->from[k]), number = sizeof(double), numbers = (size_t)n * number;
@@ -107,10 +107,12 @@ static void see(const struct moment *m, const struct view *v, int k, int row, in
     if (k == KIND_FLUID || moves)
         look_at(m, row, n, k == KIND_FLUID ? v->x[k] + first * DIM : v->p->x[row],
                 share_was(m, k) + first * DIM, l);
-    if (v->rho[k]) {
+    if (v->rho[k])
         l->refuses |= !are_within(v->rho[k] + first, n, m->density);
+    if (k == KIND_FLUID && s->packed)
+        return;
+    if (v->rho[k])
         memcpy(s->now.rho + row, v->rho[k] + first, numbers);
-    }
     if (k != KIND_FLUID)
         return;
     memcpy(s->now.x + first * DIM, v->x[k] + first * DIM, DIM * numbers);

@@ -41,7 +41,8 @@ struct moment_share {
     int *count;            /* [ranks] scratch                                  */
     struct {
         double *x, *u, *rho; /* [fluid][DIM] [fluid][DIM] [n]                  */
-    } now;                 /* own rows and the halo now, of others some time ago */
+    } now;                 /* the halo now, of others some time ago; own rows where they are
+                              not packed, and solids; own places when lists are made or judged */
     double *built;         /* [n][DIM] where the list was made, of those it has: share_was() */
     struct ranks_route *route; /* of own rows to others; NULL                  */
     struct share_halo {
@@ -170,8 +171,12 @@ int share_remake(const struct moment *run, struct list *list);
  * On all ranks the first failure. */
 int share_near(struct moment *m, const struct cloud *cloud, double *x);
 
-/* Places now of rows that are near, to now.x, which has own ones; notes which these are. */
-void share_see_near(struct moment *m);
+/* Own rows stand at x [own fluid][DIM] now: to now.x, for lists are made of one array.  Where own rows
+ * are packed. */
+void share_place(const struct moment *m, const double *x);
+
+/* The same, and places now of rows that are near; notes which these are. */
+void share_see_near(struct moment *m, const double *x);
 
 /* Some particle has moved further than half the margin: would one rank make the list anew? */
 bool share_harms(struct moment *m, const struct cloud *cloud, double *x);

@@ -89,7 +89,7 @@ void moment_place(const struct moment *m, const struct view *v, int c, char text
     double x[DIM];
     int n;
 
-    period_home(&m->plan->scales, v->x[k] + (size_t)(c - v->p->from[k]) * DIM, x);
+    period_home(&m->plan->scales, view_x(v, k, c - v->p->from[k]), x);
     n = snprintf(text, PLAN_PLACE, "(%g", x[0]);
     for (int d = 1; d < DIM; d++)
         n += snprintf(text + n, PLAN_PLACE - n, ", %g", x[d]);

@@ -5,6 +5,8 @@
 
 #include "base/dim.h"
 
+#include <stdbool.h>
+
 enum kind {
     KIND_FLUID,
     KIND_WALL,      /* solid with prescribed motion, the fluid sticks to it  */
@@ -28,5 +30,18 @@ struct cloud {
                                particle with the i-th smallest id of the kind;
                                NULL: rows ascend by id                       */
 };
+
+/* Numbers of particles of a kind that stand elsewhere, by row of the kind: those of rows from `from` on.
+ * x NULL: there are none. */
+struct rows_beyond {
+    const double *x, *u; /* [][DIM] position [m], velocity [m/s]               */
+    const double *rho;   /* [] density [kg/m^D]                                */
+    int from;
+};
+
+static inline bool is_beyond(const struct rows_beyond *of, int row)
+{
+    return of->x && row >= of->from;
+}
 
 #endif

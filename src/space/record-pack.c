@@ -6,13 +6,31 @@
 #include <math.h>
 #include <string.h>
 
+/* Where a row has its position and its velocity.  `some`, a constant: some rows stand beyond. */
+struct motion {
+    const double *x, *u;
+};
+
+LANES_INLINE struct motion motion_of(const struct record_source *of, bool some, int row)
+{
+    const bool beyond = some && row >= of->beyond.from;
+    const size_t at = (size_t)row * DIM;
+
+    return (struct motion){ (beyond ? of->beyond.x : of->x) + at, (beyond ? of->beyond.u : of->u) + at };
+}
+
+LANES_INLINE const double *density_of(const struct record_source *of, bool some, int row)
+{
+    return (some && row >= of->beyond.from ? of->beyond.rho : of->rho) + row;
+}
+
 /* One place; inside the box? */
-static inline bool pack_one(const struct record_source *of, int s, double rho, double pressure,
-                            double *r)
+LANES_INLINE bool pack_one(const struct record_source *of, bool some, int s, double rho, double pressure,
+                           double *r)
 {
     const double irho = 1 / rho, *offset = of->offset ? of->offset[s] : NULL;
-    const size_t row = (size_t)(of->order[s] - of->first);
-    const double *x = of->x + row * DIM, *u = of->u + row * DIM;
+    const struct motion at = motion_of(of, some, of->order[s] - of->first);
+    const double *x = at.x, *u = at.u;
 
     r[RECORD_X] = offset ? x[0] + offset[0] : x[0];
     r[RECORD_X + 1] = offset ? x[1] + offset[1] : x[1];
@@ -42,13 +60,13 @@ static inline four load(const double *from)
 }
 
 /* Position and velocity. */
-static inline four motion(const double *x, const double *u)
+static inline four motion(struct motion of)
 {
     typedef double two __attribute__((vector_size(2 * sizeof(double))));
     two a, b;
 
-    memcpy(&a, x, sizeof a);
-    memcpy(&b, u, sizeof b);
+    memcpy(&a, of.x, sizeof a);
+    memcpy(&b, of.u, sizeof b);
     return __builtin_shufflevector(a, b, 0, 1, 2, 3);
 }
 
@@ -74,7 +92,7 @@ LANES_INLINE four masses(const struct record_source *of, const int *c)
 }
 
 /* Places s..s+3; the bits of what is inside of low..high.  `alike`, a constant: masses are. */
-LANES_INLINE four_bits pack_four(const struct record_source *of, bool alike, int s, four low,
+LANES_INLINE four_bits pack_four(const struct record_source *of, bool some, bool alike, int s, four low,
                                  four high, four rho, four pressure, double *r)
 {
     const int *c = of->order + s;
@@ -82,8 +100,7 @@ LANES_INLINE four_bits pack_four(const struct record_source *of, bool alike, int
     four_bits inside = ~(four_bits){ 0 };
 
     for (int l = 0; l < 4; l++) {
-        const size_t row = (size_t)(c[l] - of->first);
-        const four xu = motion(of->x + row * DIM, of->u + row * DIM);
+        const four xu = motion(motion_of(of, some, c[l] - of->first));
 
         inside &= (xu >= low) & (xu <= high);
         memcpy(r + l * RECORD, &xu, sizeof xu);
@@ -94,8 +111,8 @@ LANES_INLINE four_bits pack_four(const struct record_source *of, bool alike, int
 }
 
 /* As many as there are whole fours of, none with offsets; returns the place after them. */
-static int pack_fours(const struct record_source *given, int from, int to, const double *rho,
-                      const double *pressure, double *record, bool *inside)
+LANES_INLINE int pack_fours(const struct record_source *given, bool some, int from, int to,
+                            const double *rho, const double *pressure, double *record, bool *inside)
 {
     const struct record_source of = *given; /* stays in registers: no record is written to it */
     const double *a = of.def->low, *b = of.def->high;
@@ -104,17 +121,18 @@ static int pack_fours(const struct record_source *given, int from, int to, const
     int s = from;
 
     for (; s + 4 <= to && !of.offset && of.mass > 0; s += 4)
-        all &= pack_four(&of, true, s, low, high, load(rho + s - from),
+        all &= pack_four(&of, some, true, s, low, high, load(rho + s - from),
                          load(pressure + s - from), record + (size_t)s * RECORD);
     for (; s + 4 <= to && !of.offset; s += 4)
-        all &= pack_four(&of, false, s, low, high, load(rho + s - from),
+        all &= pack_four(&of, some, false, s, low, high, load(rho + s - from),
                          load(pressure + s - from), record + (size_t)s * RECORD);
     *inside = all[0] & all[1] & all[2] & all[3];
     return s;
 }
 
 /* As many as there are whole fours of; returns the place after them. */
-static int read_fours(const struct record_source *given, int from, int to, double *rho, bool *good)
+LANES_INLINE int read_fours(const struct record_source *given, bool some, int from, int to, double *rho,
+                            bool *good)
 {
     const struct record_source of = *given; /* stays in registers */
     const four low = of.bounds[0] - (four){ 0 }, high = of.bounds[1] - (four){ 0 };
@@ -126,10 +144,10 @@ static int read_fours(const struct record_source *given, int from, int to, doubl
         const double *x[4];
 
         for (int l = 0; l < 4; l++) {
-            const size_t row = (size_t)(c[l] - of.first);
-            __builtin_prefetch(of.x + row * DIM);
-            __builtin_prefetch(of.u + row * DIM);
-            x[l] = of.rho + row;
+            const struct motion at = motion_of(&of, some, c[l] - of.first);
+            __builtin_prefetch(at.x);
+            __builtin_prefetch(at.u);
+            x[l] = density_of(&of, some, c[l] - of.first);
         }
         const four r = { *x[0], *x[1], *x[2], *x[3] };
         all &= (r >= low) & (r <= high);
@@ -139,19 +157,21 @@ static int read_fours(const struct record_source *given, int from, int to, doubl
     return s;
 }
 #else
-static int read_fours(const struct record_source *of, int from, int to, double *rho, bool *good)
+static int read_fours(const struct record_source *of, bool some, int from, int to, double *rho, bool *good)
 {
     (void)of;
+    (void)some;
     (void)to;
     (void)rho;
     *good = true;
     return from;
 }
 
-static int pack_fours(const struct record_source *of, int from, int to, const double *rho,
+static int pack_fours(const struct record_source *of, bool some, int from, int to, const double *rho,
                       const double *pressure, double *record, bool *inside)
 {
     (void)of;
+    (void)some;
     (void)to;
     (void)rho;
     (void)pressure;
@@ -161,28 +181,41 @@ static int pack_fours(const struct record_source *of, int from, int to, const do
 }
 #endif
 
-bool LANE_NAME(record_pack)(const struct record_source *of, int from, int to, const double *rho,
-                            const double *pressure, double *record)
+LANES_INLINE bool pack(const struct record_source *of, bool some, int from, int to, const double *rho,
+                       const double *pressure, double *record)
 {
     bool inside;
 
-    for (int s = pack_fours(of, from, to, rho, pressure, record, &inside); s < to; s++)
-        inside &= pack_one(of, s, rho[s - from], pressure[s - from], record + (size_t)s * RECORD);
+    for (int s = pack_fours(of, some, from, to, rho, pressure, record, &inside); s < to; s++)
+        inside &= pack_one(of, some, s, rho[s - from], pressure[s - from], record + (size_t)s * RECORD);
     return inside;
 }
 
-bool LANE_NAME(record_densities)(const struct record_source *of, int from, int to, double *rho)
+bool LANE_NAME(record_pack)(const struct record_source *of, int from, int to, const double *rho,
+                            const double *pressure, double *record)
+{
+    return of->beyond.x ? pack(of, true, from, to, rho, pressure, record)
+                        : pack(of, false, from, to, rho, pressure, record);
+}
+
+LANES_INLINE bool densities(const struct record_source *of, bool some, int from, int to, double *rho)
 {
     bool good;
 
-    for (int s = read_fours(of, from, to, rho, &good); s < to; s++) {
-        const size_t row = (size_t)(of->order[s] - of->first);
-        const double r = of->rho ? of->rho[row] : of->rho0;
+    for (int s = read_fours(of, some, from, to, rho, &good); s < to; s++) {
+        const int row = of->order[s] - of->first;
+        const struct motion at = motion_of(of, some, row);
+        const double r = of->rho ? *density_of(of, some, row) : of->rho0;
 
-        __builtin_prefetch(of->x + row * DIM);
-        __builtin_prefetch(of->u + row * DIM);
+        __builtin_prefetch(at.x);
+        __builtin_prefetch(at.u);
         good &= (r >= of->bounds[0]) & (r <= of->bounds[1]);
         rho[s - from] = r;
     }
     return good;
+}
+
+bool LANE_NAME(record_densities)(const struct record_source *of, int from, int to, double *rho)
+{
+    return of->beyond.x ? densities(of, true, from, to, rho) : densities(of, false, from, to, rho);
 }

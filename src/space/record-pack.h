@@ -10,6 +10,7 @@ struct record_source {
     const int *order;               /* index of a particle by place                   */
     int first;                      /* index of the first of the kind                 */
     const double *x, *u;            /* [][DIM] by row of the kind        [m], [m/s]   */
+    struct rows_beyond beyond;      /* of x, u and rho                                */
     const double *m;                /* by index                                [kg]   */
     double mass;                    /* of all of them [kg, 2D: kg/m], or 0            */
     const double *rho;              /* [] by row of the kind, NULL: all rho0 [kg/m^D] */

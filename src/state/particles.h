@@ -12,6 +12,7 @@
 #include "space/kinds.h"
 #include "state/scales.h"
 #include <stdbool.h>
+#include <stddef.h>
 
 /* A named thing of the scene that has particles: fluid, wall, beam, body. */
 struct object {
@@ -58,6 +59,7 @@ struct view {
     const double *p2[KINDS];  /* [count of kind] p/rho^2 that solids press with;
                                  NULL: that of their density                  */
     bool stores[KINDS];       /* that density holds internal energy            */
+    struct rows_beyond beyond; /* of the fluid: rows that other ranks own     */
     int others;               /* rows of the fluid that are not here, the last ones: of other
                                  ranks                                        */
     const bool *mine;         /* [n] by row: this rank's, of whose sums others have the rest;
@@ -65,6 +67,17 @@ struct view {
     const int *near;          /* [nears] rows of fluid that others own and whose places are here */
     int nears;
 };
+
+/* Where the position of row i of a kind stands, and its density, which there must be. */
+static inline const double *view_x(const struct view *v, int kind, int i)
+{
+    return (kind == KIND_FLUID && is_beyond(&v->beyond, i) ? v->beyond.x : v->x[kind]) + (size_t)i * DIM;
+}
+
+static inline const double *view_rho(const struct view *v, int kind, int i)
+{
+    return (kind == KIND_FLUID && is_beyond(&v->beyond, i) ? v->beyond.rho : v->rho[kind]) + i;
+}
 
 /* Is row c of all kinds one that this rank adds up? */
 static inline bool view_has(const struct view *v, int c)
