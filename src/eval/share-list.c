@@ -146,10 +146,21 @@ static int refuse_nowhere(struct moment *m, int id)
 /* Would one rank make the list anew?  All ranks ask together. */
 static bool is_stale(struct moment *m, const struct cloud *cloud, const double *flag)
 {
-    return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud, m->share->now.x));
+    return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud));
 }
 
-static int keep_list(struct moment *m, const struct view *v, const struct cloud *cloud,
+/* Where the view is: a list is made of one array. */
+static int make_at(struct moment *m, const struct view *v, struct cloud *cloud)
+{
+    double *now = m->share->now.x;
+
+    share_place(m, v->x[KIND_FLUID]);
+    cloud->x[KIND_FLUID] = now;
+    cloud->beyond = (struct rows_beyond){ 0 };
+    return share_make(m, cloud, now);
+}
+
+static int keep_list(struct moment *m, const struct view *v, struct cloud *cloud,
                      const struct share_seen *l, const double *flag)
 {
     struct moment_share *s = m->share;
@@ -162,10 +173,7 @@ static int keep_list(struct moment *m, const struct view *v, const struct cloud 
     }
     if (flag[2] > 0)
         return refuse_nowhere(m, l->bad);
-    if (fmax(flag[0], flag[1]) == 0)
-        return STATUS_DONE;
-    share_place(m, v->x[KIND_FLUID]);
-    return is_stale(m, cloud, flag) ? share_make(m, cloud, s->now.x) : STATUS_DONE;
+    return is_stale(m, cloud, flag) ? make_at(m, v, cloud) : STATUS_DONE;
 }
 
 enum { FLAGS = 7 };
@@ -182,7 +190,8 @@ static int ask(struct evaluation *e, struct cloud *cloud, struct share_seen *l, 
                                  s->heard.brings };
     memcpy(flag, mine, sizeof mine);
     look_at_share(m, v);
-    cloud->x[KIND_FLUID] = s->now.x;
+    cloud->x[KIND_FLUID] = v->x[KIND_FLUID];
+    cloud->beyond = v->beyond;
     ranks_most(FLAGS, flag);
     s->near.far = s->near.far || flag[0] > 0;
     s->heard.refuses = flag[3] > 0;
@@ -225,10 +234,9 @@ int share_list_beside(struct evaluation *e, struct cloud *cloud)
     TRY(ask(e, cloud, &l, flag));
     if (flag[2] > 0)
         return refuse_nowhere(m, l.bad);
-    share_place(m, e->view.x[KIND_FLUID]);
     if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag)) {
         share_set_aside(m->share);
-        TRY(share_make(m, cloud, m->share->now.x));
+        TRY(make_at(m, &e->view, cloud));
     }
     return hear(m, &e->view);
 }

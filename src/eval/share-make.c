@@ -18,6 +18,7 @@ void share_free(struct moment_share **share)
         return;
     ranks_route_free(&s->route);
     ranks_route_free(&s->near.route);
+    free(s->near.out);
     free(s->near.row);
     free(s->near.seen);
     free(s->near.whole.row);

@@ -44,51 +44,56 @@ static void hear_bounds(struct moment *m, const struct cloud *cloud, struct told
 static void name_solids(struct moment *m, const struct cloud *cloud, const struct list_bounds *box)
 {
     struct list_whole *whole = &m->share->near.whole;
-    const double reach = list_reach(m->own, whole);
+    const struct list_zone zone = list_zone(m->own, box, list_reach(m->own, whole));
     const int *from = m->particles->from;
     int n = whole->from[KIND_WALL];
 
     for (int k = KIND_WALL; k < KINDS; k++) {
         for (int id = from[k]; id < from[k + 1]; id++) {
-            const int row = particles_row_of(m->particles, id);
-            if (list_near(m->own, box, reach, list_home(m->own, cloud, k, row)))
+            const int row = from[k] + particles_row(m->particles, (enum kind)k, id - from[k]);
+            if (list_near(&zone, list_home(m->own, cloud, k, row)))
                 whole->row[n++] = row;
         }
         whole->from[k + 1] = n;
     }
 }
 
-/* Ranks that some of own rows of fluid may be near to; returns how many. */
-static int name_ranks(const struct moment *m, const struct told *all, double reach, int *rank)
-{
-    const struct moment_share *s = m->share;
-    int n = 0;
+/* Around ranks that some of own rows of fluid may be near to. */
+struct zones {
+    int n, *rank;
+    struct list_zone *of;
+};
 
-    for (int r = 0; r < s->ranks; r++)
-        if (r != s->me && list_meets(m->own, &all[r].box, reach, &all[s->me].fluid))
-            rank[n++] = r;
-    return n;
+static void find_zones(const struct moment *m, const struct told *all, struct zones *z)
+{
+    const double reach = list_reach(m->own, &m->share->near.whole);
+    const struct moment_share *s = m->share;
+
+    for (int r = 0; r < s->ranks; r++) {
+        z->of[z->n] = list_zone(m->own, &all[r].box, reach);
+        z->rank[z->n] = r;
+        z->n += r != s->me && list_meets(&z->of[z->n], &all[s->me].fluid);
+    }
 }
 
 /* Names own rows of fluid, each once for each rank that it is near to; returns how many names there are.
- * At first to and row are NULL: near [own rows] then notes which rows have one.  Then these alone are asked
- * again, for to, row [names]. */
-static int name_rows(const struct moment *m, const struct cloud *cloud, const struct told *all, bool *near,
+ * At first `to` is NULL: near [own rows] then notes which rows have one.  Then these alone are asked
+ * again, for `to` and row [names]. */
+static int name_rows(const struct moment *m, const struct cloud *cloud, const struct zones *z, bool *near,
                      int *to, int *row)
 {
-    const double reach = list_reach(m->own, &m->share->near.whole);
-    int rank[m->share->ranks], n = 0;
-    const int ranks = name_ranks(m, all, reach, rank), own = moment_rows_of(m, KIND_FLUID);
+    const int own = moment_rows_of(m, KIND_FLUID);
+    const double *x = list_home(m->own, cloud, KIND_FLUID, 0);
+    int n = 0;
 
-    for (int i = 0; i < own; i++) {
+    for (int i = 0; i < own; i++, x += DIM) {
         const int before = n;
-        if (to && !near[i])
+        if ((to && !near[i]) || !list_inside(&m->own->def, x))
             continue;
-        const double *x = list_home(m->own, cloud, KIND_FLUID, i);
-        for (int r = 0; r < ranks && list_inside(&m->own->def, x); r++)
-            if (list_near(m->own, &all[rank[r]].box, reach, x)) {
+        for (int r = 0; r < z->n; r++)
+            if (list_near(&z->of[r], x)) {
                 if (to) {
-                    to[n] = rank[r];
+                    to[n] = z->rank[r];
                     row[n] = i;
                 }
                 n++;
@@ -98,19 +103,32 @@ static int name_rows(const struct moment *m, const struct cloud *cloud, const st
     return n;
 }
 
+/* Rows that leave, and how: as they are packed, one after the other. */
 static int make_route(struct moment *m, const struct cloud *cloud, const struct told *all,
                       struct ranks_route **route)
 {
-    bool *near = (bool *)m->share->pack;
-    const int n = name_rows(m, cloud, all, near, NULL, NULL);
-    int *to = status_alloc((size_t)n + 1, sizeof *to), *row = status_alloc((size_t)n + 1, sizeof *row);
-    int status = to && row ? STATUS_DONE : STATUS_FAILED;
+    struct moment_share *s = m->share;
+    bool *near = (bool *)s->pack;
+    int rank[s->ranks], n, *to, *at, status;
+    struct list_zone zone[s->ranks];
+    struct zones z = { 0, rank, zone };
 
+    find_zones(m, all, &z);
+    memset(near, 0, (size_t)moment_rows_of(m, KIND_FLUID) * sizeof *near);
+    n = name_rows(m, cloud, &z, near, NULL, NULL);
+    to = status_alloc((size_t)n + 1, sizeof *to);
+    at = status_alloc((size_t)n + 1, sizeof *at);
+    free(s->near.out);
+    s->near.out = status_alloc((size_t)n + 1, sizeof *s->near.out);
+    s->near.leaves = s->near.out ? n : 0;
+    status = to && at && s->near.out ? STATUS_DONE : STATUS_FAILED;
     if (status == STATUS_DONE)
-        name_rows(m, cloud, all, near, to, row);
-    status = ranks_route_create(route, status, NAMED * sizeof(double), n, to, row);
+        name_rows(m, cloud, &z, near, to, s->near.out);
+    for (int i = 0; i < n && at; i++)
+        at[i] = i;
+    status = ranks_route_create(route, status, NAMED * sizeof(double), n, to, at);
     free(to);
-    free(row);
+    free(at);
     return status;
 }
 
@@ -119,29 +137,32 @@ static void name_fluid(struct moment *m)
 {
     struct moment_share *s = m->share;
     struct list_whole *whole = &s->near.whole;
-    const size_t n = (size_t)particles_count(m->particles, KIND_FLUID);
-    const int own = moment_rows_of(m, KIND_FLUID);
-    unsigned char *here = (unsigned char *)s->pack, *at = here; /* [n] by id */
+    const struct particles *p = m->particles;
+    const int n = particles_count(p, KIND_FLUID), own = moment_rows_of(m, KIND_FLUID);
+    unsigned char *here = (unsigned char *)s->pack; /* [n] by id */
+    int rows = 0;
 
-    memset(here, 0, n);
+    memset(here, 0, (size_t)n);
     for (int i = 0; i < own; i++)
-        here[particles_id_of(m->particles, i)] = 1;
+        here[particles_id_of(p, i)] = 1;
     for (int i = 0; i < s->near.n; i++)
-        here[particles_id_of(m->particles, s->near.row[i])] = 1;
-    whole->from[KIND_WALL] = 0;
-    while ((at = memchr(at, 1, (size_t)(here + n - at))))
-        whole->row[whole->from[KIND_WALL]++] = particles_row_of(m->particles, (int)(at++ - here));
+        here[particles_id_of(p, s->near.row[i])] = 1;
+    for (int id = 0; id < n; id++) {
+        whole->row[rows] = particles_row(p, KIND_FLUID, id); /* else written over */
+        rows += here[id];
+    }
+    whole->from[KIND_WALL] = rows;
 }
 
 /* Rows that come, with their names: they are here from now on. */
 static void hear_named(struct moment *m, double *x)
 {
     struct moment_share *s = m->share;
-    const int own = moment_rows_of(m, KIND_FLUID);
+    double *to = s->pack;
 
-    for (int i = 0; i < own; i++) {
-        memcpy(s->pack + (size_t)i * NAMED, x + (size_t)i * DIM, DIM * sizeof *x);
-        s->pack[(size_t)i * NAMED + DIM] = particles_id_of(m->particles, i);
+    for (int i = 0; i < s->near.leaves; i++, to += NAMED) {
+        memcpy(to, x + (size_t)s->near.out[i] * DIM, DIM * sizeof *x);
+        to[DIM] = particles_id_of(m->particles, s->near.out[i]);
     }
     ranks_route_go(s->near.route, NAMED * sizeof *x, s->pack, s->all);
     s->near.n = ranks_route_coming(s->near.route);
@@ -168,12 +189,14 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
     return STATUS_DONE;
 }
 
-/* Places of own rows to where they are near, those of others to x. */
-static void hear_places(struct moment_share *s, double *x)
+/* Places of own rows, at x, to where they are near, those of others to `to`. */
+static void hear_places(struct moment_share *s, const double *x, double *to)
 {
-    ranks_route_go(s->near.route, DIM * sizeof *x, x, s->all);
+    for (int i = 0; i < s->near.leaves; i++)
+        memcpy(s->pack + (size_t)i * DIM, x + (size_t)s->near.out[i] * DIM, DIM * sizeof *x);
+    ranks_route_go(s->near.route, DIM * sizeof *x, s->pack, s->all);
     for (int i = 0; i < s->near.n; i++)
-        memcpy(x + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *x);
+        memcpy(to + (size_t)s->near.row[i] * DIM, s->all + (size_t)i * DIM, DIM * sizeof *to);
 }
 
 void share_place(const struct moment *m, const double *x)
@@ -186,12 +209,12 @@ void share_see_near(struct moment *m, const double *x)
     struct moment_share *s = m->share;
 
     share_place(m, x);
-    hear_places(s, s->now.x);
+    hear_places(s, x, s->now.x);
     s->near.seen_n = s->near.n;
     memcpy(s->near.seen, s->near.row, (size_t)s->near.n * sizeof *s->near.row);
 }
 
-bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
+bool share_harms(struct moment *m, const struct cloud *cloud)
 {
     struct moment_share *s = m->share;
     struct {
@@ -200,7 +223,7 @@ bool share_harms(struct moment *m, const struct cloud *cloud, double *x)
     double pairs = 0;
     bool harm = false;
 
-    hear_places(s, x);
+    hear_places(s, cloud->x[KIND_FLUID], s->now.x);
     mine.harm = drift_harms(m->own, cloud, &mine.pairs);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = 1;

@@ -59,6 +59,7 @@ void share_cloud(const struct moment *m, struct cloud *cloud)
 
     memcpy(cloud->from, p->from, sizeof cloud->from);
     memcpy(cloud->row, p->row, sizeof cloud->row);
+    cloud->beyond = (struct rows_beyond){ 0 };
     for (int k = 0; k < KINDS; k++)
         cloud->x[k] = share_was(m, k);
 }

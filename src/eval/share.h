@@ -74,6 +74,7 @@ struct moment_share {
     } heard;               /* of all, by the last right-hand side              */
     struct {
         struct ranks_route *route; /* of own fluid to ranks that it is near to; NULL: no list yet */
+        int leaves, *out;  /* [leaves] rows that take it, as they are packed   */
         int n, *row;       /* [n] rows that come                               */
         struct list_whole whole;
         int seen_n, *seen; /* [seen_n] rows whose places came at the last look: now.x */
@@ -179,7 +180,7 @@ void share_place(const struct moment *m, const double *x);
 void share_see_near(struct moment *m, const double *x);
 
 /* Some particle has moved further than half the margin: would one rank make the list anew? */
-bool share_harms(struct moment *m, const struct cloud *cloud, double *x);
+bool share_harms(struct moment *m, const struct cloud *cloud);
 
 /* share-list.c */
 

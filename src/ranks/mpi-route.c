@@ -1,6 +1,8 @@
-/* mpi-route.c -- routes by neighbourhood collectives: a rank hears of its partners alone.
+/* mpi-route.c -- routes: a rank sends to its partners and hears of them alone.
  *
- * One Alltoall of counts makes a route, and tells who has no memory for it; none is needed to use it. */
+ * One Alltoall of counts makes a route, and tells who has no memory for it; none is needed to use it.  Routes
+ * are made with each list of pairs, so they have no communicator of their own, for which all would have to
+ * wait some times: messages of one come in the order in which they were sent. */
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
 
@@ -17,13 +19,15 @@ struct side {
     int *rank, *count, *first;
 };
 
+enum { ROUTE_TAG = 4117 }; /* tests/ranks/counters.c knows it, too */
+
 struct ranks_route {
-    MPI_Comm comm;         /* MPI_COMM_NULL: nothing travels anywhere          */
     struct side out, in;
     int rows;
     int *row, *units;      /* [rows] by partner: where one begins, how many pieces */
-    size_t widest;         /* bytes of a piece at most                         */
-    char *packed;          /* [leaving] so wide                                */
+    bool straight;         /* one begins where the one before ends              */
+    char *packed;          /* [leaving] as wide as a piece may be              */
+    MPI_Request *wait;     /* [partners of both directions]                    */
 };
 
 static bool open_side(struct side *s)
@@ -94,6 +98,9 @@ static void sort_rows(struct ranks_route *r, const struct leaving *l, int *next)
         r->row[at] = l->row[i];
         r->units[at] = units_of(l, i);
     }
+    r->straight = true;
+    for (int i = 1; i < l->n; i++)
+        r->straight &= r->row[i] == r->row[i - 1] + r->units[i - 1];
 }
 
 void ranks_route_free(struct ranks_route **route)
@@ -102,13 +109,12 @@ void ranks_route_free(struct ranks_route **route)
 
     if (!r)
         return;
-    if (r->comm != MPI_COMM_NULL)
-        MPI_Comm_free(&r->comm);
     close_side(&r->out);
     close_side(&r->in);
     free(r->row);
     free(r->units);
     free(r->packed);
+    free(r->wait);
     free(r);
     *route = NULL;
 }
@@ -120,13 +126,12 @@ static struct ranks_route *open_route(size_t widest, const struct leaving *l)
 
     if (!r)
         return NULL;
-    r->comm = MPI_COMM_NULL;
-    r->widest = widest;
     r->rows = l->n;
     r->row = status_alloc((size_t)l->n + 1, sizeof *r->row);
     r->units = status_alloc((size_t)l->n + 1, sizeof *r->units);
     r->packed = status_alloc((size_t)pieces(l) + 1, widest);
-    if (!open_side(&r->out) || !open_side(&r->in) || !r->row || !r->units || !r->packed)
+    r->wait = status_alloc(2 * (size_t)ranks_count(), sizeof *r->wait);
+    if (!open_side(&r->out) || !open_side(&r->in) || !r->row || !r->units || !r->packed || !r->wait)
         ranks_route_free(&r);
     return r;
 }
@@ -169,8 +174,6 @@ int ranks_route_create_uneven(struct ranks_route **route, int status, size_t wid
     fill_side(&r->out, rows);
     fill_side(&r->in, rows + ranks_count());
     sort_rows(r, &l, rows);
-    MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, r->in.n, r->in.rank, r->in.count, r->out.n,
-                                   r->out.rank, r->out.count, MPI_INFO_NULL, 0, &r->comm);
     return STATUS_DONE;
 }
 
@@ -189,20 +192,37 @@ int ranks_route_partners(const struct ranks_route *route)
     return route->out.n;
 }
 
-void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void *in)
+/* Rows that leave, one partner's after the other's; where they stand so there is nothing to do. */
+static const char *pack(const struct ranks_route *r, size_t bytes, const void *from)
 {
-    MPI_Datatype row;
     char *to = r->packed;
 
-    MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
-    MPI_Type_commit(&row);
+    if (r->straight && r->rows > 0)
+        return (const char *)from + (size_t)r->row[0] * bytes;
     for (int i = 0; i < r->rows; i++) {
         const size_t size = (size_t)r->units[i] * bytes;
         memcpy(to, (const char *)from + (size_t)r->row[i] * bytes, size);
         to += size;
     }
+    return r->packed;
+}
+
+void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void *in)
+{
+    const int partners = r->in.n + r->out.n;
+    MPI_Datatype piece;
+    MPI_Request *wait = r->wait;
+
+    MPI_Type_contiguous((int)bytes, MPI_BYTE, &piece);
+    MPI_Type_commit(&piece);
+    for (int i = 0; i < r->in.n; i++)
+        MPI_Irecv((char *)in + (size_t)r->in.first[i] * bytes, r->in.count[i], piece, r->in.rank[i],
+                  ROUTE_TAG, MPI_COMM_WORLD, wait++);
+    const char *out = pack(r, bytes, from);
+    for (int i = 0; i < r->out.n; i++)
+        MPI_Isend(out + (size_t)r->out.first[i] * bytes, r->out.count[i], piece, r->out.rank[i], ROUTE_TAG,
+                  MPI_COMM_WORLD, wait++);
     ranks_traffic_exchange(r->out.n, ranks_route_leaving(r) * (double)bytes);
-    MPI_Neighbor_alltoallv(r->packed, r->out.count, r->out.first, row, in, r->in.count,
-                           r->in.first, row, r->comm);
-    MPI_Type_free(&row);
+    MPI_Waitall(partners, r->wait, MPI_STATUSES_IGNORE);
+    MPI_Type_free(&piece);
 }

@@ -62,14 +62,6 @@ static inline int row_at(const struct rows *rows, int k)
     return rows->row ? rows->row[k] : rows->first + k;
 }
 
-void cells_leave_out(struct list *list, int row)
-{
-    list->own->sorted = 0;
-    list->slot[row] = -1;
-    for (int d = 0; d < DIM && !list->whole; d++)
-        list->own->built[(size_t)DIM * (size_t)row + (size_t)d] = INFINITY;
-}
-
 /* Marks particles inside of this thread's rows. */
 static void mark_part(struct list *list, const struct cloud *cloud, int kind, struct around *all)
 {

@@ -30,10 +30,6 @@ struct cells_window {
  * given, in the domain where it repeats. 0 or STATUS_FAILED (no memory). */
 int cells_sort(struct list *list, const struct cloud *cloud);
 
-/* The particle in a row has no place; nor is there one where it was, unless the list has a part of the
- * particles, and never asks. */
-void cells_leave_out(struct list *list, int row);
-
 /* For sorting others in the same way: a grid from c->low to high for n of them, with
  * all start at 0 (0 or STATUS_FAILED); its shape alone, and how many cells it has; the number of the cell that holds x; the
  * counts in start[cell + 2] become, in start[cell + 1], first places from `first` on;

@@ -37,12 +37,23 @@ static inline const double *position(struct positions *of, int row)
         of->kind++;
     while (row < from[of->kind])
         of->kind--;
-    return of->cloud->x[of->kind] + (size_t)(row - from[of->kind]) * DIM;
+    const double *x = of->kind == 0 && is_beyond(&of->cloud->beyond, row) ? of->cloud->beyond.x
+                                                                           : of->cloud->x[of->kind];
+    return x + (size_t)(row - from[of->kind]) * DIM;
 }
 
 static inline void take_one(struct reach *r, const double *x, const double *was)
 {
     reach_take(r, less(coords_at(x), coords_at(was)));
+}
+
+/* Of n members of the first kind.  `some`, a constant: some rows stand beyond. */
+static inline void take_first(const struct cloud *cloud, bool some, const int *row, const double (*was)[DIM],
+                              int n, struct reach *r)
+{
+    for (int m = 0; m < n; m++)
+        take_one(r, (some && row[m] >= cloud->beyond.from ? cloud->beyond.x : cloud->x[0])
+                        + (size_t)row[m] * DIM, was[m]);
 }
 
 /* None that went too far, or nowhere: seldom asked. */
@@ -68,17 +79,18 @@ static bool find_range(const struct list *list, const struct cloud *cloud, int b
     const double limit = DRIFT_FARTHEST * list->def.skin;
     const int from = drift->end[block] - drift->count[block];
     const int *row = drift->row;
-    const double *x = cloud->x[0], (*was)[DIM] = (const double (*)[DIM])drift->was;
+    const double (*was)[DIM] = (const double (*)[DIM])drift->was;
     double *range = drift->range + (size_t)block * 2 * DIM;
     struct positions others = { list, cloud, 0 };
     struct reach r = reach_none();
-    int m = from;
 
     if (drift->moving[block] < drift->count[block]) /* others stand still */
         r.least = r.most = r.sum;
-    for (; m < from + drift->first[block]; m++)
-        take_one(&r, x + (size_t)row[m] * DIM, was[m]);
-    for (; m < from + drift->moving[block]; m++)
+    if (cloud->beyond.x)
+        take_first(cloud, true, row + from, was + from, drift->first[block], &r);
+    else
+        take_first(cloud, false, row + from, was + from, drift->first[block], &r);
+    for (int m = from + drift->first[block]; m < from + drift->moving[block]; m++)
         take_one(&r, position(&others, row[m]), was[m]);
     coords_put(r.least, range);
     coords_put(r.most, range + DIM);

@@ -73,6 +73,10 @@ static inline bool list_is_still(const struct list *list, int kind)
     return (list->def.still & KIND_BIT(kind)) && (!list->mine || list->whole);
 }
 
+/* All count as left out: before the first build, and where some will be that were not, as they are not
+ * here any more.  A list that has a part of the particles never asks where they were. */
+void list_leave_out(struct list *list);
+
 /* Where rows of a kind stand as the list sees them, [rows of the kind][DIM]. */
 static inline const double *list_homes(const struct list *list, const struct cloud *cloud, int kind)
 {

@@ -107,33 +107,43 @@ double list_reach(const struct list *list, const struct list_whole *whole)
     return most;
 }
 
-/* Is some place from low to high within the box and `reach` around it? */
-static bool touches(const struct list *list, const struct list_bounds *box, double reach, const double *low,
-                    const double *high)
+struct list_zone list_zone(const struct list *list, const struct list_bounds *box, double reach)
+{
+    struct list_zone zone = { .list = list, .any = box->n > 0 };
+
+    for (int d = 0; d < DIM; d++) {
+        zone.low[d] = box->low[d] - reach;
+        zone.high[d] = box->high[d] + reach;
+        zone.repeats |= list->def.period[d] > 0;
+    }
+    return zone;
+}
+
+/* Is some place from low to high in it, or an image of one? */
+static bool touches(const struct list_zone *zone, const double *low, const double *high)
 {
     enum { TURNS = 2 }; /* two images of one direction may meet */
-    bool near = box->n > 0;
+    bool near = zone->any;
 
     for (int d = 0; d < DIM && near; d++) {
-        const double period = list->def.period[d];
+        const double period = zone->list->def.period[d];
         const int turns = period > 0 ? TURNS : 0;
 
-        near = high[d] >= box->low[d] - reach && low[d] <= box->high[d] + reach;
+        near = false;
         for (int k = -turns; k <= turns && !near; k++)
-            near = high[d] + k * period >= box->low[d] - reach && low[d] + k * period <= box->high[d] + reach;
+            near = high[d] + k * period >= zone->low[d] && low[d] + k * period <= zone->high[d];
     }
     return near;
 }
 
-bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x)
+bool list_image_near(const struct list_zone *zone, const double *x)
 {
-    return touches(list, box, reach, x, x);
+    return touches(zone, x, x);
 }
 
-bool list_meets(const struct list *list, const struct list_bounds *box, double reach,
-                const struct list_bounds *of)
+bool list_meets(const struct list_zone *zone, const struct list_bounds *of)
 {
-    return of->n > 0 && touches(list, box, reach, of->low, of->high);
+    return of->n > 0 && touches(zone, of->low, of->high);
 }
 
 double list_order(const struct list *list, int row)

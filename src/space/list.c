@@ -111,16 +111,6 @@ void list_forget(struct list *list)
     list->stands = false;
 }
 
-/* All count as left out: before the first build, and where some will be that were not, as they are not
- * here any more. */
-static void leave_out(struct list *list)
-{
-    const int n = list->stands ? list->start[KINDS] : list->n;
-
-    for (int i = 0; i < n; i++)
-        cells_leave_out(list, list->stands ? list->order[i] : i);
-}
-
 static void make_groups(struct list *list)
 {
     struct list_private *own = list->own;
@@ -242,7 +232,7 @@ int list_rebuild(struct list *list, const struct cloud *cloud, list_rows *rows)
     const int before = list->groups;
 
     if (list->whole)
-        leave_out(list);
+        list_leave_out(list);
     list->stands = false; /* should there be no memory on the way */
     TRY(sort(list, cloud));
     TRY(drift_note(list, cloud));
@@ -282,7 +272,7 @@ int list_update(struct list *list, const struct cloud *cloud, list_rows *rows)
 {
     list->bad = -1;
     if (!list->stands)
-        leave_out(list);
+        list_leave_out(list);
     const bool asked = blocks_first(list);
     if (asked && drift_harmless(list, cloud))
         return STATUS_DONE;

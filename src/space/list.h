@@ -194,14 +194,30 @@ void list_bounds(const struct list *list, const struct cloud *cloud, struct list
                  struct list_bounds *box);
 void list_widen(struct list_bounds *to, const struct list_bounds *by);
 
-/* Particles that must be here: those near the box of mine, by so much [m].  x: where it is by
- * list_home(), after list_bounds(). */
+/* Particles that must be here: those near the box of mine, by so much [m], in a zone around it. */
+struct list_zone {
+    const struct list *list;
+    double low[DIM], high[DIM]; /* [m]                                         */
+    bool any, repeats;          /* is there a box; has the domain images?      */
+};
 double list_reach(const struct list *list, const struct list_whole *whole);
-bool list_near(const struct list *list, const struct list_bounds *box, double reach, const double *x);
+struct list_zone list_zone(const struct list *list, const struct list_bounds *box, double reach);
 
-/* Could there be one in `of` that is near to this box? */
-bool list_meets(const struct list *list, const struct list_bounds *box, double reach,
-                const struct list_bounds *of);
+/* Is an image of x in it, or x? */
+bool list_image_near(const struct list_zone *zone, const double *x);
+
+/* Is one in it that is at x by list_home(), after list_bounds()? */
+static inline bool list_near(const struct list_zone *zone, const double *x)
+{
+    bool near = zone->any;
+
+    for (int d = 0; d < DIM; d++)
+        near &= (x[d] >= zone->low[d]) & (x[d] <= zone->high[d]);
+    return near || (zone->repeats && list_image_near(zone, x));
+}
+
+/* Could there be one of these in it? */
+bool list_meets(const struct list_zone *zone, const struct list_bounds *of);
 const double *list_home(const struct list *list, const struct cloud *cloud, int kind, int row);
 
 /* Particles and images, of all ranks. */

@@ -43,19 +43,34 @@ int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const i
     return PMPI_Allgatherv(from, n, type, to, count, first, to_type, comm);
 }
 
-int MPI_Neighbor_alltoallv(const void *from, const int count[], const int first[],
-                           MPI_Datatype type, void *to, const int to_count[], const int to_first[],
-                           MPI_Datatype to_type, MPI_Comm comm)
-{
-    int in, out, weighted, size;
+/* Messages of routes have this tag, and each use of one ends with a wait: src/ranks/mpi-route.c. */
+enum { ROUTE_TAG = 4117 };
+static int routed;
 
-    MPI_Dist_graph_neighbors_count(comm, &in, &out, &weighted);
-    MPI_Type_size(type, &size);
-    exchanges++;
-    messages += out;
-    for (int i = 0; i < out; i++)
-        bytes += (long)count[i] * size;
-    return PMPI_Neighbor_alltoallv(from, count, first, type, to, to_count, to_first, to_type, comm);
+int MPI_Isend(const void *from, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request *wait)
+{
+    int size;
+
+    if (tag == ROUTE_TAG) {
+        MPI_Type_size(type, &size);
+        messages++;
+        bytes += (long)n * size;
+        routed = 1;
+    }
+    return PMPI_Isend(from, n, type, to, tag, comm, wait);
+}
+
+int MPI_Irecv(void *to, int n, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Request *wait)
+{
+    routed |= tag == ROUTE_TAG;
+    return PMPI_Irecv(to, n, type, from, tag, comm, wait);
+}
+
+int MPI_Waitall(int n, MPI_Request wait[], MPI_Status status[])
+{
+    exchanges += routed;
+    routed = 0;
+    return PMPI_Waitall(n, wait, status);
 }
 
 int MPI_Finalize(void)

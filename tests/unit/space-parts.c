@@ -60,14 +60,14 @@ static void combine(struct space_cloud *c, struct share *part)
 /* All solids, and fluid that is the rank's own or near to that. */
 static void name_here(const struct space_cloud *c, struct share *part)
 {
-    const double reach = list_reach(part->list, &part->whole);
+    const struct list_zone zone = list_zone(part->list, &part->box, list_reach(part->list, &part->whole));
     int n = 0;
 
     for (int kind = 0; kind < KINDS; kind++) {
         for (int k = 0; k < c->def.from[kind + 1] - c->def.from[kind]; k++) {
             const int i = c->def.from[kind] + (c->cloud.row[kind] ? c->cloud.row[kind][k] : k);
             if (kind != KIND_FLUID || part->mine[i]
-                || list_near(part->list, &part->box, reach, list_home(part->list, &c->cloud, kind, i)))
+                || list_near(&zone, list_home(part->list, &c->cloud, kind, i)))
                 part->row[n++] = i;
         }
         part->whole.from[kind + 1] = n;
