@@ -31,6 +31,13 @@ struct workspace {
     double *pressed; /* [solids][DIM] for that; NULL                          */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */
+    struct {
+        const struct list *list; /* whose records are all there, when it had been made so
+                                    often; NULL: they are not                  */
+        long builds;
+        unsigned char *of;       /* blocks of places that are read, pack.c; room for more
+                                    than there are                             */
+    } busy;
     struct wet_solids wet;  /* solids that something meets, and forces on solids     */
     const struct list *narrowed; /* the list that `press` knows solids of, when it had been */
     long narrowed_builds;        /* made so often                              */

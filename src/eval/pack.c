@@ -11,7 +11,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CHUNK = 128 };
+enum {
+    CHUNK = 128,
+    BLOCK = 16, /* places of a chunk that are packed or not              */
+    BLOCKS = CHUNK / BLOCK
+};
 
 void pack_far(const struct plan *p, int number, double *r)
 {
@@ -149,6 +153,7 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
 /* The chunks of all kinds, one after the other: in one region, as each costs its start. */
 struct chunks {
     int n, of[KINDS + 1]; /* kind k: chunks of[k] .. of[k+1]-1 */
+    const unsigned char *busy; /* [n][BLOCKS] which blocks are packed; NULL: all */
 };
 
 static struct chunks cut(const struct list *l, unsigned kinds)
@@ -165,14 +170,31 @@ static struct chunks cut(const struct list *l, unsigned kinds)
     return c;
 }
 
+/* Blocks first..last-1 of a chunk of kind k. */
+static int pack_blocks(const struct moment *m, const struct view *v, int k, int chunk, int first, int last)
+{
+    const int start = m->list->start[k] + chunk * CHUNK, end = m->list->start[k + 1];
+    const int from = start + first * BLOCK, to = start + last * BLOCK;
+
+    return from < end ? pack_chunk(m, v, k, from, to < end ? to : end) : -1;
+}
+
 static int pack_one(const struct moment *m, const struct view *v, const struct chunks *c, int chunk)
 {
-    int k = 0;
+    const unsigned char *busy = c->busy ? c->busy + (size_t)chunk * BLOCKS : NULL;
+    int k = 0, bad = -1;
 
     while (chunk >= c->of[k + 1])
         k++;
-    const int from = m->list->start[k] + (chunk - c->of[k]) * CHUNK, end = m->list->start[k + 1];
-    return pack_chunk(m, v, k, from, from + CHUNK < end ? from + CHUNK : end);
+    if (!busy)
+        return pack_blocks(m, v, k, chunk - c->of[k], 0, BLOCKS);
+    for (int first = 0, last; first < BLOCKS && bad < 0; first = last + 1) {
+        for (last = first; last < BLOCKS && busy[last];)
+            last++;
+        if (last > first)
+            bad = pack_blocks(m, v, k, chunk - c->of[k], first, last);
+    }
+    return bad;
 }
 
 static void pack_all(const struct moment *m, const struct view *v, const struct chunks *chunks,
@@ -187,18 +209,80 @@ static void pack_all(const struct moment *m, const struct view *v, const struct 
     }
 }
 
+/* Do the solids of this kind tell which of them are read?  Those whom they meet must be in their rows. */
+static bool tells(const struct list *l, int k)
+{
+    bool all = k != KIND_FLUID;
+
+    for (int other = 0; other < KINDS; other++)
+        if (l->def.acts[other] & KIND_BIT(k))
+            all &= (l->def.acts[k] & KIND_BIT(other)) != 0;
+    return all;
+}
+
+/* Are records read by pairs alone, so that those of solids that nothing meets need not change?  What else
+ * has a pressure of its own, or forces between faces, goes over all places. */
+static bool may_spare(const struct moment *m, unsigned kinds)
+{
+    return kinds == KIND_BIT(KINDS) - 1 && !m->ahead && !m->solver && !m->face;
+}
+
+/* Own fluid, and the halo: what else the list has of others is not read. */
+static void note_fluid(const struct moment *m, unsigned char *of)
+{
+    const struct moment_share *s = m->share;
+    const struct list *l = m->list;
+
+    for (int place = 0; place < l->start[KIND_FLUID + 1]; place++)
+        of[place / BLOCK] |= s->mine[l->order[place]];
+    for (int i = 0; i < s->halo.n; i++)
+        if (s->halo.row[i] < m->particles->from[KIND_FLUID + 1])
+            of[l->slot[s->halo.row[i]] / BLOCK] = true;
+}
+
+/* All records of a list are there: from now on those blocks are busy that have a place that is read. */
+static void note_busy(struct moment *m, const struct chunks *c)
+{
+    struct workspace *w = m->work;
+    const struct list *l = m->list;
+
+    wet_mark(m);
+    memset(w->busy.of, 1, (size_t)c->n * BLOCKS);
+    if (moment_is_packed(m)) {
+        memset(w->busy.of, 0, (size_t)c->of[KIND_FLUID + 1] * BLOCKS);
+        note_fluid(m, w->busy.of);
+    }
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        unsigned char *of = w->busy.of + (size_t)c->of[k] * BLOCKS;
+        if (!tells(l, k))
+            continue;
+        memset(of, 0, (size_t)(c->of[k + 1] - c->of[k]) * BLOCKS);
+        for (int s = l->start[k]; s < l->start[k + 1]; s++)
+            of[(s - l->start[k]) / BLOCK] |= wet_is_near(m, l->order[s]);
+    }
+    w->busy.list = l;
+    w->busy.builds = l->builds;
+}
+
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 {
     const struct list *l = m->list;
-    const struct chunks chunks = cut(l, kinds);
+    struct workspace *w = m->work;
+    struct chunks chunks = cut(l, kinds);
+    const bool spares = may_spare(m, kinds), packed = w->busy.list == l && w->busy.builds == l->builds;
     atomic_int bad = l->listed;
 
+    chunks.busy = spares && packed ? w->busy.of : NULL;
     THREADS(chunks.n > 4, pack_all(m, v, &chunks, &bad));
     for (int k = 0; k < KINDS && l->offset; k++)
         if (kinds & KIND_BIT(k))
             copy_images(m, v, k);
-    pack_far(m->plan, 0, m->work->record + (size_t)l->listed * RECORD);
-    return bad < l->listed ? refuse_density(m, v, bad) : STATUS_DONE;
+    pack_far(m->plan, 0, w->record + (size_t)l->listed * RECORD);
+    if (bad < l->listed)
+        return refuse_density(m, v, bad);
+    if (spares && !packed)
+        note_busy(m, &chunks);
+    return STATUS_DONE;
 }
 
 int passes_records(struct evaluation *e, const struct plan_field *of)

@@ -148,8 +148,16 @@ void wet_find(struct moment *m)
     m->work->wet.named = true;
 }
 
+bool wet_is_near(const struct moment *m, int row)
+{
+    const int id = number_of(m, row);
+
+    return m->work->wet.has[id] || m->work->wet.met[id];
+}
+
 void wet_forget(struct moment *m)
 {
+    m->work->busy.list = NULL;
     m->work->wet.list = NULL;
     m->work->narrowed = NULL;
 }

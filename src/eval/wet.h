@@ -31,6 +31,10 @@ void wet_free(struct wet_solids *wet);
 void wet_mark(struct moment *m);
 void wet_find(struct moment *m);
 
+/* Has the solid in this row a neighbour in the list, after wet_mark()?  So where kinds that meet act on
+ * each other. */
+bool wet_is_near(const struct moment *m, int row);
+
 /* The list, or the rows that it names, become others without a rebuild that is counted. */
 void wet_forget(struct moment *m);
 

@@ -44,11 +44,14 @@ static int take_places(struct workspace *w, size_t slots)
     free(w->f);
     free(w->drho);
     free(w->wet.seen);
+    free(w->busy.of);
+    w->busy.list = NULL;
     w->record = workspace_lines(slots * RECORD);
     w->f = workspace_lines(slots * DIM);
     w->drho = workspace_lines(slots);
     w->wet.seen = status_alloc(slots, sizeof *w->wet.seen);
-    w->slots = w->record && w->f && w->drho && w->wet.seen ? slots : 0;
+    w->busy.of = status_alloc(slots + 64, 1);
+    w->slots = w->record && w->f && w->drho && w->wet.seen && w->busy.of ? slots : 0;
     return w->slots > 0 ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -118,6 +121,7 @@ void workspace_free(const struct plan *p, struct workspace **workspace)
     if (!w)
         return;
     free(w->record);
+    free(w->busy.of);
     free(w->f);
     free(w->drho);
     free(w->power);
