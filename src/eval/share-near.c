@@ -104,12 +104,12 @@ static int name_rows(const struct moment *m, const struct cloud *cloud, const st
 }
 
 /* Rows that leave, and how: as they are packed, one after the other. */
-static int make_route(struct moment *m, const struct cloud *cloud, const struct told *all,
-                      struct ranks_route **route)
+static int make_route(struct moment *m, const struct cloud *cloud, const struct told *all)
 {
     struct moment_share *s = m->share;
+    struct ranks_route *made;
     bool *near = (bool *)s->pack;
-    int rank[s->ranks], n, *to, *at, status;
+    int rank[s->ranks], n, *to, *at, *out, status;
     struct list_zone zone[s->ranks];
     struct zones z = { 0, rank, zone };
 
@@ -118,18 +118,25 @@ static int make_route(struct moment *m, const struct cloud *cloud, const struct 
     n = name_rows(m, cloud, &z, near, NULL, NULL);
     to = status_alloc((size_t)n + 1, sizeof *to);
     at = status_alloc((size_t)n + 1, sizeof *at);
-    free(s->near.out);
-    s->near.out = status_alloc((size_t)n + 1, sizeof *s->near.out);
-    s->near.leaves = s->near.out ? n : 0;
-    status = to && at && s->near.out ? STATUS_DONE : STATUS_FAILED;
+    out = status_alloc((size_t)n + 1, sizeof *out);
+    status = to && at && out ? STATUS_DONE : STATUS_FAILED;
     if (status == STATUS_DONE)
-        name_rows(m, cloud, &z, near, to, s->near.out);
+        name_rows(m, cloud, &z, near, to, out);
     for (int i = 0; i < n && at; i++)
         at[i] = i;
-    status = ranks_route_create(route, status, NAMED * sizeof(double), n, to, at);
+    status = ranks_route_create(&made, status, NAMED * sizeof(double), n, to, at);
     free(to);
     free(at);
-    return status;
+    if (status != STATUS_DONE) {
+        free(out);
+        return status;
+    }
+    ranks_route_free(&s->near.route);
+    free(s->near.out);
+    s->near.route = made;
+    s->near.out = out;
+    s->near.leaves = n;
+    return STATUS_DONE;
 }
 
 /* Fluid that is here: own rows, and those of others that came; in order of ids. */
@@ -178,12 +185,9 @@ int share_near(struct moment *m, const struct cloud *cloud, double *x)
 {
     struct moment_share *s = m->share;
     struct told all[s->ranks];
-    struct ranks_route *route;
 
     hear_bounds(m, cloud, all);
-    TRY(make_route(m, cloud, all, &route));
-    ranks_route_free(&s->near.route);
-    s->near.route = route;
+    TRY(make_route(m, cloud, all));
     hear_named(m, x);
     name_solids(m, cloud, &all[s->me].box);
     return STATUS_DONE;

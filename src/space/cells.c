@@ -6,7 +6,7 @@
 
 #include "base/status.h"
 #include "base/threads.h"
-#include "space/coords.h"
+#include "space/growing.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -18,30 +18,6 @@ enum { FINE = 3 };
 
 /* Particles of one kind from which sorting repays waking the threads. */
 enum { WORTH_THREADS = 4096 };
-
-/* A box around particles, and how many they are. */
-struct around {
-    coords low, high;
-    int inside;
-};
-
-static inline void widen(struct around *to, coords low, coords high, int inside)
-{
-    to->low = lesser(low, to->low);
-    to->high = larger(high, to->high);
-    to->inside += inside;
-}
-
-static struct around nothing(void)
-{
-    double low[DIM], high[DIM];
-
-    for (int d = 0; d < DIM; d++) {
-        low[d] = INFINITY;
-        high[d] = -INFINITY;
-    }
-    return (struct around){ coords_at(low), coords_at(high), 0 };
-}
 
 /* Rows of a kind that are here, of all or of some. */
 struct rows {
@@ -63,12 +39,12 @@ static inline int row_at(const struct rows *rows, int k)
 }
 
 /* Marks particles inside of this thread's rows. */
-static void mark_part(struct list *list, const struct cloud *cloud, int kind, struct around *all)
+static void mark_part(struct list *list, const struct cloud *cloud, int kind, struct growing *all)
 {
     const struct rows rows = rows_here(list, kind);
     const struct threads_part part = threads_part(rows.n);
     const double *home = list_homes(list, cloud, kind);
-    struct around mine = nothing();
+    struct growing mine = growing_none();
 
     for (int k = part.from; k < part.to; k++) {
         const int i = row_at(&rows, k);
@@ -76,20 +52,20 @@ static void mark_part(struct list *list, const struct cloud *cloud, int kind, st
 
         list->slot[i] = list_inside(&list->def, x) ? 0 : -1;
         if (list->slot[i] == 0)
-            widen(&mine, coords_at(x), coords_at(x), 1);
+            growing_take(&mine, coords_at(x));
     }
-    THREADS_IN_TURN(widen(all, mine.low, mine.high, mine.inside));
+    THREADS_IN_TURN(growing_join(all, &mine));
 }
 
 /* Marks particles inside, and the box around them; returns how many. */
 static int bounds(struct list *list, const struct cloud *cloud, int kind, double *low, double *high)
 {
-    struct around all = nothing();
+    struct growing all = growing_none();
 
     THREADS(rows_here(list, kind).n > WORTH_THREADS, mark_part(list, cloud, kind, &all));
     coords_put(all.low, low);
     coords_put(all.high, high);
-    return all.inside;
+    return (int)all.n;
 }
 
 /* Cells of a grid over low..high, coarser until there are at most `most`. */

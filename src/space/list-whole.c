@@ -1,6 +1,6 @@
 /* list-whole.c -- what one of many ranks must know of all particles, so that its list has the grids,
  * the order and the patience of one that has them all. */
-#include "space/coords.h"
+#include "space/growing.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -19,26 +19,6 @@ static struct list_bounds none(void)
     return none;
 }
 
-/* A box that grows. */
-struct growing {
-    coords low, high;
-    double n;
-};
-
-static struct growing nothing(void)
-{
-    const struct list_bounds empty = none();
-
-    return (struct growing){ coords_at(empty.low), coords_at(empty.high), 0 };
-}
-
-static inline void grow(struct growing *b, coords x)
-{
-    b->low = lesser(x, b->low);
-    b->high = larger(x, b->high);
-    b->n++;
-}
-
 static struct list_bounds grown(const struct growing *b)
 {
     struct list_bounds to = { .n = b->n };
@@ -51,12 +31,12 @@ static struct list_bounds grown(const struct growing *b)
 void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
                  struct list_bounds *box)
 {
-    struct growing own = nothing();
+    struct growing own = growing_none();
 
     if (list->own->images.home)
         images_bring_home(list, cloud);
     for (int kind = 0; kind < KINDS; kind++) {
-        struct growing all = nothing();
+        struct growing all = growing_none();
         to->images[kind] = none();
         for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
             const bool mine = list->mine[i];
@@ -66,9 +46,9 @@ void list_bounds(const struct list *list, const struct cloud *cloud, struct list
 
             if (!list_inside(&list->def, x))
                 continue;
-            grow(&all, coords_at(x));
+            growing_take(&all, coords_at(x));
             if (mine)
-                grow(&own, coords_at(x));
+                growing_take(&own, coords_at(x));
             if (list->own->images.home)
                 images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
                              &to->images[kind]);
