@@ -27,50 +27,6 @@ static void note_places(const struct moment *m, const struct cloud *cloud)
                    (size_t)particles_count(p, k) * sizeof *p->x);
 }
 
-/* Own rows that leave, as they travel: they stand here and there, and are asked for some before. */
-static void pack_halo(struct moment_share *s, const struct view *v)
-{
-    enum { AHEAD = 16 };
-    const double *x = v->x[KIND_FLUID], *u = v->u[KIND_FLUID];
-    const double *rho = v->rho[KIND_FLUID] ? v->rho[KIND_FLUID] : s->now.rho;
-    const int fluid = v->p->from[KIND_FLUID + 1];
-    double *to = s->halo.sent;
-
-    for (int i = 0; i < s->halo.leaves; i++) {
-        const size_t row = (size_t)s->halo.out[i];
-        const size_t later = (size_t)s->halo.out[i + AHEAD < s->halo.leaves ? i + AHEAD : i];
-        if (s->halo.out[i] >= fluid) {
-            *to++ = s->now.rho[row];
-            continue;
-        }
-        __builtin_prefetch(x + later * DIM);
-        __builtin_prefetch(u + later * DIM);
-        __builtin_prefetch(rho + later);
-        memcpy(to, x + row * DIM, DIM * sizeof *to);
-        memcpy(to + DIM, u + row * DIM, DIM * sizeof *to);
-        to[2 * DIM] = rho[row];
-        to += SHARE_HALO;
-    }
-}
-
-/* Solids are where they are on all ranks, and have a density alone. */
-static void hear_halo(struct moment_share *s, const struct view *v)
-{
-    const double *from = s->halo.in;
-
-    pack_halo(s, v);
-    ranks_route_go(s->route, sizeof *from, s->halo.sent, s->halo.in);
-    for (int i = 0; i < s->halo.n; i++) {
-        const size_t row = (size_t)s->halo.row[i];
-        if (s->halo.row[i] < v->p->from[KIND_FLUID + 1]) {
-            memcpy(s->now.x + row * DIM, from, DIM * sizeof *from);
-            memcpy(s->now.u + row * DIM, from + DIM, DIM * sizeof *from);
-            from += 2 * DIM;
-        }
-        s->now.rho[row] = *from++;
-    }
-}
-
 /* Own fluid stays where y has it, where it comes first: others are beyond.  All else is read where
  * the halo is, too, from now on. */
 static void look_at_share(const struct moment *m, struct view *v)
@@ -88,14 +44,6 @@ static void look_at_share(const struct moment *m, struct view *v)
             v->rho[k] = s->now.rho + v->p->from[k];
 }
 
-/* From all to all. */
-static void hear_solids(struct moment *m, const struct view *v)
-{
-    for (int k = KIND_WALL; k < KINDS; k++)
-        if (v->rho[k] && particles_count(v->p, (enum kind)k) > 0 && !share_comes(m, k))
-            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], m->share->now.rho + v->p->from[k]);
-}
-
 /* It was made, with this status here; one that has no memory for it fails for all. */
 static int settle(struct moment *m, const struct cloud *cloud, int status)
 {
@@ -105,6 +53,8 @@ static int settle(struct moment *m, const struct cloud *cloud, int status)
         status = workspace_fit(m->work, m->own);
     if (status == STATUS_DONE)
         note_places(m, cloud);
+    if (status == STATUS_DONE)
+        m->share->near.listed = share_listed(m);
     agreed = m->share->full ? ranks_agree(status) : share_halo(m, status);
     if (status == STATUS_DONE && agreed != STATUS_DONE)
         m->own->bad = -1;
@@ -134,19 +84,96 @@ static int remake(struct moment *m, const struct cloud *cloud)
     return status == STATUS_DONE && m->own->builds == builds ? STATUS_DONE : settle(m, cloud, status);
 }
 
+/* What this rank brings when all ask each other once, and of each the most that any brings. */
+enum flag { MOVED, BACK, NOWHERE, REFUSES, TIME, MINUS_TIME, WISH, HARM, PAIRS, FLAGS };
+
+/* Of a right-hand side, before there is a list. */
+struct asked {
+    double flag[FLAGS];
+    int bad;       /* smallest id of own rows that are nowhere, n: none  */
+    bool drifts;   /* flags tell of harm; else nobody has looked for it  */
+};
+
+/* Whose displacements were compared knows, too, that its own rows are somewhere, unless it says more. */
+static struct share_seen see(const struct evaluation *e, bool drifts)
+{
+    const struct moment *m = e->m;
+    struct share_seen l = { .back = !m->own->stands, .moved = m->share->near.far, .bad = m->share->n };
+
+    if (!drifts || !m->share->near.listed)
+        share_see_places(m, &e->view, &l);
+    share_see_densities(m, &e->view, &l);
+    return l;
+}
+
+/* Asks all whether the list fits and whether they are at one time.  What neighbours have is under way
+ * meanwhile, for the list that stands mostly does fit. */
+static int ask(struct evaluation *e, struct cloud *cloud, struct asked *to)
+{
+    struct moment *m = e->m;
+    struct moment_share *s = m->share;
+    struct view *v = &e->view;
+    struct share_drift drift = { .harm = DRIFT_NONE };
+
+    to->drifts = s->packed && m->own->stands && s->near.far;
+    const struct share_seen l = see(e, to->drifts);
+    look_at_share(m, v);
+    cloud->x[KIND_FLUID] = v->x[KIND_FLUID];
+    cloud->beyond = v->beyond;
+    share_halo_begin(m, v);
+    if (to->drifts)
+        drift = share_drift(m, cloud);
+    const double mine[FLAGS] = {
+        [MOVED] = l.moved, [BACK] = l.back, [NOWHERE] = l.bad < s->n, [REFUSES] = l.refuses,
+        [TIME] = e->t, [MINUS_TIME] = -e->t, [WISH] = s->heard.brings, [HARM] = drift.harm,
+        [PAIRS] = drift.pairs,
+    };
+    memcpy(to->flag, mine, sizeof mine);
+    to->bad = l.bad;
+    ranks_most(FLAGS, to->flag);
+    share_halo_end(s);
+    s->near.far = s->near.far || to->flag[MOVED] > 0;
+    s->heard.refuses = to->flag[REFUSES] > 0;
+    s->heard.apart = to->flag[TIME] != -to->flag[MINUS_TIME];
+    s->heard.wish = to->flag[WISH];
+    if (!s->heard.apart)
+        return STATUS_DONE;
+    snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
+             "do all run the same program, with the same libraries?", -to->flag[MINUS_TIME], to->flag[TIME]);
+    return STATUS_FAILED;
+}
+
+/* Would one rank make the list anew?  All ranks ask together. */
+static bool is_stale(struct moment *m, const struct cloud *cloud, const struct asked *a)
+{
+    if (a->flag[BACK] > 0)
+        return true;
+    if (a->drifts)
+        return a->flag[HARM] > 0 || share_is_tired(m, a->flag[PAIRS]);
+    return a->flag[MOVED] > 0 && share_harms(m, cloud);
+}
+
 /* A position that is nowhere, the first of all ranks. */
 static int refuse_nowhere(struct moment *m, int id)
 {
     int said = id;
 
-    ranks_first(id < m->share->n ? 0 : HUGE_VAL, id, &said, sizeof said);
+    if (ranks_first(id < m->share->n ? 0 : HUGE_VAL, id, &said, sizeof said) < 0)
+        return STATUS_DONE;
     return list_nowhere(m->own, particles_row_of(m->particles, said), said);
 }
 
-/* Would one rank make the list anew?  All ranks ask together. */
-static bool is_stale(struct moment *m, const struct cloud *cloud, const double *flag)
+/* Who has compared displacements alone does not know whether what went too far is nowhere. */
+static int look_for_nowhere(struct moment *m, const struct view *v, struct asked *a)
 {
-    return flag[1] > 0 || (flag[0] > 0 && share_harms(m, cloud));
+    struct share_seen l = { .bad = m->share->n };
+
+    if (a->flag[NOWHERE] > 0)
+        return refuse_nowhere(m, a->bad);
+    if (a->flag[HARM] < DRIFT_NOWHERE)
+        return STATUS_DONE;
+    share_see_places(m, v, &l);
+    return refuse_nowhere(m, l.bad);
 }
 
 /* Where the view is: a list is made of one array. */
@@ -160,85 +187,49 @@ static int make_at(struct moment *m, const struct view *v, struct cloud *cloud)
     return share_make(m, cloud, now);
 }
 
-static int keep_list(struct moment *m, const struct view *v, struct cloud *cloud,
-                     const struct share_seen *l, const double *flag)
+/* Where each rank has all of y. */
+static int keep_whole(struct moment *m, const struct cloud *cloud, const struct asked *a)
 {
     struct moment_share *s = m->share;
 
-    if (!s->packed) { /* each rank has all of y */
-        if (fmax(fmax(flag[0], flag[1]), flag[2]) == 0)
-            return STATUS_DONE;
-        share_gather(s, m->particles, KIND_FLUID, DIM, s->now.x, s->now.x);
-        return remake(m, cloud);
-    }
-    if (flag[2] > 0)
-        return refuse_nowhere(m, l->bad);
-    return is_stale(m, cloud, flag) ? make_at(m, v, cloud) : STATUS_DONE;
-}
-
-enum { FLAGS = 7 };
-
-/* Asks all whether the list fits and whether they are at one time. */
-static int ask(struct evaluation *e, struct cloud *cloud, struct share_seen *l, double flag[FLAGS])
-{
-    struct moment *m = e->m;
-    struct moment_share *s = m->share;
-    struct view *v = &e->view;
-
-    *l = share_see(m, v);
-    const double mine[FLAGS] = { l->moved, l->back, l->bad < s->n, l->refuses, e->t, -e->t,
-                                 s->heard.brings };
-    memcpy(flag, mine, sizeof mine);
-    look_at_share(m, v);
-    cloud->x[KIND_FLUID] = v->x[KIND_FLUID];
-    cloud->beyond = v->beyond;
-    ranks_most(FLAGS, flag);
-    s->near.far = s->near.far || flag[0] > 0;
-    s->heard.refuses = flag[3] > 0;
-    s->heard.apart = flag[4] != -flag[5];
-    s->heard.wish = flag[6];
-    if (!s->heard.apart)
+    if (a->flag[MOVED] == 0 && a->flag[BACK] == 0 && a->flag[NOWHERE] == 0)
         return STATUS_DONE;
-    snprintf(m->refusal, sizeof m->refusal, "ranks have come to different times, %.17g s and %.17g s: "
-             "do all run the same program, with the same libraries?", -flag[5], flag[4]);
-    return STATUS_FAILED;
-}
-
-/* What neighbours have, now that there is a list. */
-static int hear(struct moment *m, const struct view *v)
-{
-    hear_halo(m->share, v);
-    hear_solids(m, v);
-    return STATUS_DONE;
+    share_gather(s, m->particles, KIND_FLUID, DIM, s->now.x, s->now.x);
+    return remake(m, cloud);
 }
 
 int share_list(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct share_seen l;
-    double flag[FLAGS];
+    struct asked a;
 
     if (m->share->full)
         return remake(m, cloud);
-    TRY(ask(e, cloud, &l, flag));
-    TRY(keep_list(m, &e->view, cloud, &l, flag));
-    return hear(m, &e->view);
+    TRY(ask(e, cloud, &a));
+    if (!m->share->packed) {
+        TRY(keep_whole(m, cloud, &a));
+    } else {
+        TRY(look_for_nowhere(m, &e->view, &a));
+        if (is_stale(m, cloud, &a))
+            TRY(make_at(m, &e->view, cloud));
+    }
+    share_hear(m, &e->view);
+    return STATUS_DONE;
 }
 
 int share_list_beside(struct evaluation *e, struct cloud *cloud)
 {
     struct moment *m = e->m;
-    struct share_seen l;
-    double flag[FLAGS];
+    struct asked a;
 
-    TRY(ask(e, cloud, &l, flag));
-    if (flag[2] > 0)
-        return refuse_nowhere(m, l.bad);
-    if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, flag)) {
+    TRY(ask(e, cloud, &a));
+    TRY(look_for_nowhere(m, &e->view, &a));
+    if (!m->own->stands || !m->share->near.looked || is_stale(m, cloud, &a)) {
         share_set_aside(m->share);
         TRY(make_at(m, &e->view, cloud));
     }
-    return hear(m, &e->view);
+    share_hear(m, &e->view);
+    return STATUS_DONE;
 }
 
 bool moment_wish(struct moment *m, double wish)

@@ -218,23 +218,41 @@ void share_see_near(struct moment *m, const double *x)
     memcpy(s->near.seen, s->near.row, (size_t)s->near.n * sizeof *s->near.row);
 }
 
-bool share_harms(struct moment *m, const struct cloud *cloud)
+struct share_drift share_drift(struct moment *m, const struct cloud *cloud)
 {
     struct moment_share *s = m->share;
-    struct {
-        double harm, pairs;
-    } mine = { .pairs = 0 }, all[s->ranks];
+
+    hear_places(s, cloud->x[KIND_FLUID], s->now.x);
+    s->near.drift = (struct share_drift){ 0 };
+    s->near.drift.harm = drift_harms(m->own, cloud, &s->near.drift.pairs);
+    return s->near.drift;
+}
+
+/* What each has found. */
+static bool is_harm(struct moment *m)
+{
+    struct moment_share *s = m->share;
+    struct share_drift all[s->ranks];
     double pairs = 0;
     bool harm = false;
 
-    hear_places(s, cloud->x[KIND_FLUID], s->now.x);
-    mine.harm = drift_harms(m->own, cloud, &mine.pairs);
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = 1;
-    ranks_gather(s->count, sizeof mine, &mine, all);
+    ranks_gather(s->count, sizeof *all, &s->near.drift, all);
     for (int r = 0; r < s->ranks; r++) {
-        harm |= all[r].harm > 0;
+        harm |= all[r].harm != DRIFT_NONE;
         pairs += all[r].pairs;
     }
     return harm || pairs > drift_patience(m->own);
+}
+
+bool share_harms(struct moment *m, const struct cloud *cloud)
+{
+    share_drift(m, cloud);
+    return is_harm(m);
+}
+
+bool share_is_tired(struct moment *m, double most)
+{
+    return most * m->share->ranks > drift_patience(m->own) && is_harm(m);
 }

@@ -97,18 +97,27 @@ static int next_rows(const struct moment *m, int k, int *at, int *row)
     return n;
 }
 
-/* Where n rows from `row` on are, and how dense.  What is not read where it is, is copied. */
-static void see(const struct moment *m, const struct view *v, int k, int row, int n, struct share_seen *l)
+/* Is a kind somewhere else than when the list was made, or may be? */
+static bool may_move(const struct moment *m, int k)
+{
+    return k == KIND_FLUID || m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
+}
+
+void share_see_places(const struct moment *m, const struct view *v, struct share_seen *l)
+{
+    for (int k = 0; k < KINDS; k++)
+        for (int at = 0, row, n; may_move(m, k) && (n = next_rows(m, k, &at, &row)) > 0;) {
+            const size_t first = (size_t)(row - v->p->from[k]) * DIM;
+            look_at(m, row, n, k == KIND_FLUID ? v->x[k] + first : v->p->x[row], share_was(m, k) + first, l);
+        }
+}
+
+/* What is not read where y has it is copied. */
+static void keep(const struct moment *m, const struct view *v, int k, int row, int n)
 {
     const size_t first = (size_t)(row - v->p->from[k]), number = sizeof(double), numbers = (size_t)n * number;
     const struct moment_share *s = m->share;
-    const bool moves = m->plan->moving_walls || m->plan->bodies > 0 || !m->own->stands;
 
-    if (k == KIND_FLUID || moves)
-        look_at(m, row, n, k == KIND_FLUID ? v->x[k] + first * DIM : v->p->x[row],
-                share_was(m, k) + first * DIM, l);
-    if (v->rho[k])
-        l->refuses |= !are_within(v->rho[k] + first, n, m->density);
     if (k == KIND_FLUID && s->packed)
         return;
     if (v->rho[k])
@@ -119,12 +128,21 @@ static void see(const struct moment *m, const struct view *v, int k, int row, in
     memcpy(s->now.u + first * DIM, v->u[k] + first * DIM, DIM * numbers);
 }
 
-struct share_seen share_see(const struct moment *m, const struct view *v)
+void share_see_densities(const struct moment *m, const struct view *v, struct share_seen *l)
 {
-    struct share_seen l = { .back = !m->own->stands, .moved = m->share->near.far, .bad = m->share->n };
+    for (int k = 0; k < KINDS; k++)
+        for (int at = 0, row, n; (n = next_rows(m, k, &at, &row)) > 0; keep(m, v, k, row, n))
+            if (v->rho[k])
+                l->refuses |= !are_within(v->rho[k] + (row - v->p->from[k]), n, m->density);
+}
+
+bool share_listed(const struct moment *m)
+{
+    bool all = true;
 
     for (int k = 0; k < KINDS; k++)
-        for (int at = 0, row, n; (n = next_rows(m, k, &at, &row)) > 0;)
-            see(m, v, k, row, n, &l);
-    return l;
+        for (int at = 0, row, n; may_move(m, k) && (n = next_rows(m, k, &at, &row)) > 0;)
+            for (int i = row; i < row + n; i++)
+                all &= m->own->slot[i] >= 0;
+    return all;
 }

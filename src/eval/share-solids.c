@@ -34,16 +34,29 @@ void share_hear_wet(struct moment *m, const int *count, const int *id)
         s->wet.row[i] = particles_row_of(m->particles, s->wet.row[i]);
 }
 
-/* Between the rows of solids that a rank sends and a message; returns what comes behind. */
-static double *copy_forces(const struct moment *m, int rank, bool pack, double *to)
+/* Of solids that this rank sends forces of; returns what comes behind. */
+static double *pack_forces(const struct moment *m, double *to)
 {
+    const int solids = m->particles->from[KIND_WALL];
     const struct moment_share *s = m->share;
+    double (*f)[DIM] = m->work->wet.f;
 
-    for (int i = s->wet.from[rank]; i < s->wet.from[rank + 1]; i++, to += DIM) {
-        double *f = m->work->wet.f[s->wet.row[i] - m->particles->from[KIND_WALL]];
-        memcpy(pack ? to : f, pack ? f : to, DIM * sizeof *f);
-    }
+    for (int i = s->wet.from[s->me]; i < s->wet.from[s->me + 1]; i++, to += DIM)
+        memcpy(to, f[s->wet.row[i] - solids], sizeof *f);
     return to;
+}
+
+/* The same of any rank, to where forces are, unless they are there; returns what comes behind. */
+static const double *take_forces(const struct moment *m, int rank, const double *from)
+{
+    const int solids = m->particles->from[KIND_WALL];
+    const struct moment_share *s = m->share;
+    double (*f)[DIM] = m->work->wet.f;
+    const int first = s->wet.from[rank], n = s->wet.from[rank + 1] - first;
+
+    for (int i = 0; rank != s->me && i < n; i++)
+        memcpy(f[s->wet.row[first + i] - solids], from + (size_t)i * DIM, sizeof *f);
+    return from + (size_t)n * DIM;
 }
 
 /* A part of one rank, as it travels, goes to the sums of all; returns what comes behind. */
@@ -81,19 +94,18 @@ void share_forces(struct evaluation *e)
     struct moment_share *s = m->share;
     const bool powers = share_parts(e) != NULL;
     const int words = powers ? m->plan->slots * EXACT_SUM_WORDS : 0;
-    double *at;
+    const double *at = s->all;
 
     for (int r = 0; r < s->ranks; r++)
         s->count[r] = (s->wet.from[r + 1] - s->wet.from[r]) * DIM + words;
-    at = copy_forces(m, s->me, true, s->pack);
+    double *behind = pack_forces(m, s->pack);
     if (powers)
-        pack_powers(m, at);
+        pack_powers(m, behind);
     ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
-    at = s->all;
     for (int r = 0; r < s->ranks; r++) {
-        at = copy_forces(m, r, false, at);
+        at = take_forces(m, r, at);
         if (powers)
-            at = (double *)add_powers(m, at);
+            at = add_powers(m, at);
     }
     for (int k = 0; powers && k < m->plan->slots; k++)
         m->work->power[k] = exact_sum_value(&s->power[k]);

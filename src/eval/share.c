@@ -12,7 +12,7 @@
 
 void share_own(const struct moment *m, const int *owner)
 {
-    const struct moment_share *s = m->share;
+    struct moment_share *s = m->share;
     const struct particles *p = m->particles;
     int n = 0;
 
@@ -29,6 +29,7 @@ void share_own(const struct moment *m, const int *owner)
         }
         s->from[r][KINDS] = n;
     }
+    s->near.whole.stands = false;
 }
 
 /* --- from all to all -------------------------------------------------------------------- */

@@ -31,6 +31,12 @@ enum {
     SHARE_WIDEST = SHARE_HALO /* of a row of any message                       */
 };
 
+/* What a rank finds where it compares displacements (space/drift.h). */
+struct share_drift {
+    enum drift_harm harm;
+    double pairs;          /* that it looked at                                */
+};
+
 struct moment_share {
     int ranks, me, n;      /* n: particles                                     */
     bool *mine;            /* [n] by row                                       */
@@ -52,6 +58,7 @@ struct moment_share {
         double *sent;      /* [numbers that leave]                             */
         double leaving;    /* numbers that passes read of rows that leave, by the plan */
         bool any;          /* passes may read densities of any solid           */
+        bool goes;         /* it has been sent for this right-hand side        */
     } halo;
     struct {
         int *row, *from;   /* [from[ranks]] solids with neighbours in the list, those of
@@ -81,20 +88,27 @@ struct moment_share {
         double *aside;     /* [n][DIM] the same as `built`, of a list for a look */
         bool looked, made_aside; /* since the last restart; is that one there?  */
         bool far;          /* since the list was made a rank has seen one that moved */
+        bool listed;       /* the list has all own rows that may move          */
+        struct share_drift drift; /* of the last time                          */
     } near;                /* what the list has, where own rows are packed     */
     struct balance balance; /* of work, so far                                 */
     struct balance_move *move; /* a new cut, while it is carried out; NULL     */
 };
 
-/* share-own.c: own rows of y go to where those of others will be, `now`; what they are asked by the way, by
- * the list and for densities: */
+/* share-own.c: what is seen of own rows before others are heard.  What is seen is added. */
 struct share_seen {
     bool moved;   /* further than half the margin                                */
     bool back;    /* was left out, and is inside again; or there is no list yet  */
     bool refuses; /* a density in y is out of bounds: all have to know before they sum */
     int bad;      /* smallest id of those that are nowhere, n: none              */
 };
-struct share_seen share_see(const struct moment *m, const struct view *v);
+void share_see_places(const struct moment *m, const struct view *v, struct share_seen *l);
+
+/* Densities; and what is not read where y has it goes to where those of others will be, `now`. */
+void share_see_densities(const struct moment *m, const struct view *v, struct share_seen *l);
+
+/* Does the list have all own rows that may move? */
+bool share_listed(const struct moment *m);
 
 /* share-make.c */
 void share_free(struct moment_share **share); /* NULL is welcome */
@@ -179,8 +193,15 @@ void share_place(const struct moment *m, const double *x);
 /* The same, and places now of rows that are near; notes which these are. */
 void share_see_near(struct moment *m, const double *x);
 
+/* Compares displacements, after places of others have come, to now.x. */
+struct share_drift share_drift(struct moment *m, const struct cloud *cloud);
+
 /* Some particle has moved further than half the margin: would one rank make the list anew? */
 bool share_harms(struct moment *m, const struct cloud *cloud);
+
+/* Of the last share_drift(), of which no rank looked at more pairs than this: are they more than patience
+ * allows, all together? */
+bool share_is_tired(struct moment *m, double most);
 
 /* share-list.c */
 
@@ -192,6 +213,15 @@ int share_list(struct evaluation *e, struct cloud *cloud);
 
 /* The same for a look: where the list does not fit, another is made aside. */
 int share_list_beside(struct evaluation *e, struct cloud *cloud);
+
+/* share-hear.c */
+
+/* The halo goes, if there is a list; and has come. */
+void share_halo_begin(struct moment *m, const struct view *v);
+void share_halo_end(struct moment_share *s);
+
+/* What neighbours have, now that there is a list: to `now`. */
+void share_hear(struct moment *m, const struct view *v);
 
 /* share-halo.c */
 
@@ -205,6 +235,8 @@ int share_reads(const struct moment *m, int kind);
 /* What rows of the list need of other ranks, after it was made with this status here: on all ranks
  * the first that is none.  Settles how unequal work is, too. */
 int share_halo(struct moment *m, int status);
+/* From then on, where ranks do not have all rows: can an owner of this group have neighbours that others own? */
+bool share_is_near(const struct list *l, int g);
 void share_free_halo(struct share_halo *halo);
 
 /* share-solids.c */

@@ -57,16 +57,23 @@ static void mark_owners(const struct moment *m, int group, const struct list_seg
         }
 }
 
-/* Solids that are neighbours of own fluid, whoever owns them: many entries name the same place. */
+static void see_neighbours(const struct list *l, int group, bool *seen)
+{
+    for (int s = l->segment_from[group]; s < l->segment_from[group + 1]; s++)
+        for (int i = 0; l->segment[s].partner != KIND_FLUID && i < l->segment[s].rows * l->lanes; i++)
+            seen[list_place(l->segment[s].j[i])] = true;
+}
+
+/* Solids of others that are neighbours of own fluid: many entries name the same place. */
 static void mark_neighbours(const struct moment *m)
 {
     const struct list *l = m->list;
     bool *seen = m->work->wet.seen;
 
     memset(seen, 0, ((size_t)l->listed + 1) * sizeof *seen);
-    for (int s = 0; s < l->segment_from[l->group_from[KIND_FLUID + 1]]; s++)
-        for (int i = 0; l->segment[s].partner != KIND_FLUID && i < l->segment[s].rows * l->lanes; i++)
-            seen[list_place(l->segment[s].j[i])] = true;
+    for (int g = l->group_from[KIND_FLUID]; g < l->group_from[KIND_FLUID + 1]; g++)
+        if (m->share->full || share_is_near(l, g))
+            see_neighbours(l, g, seen);
     for (int place = l->start[KIND_WALL]; place < l->listed; place++)
         if (seen[place])
             m->work->wet.met[number_of(m, l->order[place])] = true;

@@ -148,10 +148,21 @@ int ranks_route_coming(const struct ranks_route *route)
 
 void ranks_route_go(struct ranks_route *route, size_t bytes, const void *from, void *in)
 {
+    ranks_route_begin(route, bytes, from, in);
+    ranks_route_end(route);
+}
+
+void ranks_route_begin(struct ranks_route *route, size_t bytes, const void *from, void *in)
+{
     (void)route;
     (void)bytes;
     (void)from;
     (void)in;
+}
+
+void ranks_route_end(struct ranks_route *route)
+{
+    (void)route;
 }
 
 int ranks_route_partners(const struct ranks_route *route)

@@ -207,9 +207,8 @@ static const char *pack(const struct ranks_route *r, size_t bytes, const void *f
     return r->packed;
 }
 
-void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void *in)
+void ranks_route_begin(struct ranks_route *r, size_t bytes, const void *from, void *in)
 {
-    const int partners = r->in.n + r->out.n;
     MPI_Datatype piece;
     MPI_Request *wait = r->wait;
 
@@ -222,7 +221,17 @@ void ranks_route_go(struct ranks_route *r, size_t bytes, const void *from, void 
     for (int i = 0; i < r->out.n; i++)
         MPI_Isend(out + (size_t)r->out.first[i] * bytes, r->out.count[i], piece, r->out.rank[i], ROUTE_TAG,
                   MPI_COMM_WORLD, wait++);
+    MPI_Type_free(&piece); /* only after what has begun with it */
     ranks_traffic_exchange(r->out.n, ranks_route_leaving(r) * (double)bytes);
-    MPI_Waitall(partners, r->wait, MPI_STATUSES_IGNORE);
-    MPI_Type_free(&piece);
+}
+
+void ranks_route_end(struct ranks_route *r)
+{
+    MPI_Waitall(r->in.n + r->out.n, r->wait, MPI_STATUSES_IGNORE);
+}
+
+void ranks_route_go(struct ranks_route *route, size_t bytes, const void *from, void *in)
+{
+    ranks_route_begin(route, bytes, from, in);
+    ranks_route_end(route);
 }

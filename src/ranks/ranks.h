@@ -116,6 +116,11 @@ int ranks_route_coming(const struct ranks_route *route);
  * rank first, those of one rank in the order in which that one named them. */
 void ranks_route_go(struct ranks_route *route, size_t bytes, const void *from, void *in);
 
+/* The same in two parts, between which all may ask each other something else, or begin with other routes:
+ * all ranks in one order.  Until the second, `from` does not change, and `in` is not read. */
+void ranks_route_begin(struct ranks_route *route, size_t bytes, const void *from, void *in);
+void ranks_route_end(struct ranks_route *route);
+
 /* Partners that rows go to; rows that leave. */
 int ranks_route_partners(const struct ranks_route *route);
 int ranks_route_leaving(const struct ranks_route *route);

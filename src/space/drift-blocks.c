@@ -195,15 +195,36 @@ static bool stirs_near(const struct drift *drift, int block, const int *offset, 
     return stirs;
 }
 
-/* Blocks that need not be compared go: nothing moves there. */
-static void choose_used(struct drift *drift)
+bool drift_is_mine(const struct list *list, int block)
+{
+    const struct drift *drift = &list->own->drift;
+
+    return !list->whole || list->mine[drift->row[drift->end[block] - drift->count[block]]];
+}
+
+/* Marks blocks that this rank compares, and those that it compares them with. */
+static void mark_mine(const struct list *list, struct drift *drift, const int *offset, int offsets)
+{
+    for (int k = 0; k < drift->useds; k++)
+        drift->thread[drift->used[k]] = 0;
+    for (int k = 0; k < drift->useds; k++)
+        if (drift_is_mine(list, drift->used[k]))
+            for (int o = 0; o < offsets; o++)
+                drift->thread[drift->used[k] + offset[o]] = 1;
+}
+
+/* Blocks that need not be compared go: nothing moves there, or others compare them. */
+static void choose_used(const struct list *list, struct drift *drift)
 {
     int offset[DRIFT_TOUCHING], n = 0;
     const int offsets = drift_touching(drift, offset);
 
-    for (int k = 0; k < drift->useds; k++)
-        if (stirs_near(drift, drift->used[k], offset, offsets))
-            drift->used[n++] = drift->used[k];
+    mark_mine(list, drift, offset, offsets);
+    for (int k = 0; k < drift->useds; k++) {
+        const int b = drift->used[k];
+        if (drift->thread[b] && stirs_near(drift, b, offset, offsets))
+            drift->used[n++] = b;
+    }
     drift->useds = n;
 }
 
@@ -221,7 +242,7 @@ int drift_note(struct list *list, const struct cloud *cloud)
     memset(drift->moving, 0, blocks * sizeof *drift->moving);
     find_blocks(list, cloud, drift);
     gather_members(list, drift);
-    choose_used(drift);
+    choose_used(list, drift);
     return STATUS_DONE;
 }
 

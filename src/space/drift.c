@@ -56,24 +56,26 @@ static inline void take_first(const struct cloud *cloud, bool some, const int *r
                         + (size_t)row[m] * DIM, was[m]);
 }
 
-/* None that went too far, or nowhere: seldom asked. */
-static bool all_near(const struct list *list, const struct cloud *cloud, int block)
+/* Of one by one, seldom asked: did any go too far, or nowhere? */
+static enum drift_harm look_closer(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
     const double limit = DRIFT_FARTHEST * list->def.skin;
     struct positions all = { list, cloud, 0 };
-    bool good = true;
+    double most = 0, all_of = 0;
 
-    for (int m = drift->end[block] - drift->count[block]; m < drift->end[block]; m++)
-        good &= length2(less(coords_at(position(&all, drift->row[m])), coords_at(drift->was[m])))
-                <= limit * limit;
-    return good;
+    for (int m = drift->end[block] - drift->count[block]; m < drift->end[block]; m++) {
+        const double far = length2(less(coords_at(position(&all, drift->row[m])), coords_at(drift->was[m])));
+        most = fmax(most, far);
+        all_of += far; /* no number where one is none */
+    }
+    return !isfinite(all_of) ? DRIFT_NOWHERE : most <= limit * limit ? DRIFT_NONE : DRIFT_MISSING;
 }
 
-/* The range of displacements in a block; false when a particle went too far, or nowhere.
+/* The range of displacements in a block, and whether a particle went too far, or nowhere.
  * Images go where their originals do.  Only where all together are not within the limit need each be
  * asked. */
-static bool find_range(const struct list *list, const struct cloud *cloud, int block)
+static enum drift_harm find_range(const struct list *list, const struct cloud *cloud, int block)
 {
     const struct drift *drift = &list->own->drift;
     const double limit = DRIFT_FARTHEST * list->def.skin;
@@ -94,7 +96,7 @@ static bool find_range(const struct list *list, const struct cloud *cloud, int b
         take_one(&r, position(&others, row[m]), was[m]);
     coords_put(r.least, range);
     coords_put(r.most, range + DIM);
-    return reach_within(&r, limit) || all_near(list, cloud, block);
+    return reach_within(&r, limit) ? DRIFT_NONE : look_closer(list, cloud, block);
 }
 
 /* The largest displacement of one within the first range against one within the other,
@@ -164,16 +166,8 @@ struct search {
     int offset[DRIFT_TOUCHING];
     int offsets;
     atomic_long patience;
-    atomic_bool harmless;
+    _Atomic(enum drift_harm) harm;
 };
-
-/* Of many ranks one looks at a block: it owns the first member, and so knows all of it and all around. */
-static bool is_mine(const struct list *list, int block)
-{
-    const struct drift *drift = &list->own->drift;
-
-    return !list->whole || list->mine[drift->row[drift->end[block] - drift->count[block]]];
-}
 
 /* No pair missing between a block and those that touch it; looks at pairs one by
  * one as long as patience lasts. */
@@ -185,7 +179,7 @@ static bool complete(struct search *s, int block)
     const double *range = drift->range + (size_t)block * 2 * DIM;
     struct crowd here, there;
 
-    if (!is_mine(list, block))
+    if (!drift_is_mine(list, block))
         return true;
     for (int o = 0; o < s->offsets; o++) {
         const int other = block + s->offset[o];
@@ -203,19 +197,27 @@ static bool complete(struct search *s, int block)
     return true;
 }
 
+/* The worst that any thread finds. */
+static void tell(struct search *s, enum drift_harm harm)
+{
+    for (enum drift_harm old = s->harm; harm > old;)
+        if (atomic_compare_exchange_weak(&s->harm, &old, harm))
+            break;
+}
+
 static void look(struct search *s)
 {
     const struct drift *drift = &s->list->own->drift;
 
 #pragma omp for schedule(static, SHARE) nowait
     for (int k = 0; k < drift->useds; k++)
-        if (drift->moving[drift->used[k]] > 0 && !find_range(s->list, s->cloud, drift->used[k]))
-            s->harmless = false;
+        if (drift->moving[drift->used[k]] > 0)
+            tell(s, find_range(s->list, s->cloud, drift->used[k]));
     threads_meet();
 #pragma omp for schedule(static, SHARE) nowait
     for (int k = 0; k < drift->useds; k++)
-        if (s->harmless && !complete(s, drift->used[k]))
-            s->harmless = false;
+        if (s->harm == DRIFT_NONE && !complete(s, drift->used[k]))
+            tell(s, DRIFT_MISSING);
 }
 
 double drift_patience(const struct list *list)
@@ -224,25 +226,25 @@ double drift_patience(const struct list *list)
 }
 
 /* Nothing depends on who finds it: patience is a sum, and one that finds harm is enough. */
-static bool find_none(const struct list *list, const struct cloud *cloud, double *pairs)
+static enum drift_harm find(const struct list *list, const struct cloud *cloud, double *pairs)
 {
     const long patience = (long)drift_patience(list);
-    struct search s = { .list = list, .cloud = cloud, .patience = patience, .harmless = true };
+    struct search s = { .list = list, .cloud = cloud, .patience = patience, .harm = DRIFT_NONE };
 
     s.offsets = drift_touching(&list->own->drift, s.offset);
     THREADS(waiting_repays(list->listed), look(&s));
     *pairs += (double)(patience - s.patience);
-    return s.harmless;
+    return s.harm;
 }
 
 bool drift_harmless(const struct list *list, const struct cloud *cloud)
 {
     double pairs = 0;
 
-    return find_none(list, cloud, &pairs);
+    return find(list, cloud, &pairs) == DRIFT_NONE;
 }
 
-bool drift_harms(const struct list *list, const struct cloud *cloud, double *pairs)
+enum drift_harm drift_harms(const struct list *list, const struct cloud *cloud, double *pairs)
 {
-    return list->listed > 0 && !find_none(list, cloud, pairs);
+    return list->listed > 0 ? find(list, cloud, pairs) : DRIFT_NONE;
 }

@@ -43,7 +43,7 @@ struct drift {
     int *thread;           /* [blocks] of them, the thread that gathers it when it is made; then
                               what drift_mark() says                         */
     int *used;             /* [useds] blocks that are compared: something can move there, or
-                              in one behind that touches it                  */
+                              in one behind that touches it; on many ranks, by this one */
     int useds;
     double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
@@ -58,10 +58,17 @@ int drift_note(struct list *list, const struct cloud *cloud);
  * two margins, or a rebuild costs less than to find out. */
 bool drift_harmless(const struct list *list, const struct cloud *cloud);
 
+/* What is wrong with a list. */
+enum drift_harm {
+    DRIFT_NONE,
+    DRIFT_MISSING, /* a pair may be: one is, or a particle went further than two margins */
+    DRIFT_NOWHERE  /* a particle is at no place that has a number, or seems to be        */
+};
+
 /* Where a list has a part of the particles: is there harm in what this rank has to look at, which is a
  * block with its neighbours where it owns the first member?  Adds pairs that were looked at: where
  * there is harm on no rank, there is some still if all together are more than patience allows. */
-bool drift_harms(const struct list *list, const struct cloud *cloud, double *pairs);
+enum drift_harm drift_harms(const struct list *list, const struct cloud *cloud, double *pairs);
 double drift_patience(const struct list *list);
 
 /* The grid of blocks over these of cells. */
@@ -75,6 +82,10 @@ void drift_free(struct drift *drift);
  * block itself. */
 enum { DRIFT_TOUCHING = 14 };
 int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING]);
+
+/* Of many ranks one compares a block with those around it: it owns the first member, and so knows all of
+ * them. */
+bool drift_is_mine(const struct list *list, int block);
 
 /* Marks blocks that have places of these, of [listed], and blocks that touch one.  Until the list is made
  * anew drift_is_near() is true of each place that has one of these as a neighbour. */

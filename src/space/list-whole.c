@@ -28,34 +28,43 @@ static struct list_bounds grown(const struct growing *b)
     return to;
 }
 
+/* Of a kind. */
+static void bound(const struct list *list, const struct cloud *cloud, int kind, struct list_whole *to)
+{
+    struct growing all = growing_none(), own = growing_none();
+
+    to->images[kind] = none();
+    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
+        const bool mine = list->mine[i];
+        if (kind == KIND_FLUID && !mine)
+            continue;
+        const double *x = list_home(list, cloud, kind, i);
+
+        if (!list_inside(&list->def, x))
+            continue;
+        growing_take(&all, coords_at(x));
+        if (mine)
+            growing_take(&own, coords_at(x));
+        if (list->own->images.home)
+            images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
+                         &to->images[kind]);
+    }
+    to->of[kind] = grown(&all);
+    to->mine[kind] = grown(&own);
+}
+
 void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
                  struct list_bounds *box)
 {
-    struct growing own = growing_none();
-
     if (list->own->images.home)
         images_bring_home(list, cloud);
+    *box = none();
     for (int kind = 0; kind < KINDS; kind++) {
-        struct growing all = growing_none();
-        to->images[kind] = none();
-        for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
-            const bool mine = list->mine[i];
-            if (kind == KIND_FLUID && !mine)
-                continue;
-            const double *x = list_home(list, cloud, kind, i);
-
-            if (!list_inside(&list->def, x))
-                continue;
-            growing_take(&all, coords_at(x));
-            if (mine)
-                growing_take(&own, coords_at(x));
-            if (list->own->images.home)
-                images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
-                             &to->images[kind]);
-        }
-        to->of[kind] = grown(&all);
+        if (!to->stands || !list_is_still(list, kind))
+            bound(list, cloud, kind, to);
+        list_widen(box, &to->mine[kind]);
     }
-    *box = grown(&own);
+    to->stands = true;
 }
 
 /* The grid that sorting will have for these. */

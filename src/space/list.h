@@ -81,6 +81,8 @@ struct list_bounds {
 struct list_whole {
     int *row, from[KINDS + 1];         /* [n] here: kind k: from[k] .. from[k+1]-1, by ascending id */
     struct list_bounds of[KINDS], images[KINDS]; /* in the domain, and of their images  */
+    struct list_bounds mine[KINDS];    /* of `of`, those that are mine                   */
+    bool stands;                       /* they are right for kinds that never move       */
 };
 
 struct list {
@@ -189,7 +191,7 @@ int list_nowhere(struct list *list, int row, int id);
 /* --- a part of the particles: list-whole.c ------------------------------------------------ */
 
 /* Of particles that are mine, and of all solids, which all ranks know: where they are, but for which
- * are here; box: around all that are mine. */
+ * are here; box: around all that are mine.  Once others are mine, what stands is to be forgotten. */
 void list_bounds(const struct list *list, const struct cloud *cloud, struct list_whole *to,
                  struct list_bounds *box);
 void list_widen(struct list_bounds *to, const struct list_bounds *by);
