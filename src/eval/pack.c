@@ -17,6 +17,9 @@ enum {
     BLOCKS = CHUNK / BLOCK
 };
 
+/* Is a block packed, and does it have rows of others that stand beyond own ones? */
+enum busy { IDLE, BUSY, OWN };
+
 void pack_far(const struct plan *p, int number, double *r)
 {
     const double edge = p->scales.period[0] > 0 ? p->scales.high[0] : p->list_def.high[0];
@@ -66,16 +69,16 @@ static int first_bad(const struct moment *m, const double *rho, int from)
     return from;
 }
 
-/* Places from..to-1, all of kind k.  Returns the first with a density out
+/* Places from..to-1, all of kind k, and of them some beyond?  Returns the first with a density out
  * of bounds, or -1. */
-static int pack_chunk(const struct moment *m, const struct view *v, int k, int from, int to)
+static int pack_chunk(const struct moment *m, const struct view *v, int k, bool beyond, int from, int to)
 {
     const struct plan *p = m->plan;
     const struct record_source of = {
         .order = m->list->order, .first = v->p->from[k], .x = v->x[k], .u = v->u[k],
         .m = v->p->m, .mass = p->table.mass, .rho = v->rho[k], .rho0 = p->scales.rho0,
         .bounds = { m->density[0], m->density[1] },
-        .beyond = k == KIND_FLUID ? v->beyond : (struct rows_beyond){ 0 },
+        .beyond = beyond ? v->beyond : (struct rows_beyond){ 0 },
         .offset = (const double (*)[DIM])m->list->offset, .def = &p->list_def,
     };
     double rho[CHUNK], press[CHUNK];
@@ -153,7 +156,7 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
 /* The chunks of all kinds, one after the other: in one region, as each costs its start. */
 struct chunks {
     int n, of[KINDS + 1]; /* kind k: chunks of[k] .. of[k+1]-1 */
-    const unsigned char *busy; /* [n][BLOCKS] which blocks are packed; NULL: all */
+    const unsigned char *busy; /* [n][BLOCKS] enum busy of blocks; NULL: of all BUSY */
 };
 
 static struct chunks cut(const struct list *l, unsigned kinds)
@@ -170,13 +173,14 @@ static struct chunks cut(const struct list *l, unsigned kinds)
     return c;
 }
 
-/* Blocks first..last-1 of a chunk of kind k. */
-static int pack_blocks(const struct moment *m, const struct view *v, int k, int chunk, int first, int last)
+/* Blocks first..last-1 of a chunk of kind k, as busy as that. */
+static int pack_blocks(const struct moment *m, const struct view *v, int k, int chunk, enum busy busy, int first,
+                       int last)
 {
     const int start = m->list->start[k] + chunk * CHUNK, end = m->list->start[k + 1];
     const int from = start + first * BLOCK, to = start + last * BLOCK;
 
-    return from < end ? pack_chunk(m, v, k, from, to < end ? to : end) : -1;
+    return from < end ? pack_chunk(m, v, k, k == KIND_FLUID && busy == BUSY, from, to < end ? to : end) : -1;
 }
 
 static int pack_one(const struct moment *m, const struct view *v, const struct chunks *c, int chunk)
@@ -187,12 +191,12 @@ static int pack_one(const struct moment *m, const struct view *v, const struct c
     while (chunk >= c->of[k + 1])
         k++;
     if (!busy)
-        return pack_blocks(m, v, k, chunk - c->of[k], 0, BLOCKS);
-    for (int first = 0, last; first < BLOCKS && bad < 0; first = last + 1) {
-        for (last = first; last < BLOCKS && busy[last];)
+        return pack_blocks(m, v, k, chunk - c->of[k], BUSY, 0, BLOCKS);
+    for (int first = 0, last; first < BLOCKS && bad < 0; first = last) {
+        for (last = first + 1; last < BLOCKS && busy[last] == busy[first];)
             last++;
-        if (last > first)
-            bad = pack_blocks(m, v, k, chunk - c->of[k], first, last);
+        if (busy[first] != IDLE)
+            bad = pack_blocks(m, v, k, chunk - c->of[k], busy[first], first, last);
     }
     return bad;
 }
@@ -227,17 +231,23 @@ static bool may_spare(const struct moment *m, unsigned kinds)
     return kinds == KIND_BIT(KINDS) - 1 && !m->ahead && !m->solver && !m->face;
 }
 
-/* Own fluid, and the halo: what else the list has of others is not read. */
+/* Own fluid, and the halo: what else the list has of others is not read.  Blocks without others ask none
+ * of their rows where it is. */
 static void note_fluid(const struct moment *m, unsigned char *of)
 {
     const struct moment_share *s = m->share;
     const struct list *l = m->list;
+    const int end = l->start[KIND_FLUID + 1];
 
-    for (int place = 0; place < l->start[KIND_FLUID + 1]; place++)
-        of[place / BLOCK] |= s->mine[l->order[place]];
+    for (int from = 0; from < end; from += BLOCK) {
+        int mine = 0, to = from + BLOCK < end ? from + BLOCK : end;
+        for (int place = from; place < to; place++)
+            mine += s->mine[l->order[place]];
+        of[from / BLOCK] = mine == 0 ? IDLE : mine == to - from ? OWN : BUSY;
+    }
     for (int i = 0; i < s->halo.n; i++)
         if (s->halo.row[i] < m->particles->from[KIND_FLUID + 1])
-            of[l->slot[s->halo.row[i]] / BLOCK] = true;
+            of[l->slot[s->halo.row[i]] / BLOCK] = BUSY;
 }
 
 /* All records of a list are there: from now on those blocks are busy that have a place that is read. */
@@ -247,18 +257,17 @@ static void note_busy(struct moment *m, const struct chunks *c)
     const struct list *l = m->list;
 
     wet_mark(m);
-    memset(w->busy.of, 1, (size_t)c->n * BLOCKS);
-    if (moment_is_packed(m)) {
-        memset(w->busy.of, 0, (size_t)c->of[KIND_FLUID + 1] * BLOCKS);
+    memset(w->busy.of, BUSY, (size_t)c->n * BLOCKS);
+    if (moment_is_packed(m))
         note_fluid(m, w->busy.of);
-    }
     for (int k = KIND_WALL; k < KINDS; k++) {
         unsigned char *of = w->busy.of + (size_t)c->of[k] * BLOCKS;
         if (!tells(l, k))
             continue;
-        memset(of, 0, (size_t)(c->of[k + 1] - c->of[k]) * BLOCKS);
+        memset(of, IDLE, (size_t)(c->of[k + 1] - c->of[k]) * BLOCKS);
         for (int s = l->start[k]; s < l->start[k + 1]; s++)
-            of[(s - l->start[k]) / BLOCK] |= wet_is_near(m, l->order[s]);
+            if (wet_is_near(m, l->order[s]))
+                of[(s - l->start[k]) / BLOCK] = BUSY;
     }
     w->busy.list = l;
     w->busy.builds = l->builds;

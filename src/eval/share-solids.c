@@ -95,13 +95,16 @@ void share_forces(struct evaluation *e)
     const bool powers = share_parts(e) != NULL;
     const int words = powers ? m->plan->slots * EXACT_SUM_WORDS : 0;
     const double *at = s->all;
+    double *mine = s->all;
 
-    for (int r = 0; r < s->ranks; r++)
+    for (int r = 0; r < s->ranks; r++) {
         s->count[r] = (s->wet.from[r + 1] - s->wet.from[r]) * DIM + words;
-    double *behind = pack_forces(m, s->pack);
+        mine += r < s->me ? s->count[r] : 0;
+    }
+    mine = pack_forces(m, mine);
     if (powers)
-        pack_powers(m, behind);
-    ranks_gather(s->count, sizeof *s->all, s->pack, s->all);
+        pack_powers(m, mine);
+    ranks_gather(s->count, sizeof *s->all, NULL, s->all);
     for (int r = 0; r < s->ranks; r++) {
         at = take_forces(m, r, at);
         if (powers)

@@ -171,20 +171,34 @@ void wet_forget(struct moment *m)
 
 /* --- forces --------------------------------------------------------------------------------- */
 
+/* Of rows [n]. */
+static void take(const struct moment *m, int n, const int *row)
+{
+    const int first = m->particles->from[KIND_WALL];
+    double (*f)[DIM] = m->work->wet.f;
+
+    for (int k = 0; k < n; k++) {
+        const int place = m->list->slot[row[k]]; /* -1: of others, or nowhere */
+        for (int d = 0; d < DIM; d++)
+            f[row[k] - first][d] = place < 0 ? 0 : m->work->f[(size_t)place * DIM + d];
+    }
+}
+
+/* Where ranks have their own rows, those of others come. */
 void wet_take(struct moment *m)
 {
     const int first = m->particles->from[KIND_WALL];
+    const struct moment_share *s = m->share;
     struct wet_solids *wet = &m->work->wet;
 
     wet_find(m);
     for (int k = 0; k < wet->others; k++)
         memset(wet->f[wet->other[k] - first], 0, sizeof *wet->f);
     wet->others = 0;
-    for (int k = 0; k < wet->of[m->particles->objects]; k++) {
-        const int row = wet->row[k], place = m->list->slot[row]; /* -1: of others, or nowhere */
-        for (int d = 0; d < DIM; d++)
-            wet->f[row - first][d] = place < 0 ? 0 : m->work->f[(size_t)place * DIM + d];
-    }
+    if (s && !s->full)
+        take(m, s->wet.from[s->me + 1] - s->wet.from[s->me], s->wet.row + s->wet.from[s->me]);
+    else
+        take(m, wet->of[m->particles->objects], wet->row);
 }
 
 bool wet_counts(const struct moment *m, int row)

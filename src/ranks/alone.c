@@ -76,7 +76,8 @@ void ranks_add(int n, int64_t *x)
 
 void ranks_gather(const int *count, size_t bytes, const void *mine, void *all)
 {
-    memcpy(all, mine, (size_t)count[0] * bytes);
+    if (mine)
+        memcpy(all, mine, (size_t)count[0] * bytes);
 }
 
 void ranks_bring(const int *count, size_t bytes, const void *mine, void *all)

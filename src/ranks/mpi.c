@@ -193,14 +193,15 @@ void ranks_add(int n, int64_t *x)
     MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
 }
 
-/* From all to `root`, or to all where that is below 0. */
+/* From all to `root`, or to all where that is below 0: then mine may be NULL, as ranks_gather() says. */
 static void gather(int root, const int *rows, size_t bytes, const void *mine, void *all)
 {
     int first[count];
     MPI_Datatype row;
 
     if (count == 1) {
-        memcpy(all, mine, (size_t)rows[0] * bytes);
+        if (mine)
+            memcpy(all, mine, (size_t)rows[0] * bytes);
         return;
     }
     first[0] = 0;
@@ -210,7 +211,7 @@ static void gather(int root, const int *rows, size_t bytes, const void *mine, vo
     MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
     MPI_Type_commit(&row);
     if (root < 0)
-        MPI_Allgatherv(mine, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
+        MPI_Allgatherv(mine ? mine : MPI_IN_PLACE, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
     else
         MPI_Gatherv(mine, rows[me], row, all, rows, first, row, root, MPI_COMM_WORLD);
     MPI_Type_free(&row);

@@ -57,7 +57,7 @@ void ranks_most(int n, double *x);
 void ranks_add(int n, int64_t *x);
 
 /* Rows of so many bytes, count[r] of them on rank r, to all: all [sum of count] has those of
- * rank 0 first.  mine [count[ranks_me()]] may not overlap it. */
+ * rank 0 first.  mine [count[ranks_me()]] may not overlap it; NULL: rows of this rank are there already. */
 void ranks_gather(const int *count, size_t bytes, const void *mine, void *all);
 
 /* The same to the first rank alone: elsewhere `all` is not touched. */

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MINE = 1, OTHERS = 2 }; /* a block that this rank compares; one that it compares another with */
+
 static int make_room(const struct list *list, struct drift *drift, size_t blocks)
 {
     const size_t all = (size_t)list->listed + 1;
@@ -195,7 +197,9 @@ static bool stirs_near(const struct drift *drift, int block, const int *offset, 
     return stirs;
 }
 
-bool drift_is_mine(const struct list *list, int block)
+/* Of many ranks one compares a block with those around it: it owns the first member, and so knows all of
+ * them. */
+static bool is_mine(const struct list *list, int block)
 {
     const struct drift *drift = &list->own->drift;
 
@@ -208,12 +212,13 @@ static void mark_mine(const struct list *list, struct drift *drift, const int *o
     for (int k = 0; k < drift->useds; k++)
         drift->thread[drift->used[k]] = 0;
     for (int k = 0; k < drift->useds; k++)
-        if (drift_is_mine(list, drift->used[k]))
+        if (is_mine(list, drift->used[k]))
             for (int o = 0; o < offsets; o++)
-                drift->thread[drift->used[k] + offset[o]] = 1;
+                drift->thread[drift->used[k] + offset[o]] |= offset[o] == 0 ? MINE : OTHERS;
 }
 
-/* Blocks that need not be compared go: nothing moves there, or others compare them. */
+/* Blocks that need not be compared go: nothing moves there, or others compare them.  Those that this
+ * rank compares come first. */
 static void choose_used(const struct list *list, struct drift *drift)
 {
     int offset[DRIFT_TOUCHING], n = 0;
@@ -226,13 +231,21 @@ static void choose_used(const struct list *list, struct drift *drift)
             drift->used[n++] = b;
     }
     drift->useds = n;
+    drift->mines = 0;
+    for (int k = 0; k < n; k++) {
+        const int b = drift->used[k];
+        if (drift->thread[b] & MINE) {
+            drift->used[k] = drift->used[drift->mines];
+            drift->used[drift->mines++] = b;
+        }
+    }
 }
 
 int drift_note(struct list *list, const struct cloud *cloud)
 {
     struct drift *drift = &list->own->drift;
 
-    drift->useds = 0;
+    drift->useds = drift->mines = 0;
     drift->far = false;
     if (list->listed == 0)
         return STATUS_DONE;
@@ -251,20 +264,19 @@ void drift_mark(const struct list *list, const bool *of)
     const struct drift *drift = &list->own->drift;
     int *mark = drift->thread, offset[DRIFT_TOUCHING];
     const int offsets = drift_touching(drift, offset);
-    enum { TOUCHES = 1, HAS = 2 };
 
     for (int s = 0; s < list->listed; s++)
         mark[drift->block[s]] = 0;
     for (int s = 0; s < list->listed; s++) {
         const int b = drift->block[s];
 
-        if (!of[s] || mark[b] & HAS)
+        if (!of[s] || mark[b] & DRIFT_HAS)
             continue;
         for (int o = 0; o < offsets; o++) {
-            mark[b + offset[o]] |= TOUCHES;
-            mark[b - offset[o]] |= TOUCHES;
+            mark[b + offset[o]] |= DRIFT_TOUCHES;
+            mark[b - offset[o]] |= DRIFT_TOUCHES;
         }
-        mark[b] |= HAS;
+        mark[b] |= DRIFT_HAS;
     }
 }
 

@@ -88,7 +88,7 @@ static enum drift_harm find_range(const struct list *list, const struct cloud *c
 
     if (drift->moving[block] < drift->count[block]) /* others stand still */
         r.least = r.most = r.sum;
-    if (cloud->beyond.x)
+    if (cloud->beyond.x && drift->thread[block] & DRIFT_HAS)
         take_first(cloud, true, row + from, was + from, drift->first[block], &r);
     else
         take_first(cloud, false, row + from, was + from, drift->first[block], &r);
@@ -179,8 +179,6 @@ static bool complete(struct search *s, int block)
     const double *range = drift->range + (size_t)block * 2 * DIM;
     struct crowd here, there;
 
-    if (!drift_is_mine(list, block))
-        return true;
     for (int o = 0; o < s->offsets; o++) {
         const int other = block + s->offset[o];
         const double *others = drift->range + (size_t)other * 2 * DIM;
@@ -215,7 +213,7 @@ static void look(struct search *s)
             tell(s, find_range(s->list, s->cloud, drift->used[k]));
     threads_meet();
 #pragma omp for schedule(static, SHARE) nowait
-    for (int k = 0; k < drift->useds; k++)
+    for (int k = 0; k < drift->mines; k++)
         if (s->harm == DRIFT_NONE && !complete(s, drift->used[k]))
             tell(s, DRIFT_MISSING);
 }

@@ -41,10 +41,11 @@ struct drift {
     int *moving;           /* [blocks] of them, those that can move: they come before those
                               that stand still                               */
     int *thread;           /* [blocks] of them, the thread that gathers it when it is made; then
-                              what drift_mark() says                         */
+                              marks of drift_mark()                          */
     int *used;             /* [useds] blocks that are compared: something can move there, or
                               in one behind that touches it; on many ranks, by this one */
-    int useds;
+    int useds, mines;      /* of them, the first `mines` with those behind that touch them; the
+                              others are asked for their range alone         */
     double *range;         /* [blocks][2][DIM] least and largest displacement [m] */
     bool far;              /* since then one was seen beyond half the margin */
     struct drift_room room;
@@ -83,12 +84,11 @@ void drift_free(struct drift *drift);
 enum { DRIFT_TOUCHING = 14 };
 int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING]);
 
-/* Of many ranks one compares a block with those around it: it owns the first member, and so knows all of
- * them. */
-bool drift_is_mine(const struct list *list, int block);
+enum { DRIFT_TOUCHES = 1, DRIFT_HAS = 2 }; /* marks of a block */
 
 /* Marks blocks that have places of these, of [listed], and blocks that touch one.  Until the list is made
- * anew drift_is_near() is true of each place that has one of these as a neighbour. */
+ * anew drift_is_near() is true of each place that has one of these as a neighbour.  Where a cloud has rows
+ * beyond, all these are to be marked before it is compared. */
 void drift_mark(const struct list *list, const bool *of);
 bool drift_is_near(const struct list *list, int place);
 
