@@ -104,6 +104,17 @@ static void all_get_all(void)
         for (int i = 0; i < count[r]; i++)
             good &= all[n++] == 10 * r + i;
     claim(good, "rows of all ranks stand in their order");
+    for (int i = 0, r = 0, at = 0; i < n; i++) { /* only own ones are there before */
+        while (i >= at + count[r])
+            at += count[r++];
+        all[i] = r == me ? 50 * me + i - at : -1;
+    }
+    ranks_gather(count, sizeof *mine, NULL, all);
+    n = 0;
+    for (int r = 0; r < ranks; r++)
+        for (int i = 0; i < count[r]; i++)
+            good &= all[n++] == 50 * r + i;
+    claim(good, "... also where own rows are there already");
     for (int i = 0; i < n; i++)
         all[i] = -1;
     ranks_bring(count, sizeof *mine, mine, all);
@@ -389,6 +400,41 @@ static void rows_of_a_route_may_be_uneven(void)
     ranks_route_free(&route);
 }
 
+/* A number to all others, and back, both under way while all ask each other. */
+static void routes_may_be_under_way_together(void)
+{
+    const int me = ranks_me(), ranks = ranks_count();
+    double there[64], back[64], came[2][64], most = me;
+    int to[64], row[64], n = 0;
+    struct ranks_route *one, *other;
+    bool good;
+
+    for (int r = 0; r < ranks && r < 64; r++) {
+        there[r] = 100 * me + r;
+        back[r] = -there[r];
+        if (r == me)
+            continue;
+        to[n] = r;
+        row[n++] = r;
+    }
+    good = ranks_route_create(&one, STATUS_DONE, sizeof *there, n, to, row) == STATUS_DONE;
+    good &= ranks_route_create(&other, STATUS_DONE, sizeof *back, n, to, row) == STATUS_DONE;
+    ranks_route_begin(one, sizeof *there, there, came[0]);
+    ranks_route_begin(other, sizeof *back, back, came[1]);
+    ranks_most(1, &most);
+    ranks_route_end(other);
+    ranks_route_end(one);
+    for (int r = 0, i = 0; r < ranks; r++) {
+        if (r == me)
+            continue;
+        good &= came[0][i] == 100 * r + me && came[1][i] == -(100 * r + me);
+        i++;
+    }
+    claim(good && most == ranks - 1, "two routes may be under way while all ask each other");
+    ranks_route_free(&one);
+    ranks_route_free(&other);
+}
+
 static void a_route_may_be_empty(void)
 {
     struct ranks_route *route;
@@ -493,6 +539,7 @@ int main(int argc, char **argv)
     a_refusal_without_a_message_is_agreed_on_too();
     rows_arrive_in_order();
     rows_of_a_route_may_be_uneven();
+    routes_may_be_under_way_together();
     a_route_may_be_empty();
     a_route_fails_for_all();
     try_cuts(2);

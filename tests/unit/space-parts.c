@@ -135,15 +135,39 @@ static void check_absent(const struct space_cloud *c, const struct share *part)
         check(here[i] || part->list->slot[i] < 0, "particle %d has a place and is not here", i);
 }
 
+/* The worst that a part finds; adds pairs that all looked at. */
+static enum drift_harm worst_harm(const struct space_cloud *c, const struct share *part, double *pairs)
+{
+    enum drift_harm worst = DRIFT_NONE;
+
+    for (int r = 0; r < PARTS; r++) {
+        const enum drift_harm harm = drift_harms(part[r].list, &c->cloud, pairs);
+        worst = harm > worst ? harm : worst;
+    }
+    return worst;
+}
+
 /* As ranks decide together. */
 static bool parts_harmed(const struct space_cloud *c, const struct share *part)
 {
     double pairs = 0;
-    bool harm = false;
 
-    for (int r = 0; r < PARTS; r++)
-        harm |= drift_harms(part[r].list, &c->cloud, &pairs);
-    return harm || pairs > drift_patience(part[0].list);
+    return worst_harm(c, part, &pairs) != DRIFT_NONE || pairs > drift_patience(part[0].list);
+}
+
+/* Of each fluid particle in the list some part can tell that it is nowhere, or far away. */
+static void check_gone(struct space_cloud *c, const struct list *whole, const struct share *part)
+{
+    const int i = (int)(space_random() * c->def.from[KIND_FLUID + 1]);
+    double *x = c->x + (size_t)i * DIM, was = *x, pairs = 0;
+
+    if (whole->slot[i] < 0)
+        return;
+    *x = NAN;
+    check(worst_harm(c, part, &pairs) == DRIFT_NOWHERE, "particle %d is nowhere", i);
+    *x = was + 3 * c->def.skin;
+    check(worst_harm(c, part, &pairs) == DRIFT_MISSING, "particle %d is far away", i);
+    *x = was;
 }
 
 /* All go one way, and each another by so much; sometimes one goes far. */
@@ -167,6 +191,7 @@ static void follow(const struct list_engine *lists, struct space_cloud *c, struc
         check_same(c, whole, &part[r]);
         check_absent(c, &part[r]);
     }
+    check_gone(c, whole, part);
     for (int k = 0; k < 12; k++) {
         const bool fine = drift_harmless(whole, &c->cloud);
         check(fine != parts_harmed(c, part), "parts decide otherwise");
