@@ -174,6 +174,11 @@ if [ -n "$long" ]; then
     claim "so few particles are shared evenly" "$(value moving-4 imbalance_after) <= 1.05"
 fi
 unset STIFFWATER_LANES
+if [ -n "$long" ]; then # water that runs along the floor: ranks come to own walls far from where theirs were
+    far="spacing=0.01 until=0.5 walls=own-density"
+    well far "$scenes/dam-break.scene" $far
+    anew 1 far 4 $far
+fi
 at_length claim "ranks whose work is unequal cut anew" "$(value dam-3 repartitions) > 0 && $(value dam-3 imbalance_before) > 1.1 \
     && $(value dam-3 imbalance_after) < $(value dam-3 imbalance_before)"
 past="spacing=0.01 until=0.01 method=adams"
