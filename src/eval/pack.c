@@ -1,5 +1,6 @@
 /* pack.c -- records of all particles in the order of the list, with the pressure
  * of the equation of state; refuses densities out of bounds. */
+#include "eval/pack.h"
 #include "eval/share.h"
 
 #include "base/status.h"
@@ -11,14 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    CHUNK = 128,
-    BLOCK = 16, /* places of a chunk that are packed or not              */
-    BLOCKS = CHUNK / BLOCK
-};
-
-/* Is a block packed, and does it have rows of others that stand beyond own ones? */
-enum busy { IDLE, BUSY, OWN };
+enum { CHUNK = PACK_CHUNK, BLOCK = PACK_BLOCK, BLOCKS = PACK_BLOCKS };
 
 void pack_far(const struct plan *p, int number, double *r)
 {
@@ -153,15 +147,9 @@ static int refuse_density(struct moment *m, const struct view *v, int slot)
     return STATUS_FAILED;
 }
 
-/* The chunks of all kinds, one after the other: in one region, as each costs its start. */
-struct chunks {
-    int n, of[KINDS + 1]; /* kind k: chunks of[k] .. of[k+1]-1 */
-    const unsigned char *busy; /* [n][BLOCKS] enum busy of blocks; NULL: of all BUSY */
-};
-
-static struct chunks cut(const struct list *l, unsigned kinds)
+static struct pack_chunks cut(const struct list *l, unsigned kinds)
 {
-    struct chunks c = { 0 };
+    struct pack_chunks c = { 0 };
 
     for (int k = 0; k < KINDS; k++) {
         const int n = kinds & KIND_BIT(k) ? l->start[k + 1] - l->start[k] : 0;
@@ -174,16 +162,16 @@ static struct chunks cut(const struct list *l, unsigned kinds)
 }
 
 /* Blocks first..last-1 of a chunk of kind k, as busy as that. */
-static int pack_blocks(const struct moment *m, const struct view *v, int k, int chunk, enum busy busy, int first,
+static int pack_blocks(const struct moment *m, const struct view *v, int k, int chunk, enum pack_busy busy, int first,
                        int last)
 {
     const int start = m->list->start[k] + chunk * CHUNK, end = m->list->start[k + 1];
     const int from = start + first * BLOCK, to = start + last * BLOCK;
 
-    return from < end ? pack_chunk(m, v, k, k == KIND_FLUID && busy == BUSY, from, to < end ? to : end) : -1;
+    return from < end ? pack_chunk(m, v, k, k == KIND_FLUID && busy == PACK_BUSY, from, to < end ? to : end) : -1;
 }
 
-static int pack_one(const struct moment *m, const struct view *v, const struct chunks *c, int chunk)
+static int pack_one(const struct moment *m, const struct view *v, const struct pack_chunks *c, int chunk)
 {
     const unsigned char *busy = c->busy ? c->busy + (size_t)chunk * BLOCKS : NULL;
     int k = 0, bad = -1;
@@ -191,17 +179,17 @@ static int pack_one(const struct moment *m, const struct view *v, const struct c
     while (chunk >= c->of[k + 1])
         k++;
     if (!busy)
-        return pack_blocks(m, v, k, chunk - c->of[k], BUSY, 0, BLOCKS);
+        return pack_blocks(m, v, k, chunk - c->of[k], PACK_BUSY, 0, BLOCKS);
     for (int first = 0, last; first < BLOCKS && bad < 0; first = last) {
         for (last = first + 1; last < BLOCKS && busy[last] == busy[first];)
             last++;
-        if (busy[first] != IDLE)
+        if (busy[first] != PACK_IDLE)
             bad = pack_blocks(m, v, k, chunk - c->of[k], busy[first], first, last);
     }
     return bad;
 }
 
-static void pack_all(const struct moment *m, const struct view *v, const struct chunks *chunks,
+static void pack_all(const struct moment *m, const struct view *v, const struct pack_chunks *chunks,
                      atomic_int *bad)
 {
 #pragma omp for schedule(static) nowait
@@ -213,72 +201,12 @@ static void pack_all(const struct moment *m, const struct view *v, const struct 
     }
 }
 
-/* Do the solids of this kind tell which of them are read?  Those whom they meet must be in their rows. */
-static bool tells(const struct list *l, int k)
-{
-    bool all = k != KIND_FLUID;
-
-    for (int other = 0; other < KINDS; other++)
-        if (l->def.acts[other] & KIND_BIT(k))
-            all &= (l->def.acts[k] & KIND_BIT(other)) != 0;
-    return all;
-}
-
-/* Are records read by pairs alone, so that those of solids that nothing meets need not change?  What else
- * has a pressure of its own, or forces between faces, goes over all places. */
-static bool may_spare(const struct moment *m, unsigned kinds)
-{
-    return kinds == KIND_BIT(KINDS) - 1 && !m->ahead && !m->solver && !m->face;
-}
-
-/* Own fluid, and the halo: what else the list has of others is not read.  Blocks without others ask none
- * of their rows where it is. */
-static void note_fluid(const struct moment *m, unsigned char *of)
-{
-    const struct moment_share *s = m->share;
-    const struct list *l = m->list;
-    const int end = l->start[KIND_FLUID + 1];
-
-    for (int from = 0; from < end; from += BLOCK) {
-        int mine = 0, to = from + BLOCK < end ? from + BLOCK : end;
-        for (int place = from; place < to; place++)
-            mine += s->mine[l->order[place]];
-        of[from / BLOCK] = mine == 0 ? IDLE : mine == to - from ? OWN : BUSY;
-    }
-    for (int i = 0; i < s->halo.n; i++)
-        if (s->halo.row[i] < m->particles->from[KIND_FLUID + 1])
-            of[l->slot[s->halo.row[i]] / BLOCK] = BUSY;
-}
-
-/* All records of a list are there: from now on those blocks are busy that have a place that is read. */
-static void note_busy(struct moment *m, const struct chunks *c)
-{
-    struct workspace *w = m->work;
-    const struct list *l = m->list;
-
-    wet_mark(m);
-    memset(w->busy.of, BUSY, (size_t)c->n * BLOCKS);
-    if (moment_is_packed(m))
-        note_fluid(m, w->busy.of);
-    for (int k = KIND_WALL; k < KINDS; k++) {
-        unsigned char *of = w->busy.of + (size_t)c->of[k] * BLOCKS;
-        if (!tells(l, k))
-            continue;
-        memset(of, IDLE, (size_t)(c->of[k + 1] - c->of[k]) * BLOCKS);
-        for (int s = l->start[k]; s < l->start[k + 1]; s++)
-            if (wet_is_near(m, l->order[s]))
-                of[(s - l->start[k]) / BLOCK] = BUSY;
-    }
-    w->busy.list = l;
-    w->busy.builds = l->builds;
-}
-
 int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
 {
     const struct list *l = m->list;
     struct workspace *w = m->work;
-    struct chunks chunks = cut(l, kinds);
-    const bool spares = may_spare(m, kinds), packed = w->busy.list == l && w->busy.builds == l->builds;
+    struct pack_chunks chunks = cut(l, kinds);
+    const bool spares = pack_spares(m, kinds), packed = w->busy.list == l && w->busy.builds == l->builds;
     atomic_int bad = l->listed;
 
     chunks.busy = spares && packed ? w->busy.of : NULL;
@@ -290,7 +218,7 @@ int moment_pack(struct moment *m, const struct view *v, unsigned kinds)
     if (bad < l->listed)
         return refuse_density(m, v, bad);
     if (spares && !packed)
-        note_busy(m, &chunks);
+        pack_note(m, &chunks);
     return STATUS_DONE;
 }
 

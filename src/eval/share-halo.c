@@ -47,16 +47,6 @@ static const bool *note_others(const struct moment *m)
     return other;
 }
 
-bool share_is_near(const struct list *l, int g)
-{
-    const int from = l->group_slot[g], end = l->start[l->group_kind[g] + 1];
-    bool near = false;
-
-    for (int s = from; s < from + l->lanes && s < end; s++)
-        near |= drift_is_near(l, s);
-    return near;
-}
-
 enum { ENTRIES = 4 }; /* that are asked together: lanes are whole times as many */
 
 /* Rows that others own and that are neighbours of rows here, of which numbers come. */
@@ -103,7 +93,7 @@ static void mark_needed(struct moment *m, bool *needed)
     drift_mark(l, other);
     m->share->halo.any = press && !mark_pressing(m, needed);
     for (int g = 0; g < l->groups; g++) {
-        const int end = share_is_near(l, g) ? l->segment_from[g + 1] : l->segment_from[g];
+        const int end = drift_near_group(l, g) ? l->segment_from[g + 1] : l->segment_from[g];
         for (int k = l->segment_from[g]; k < end; k++) {
             const int kind = l->segment[k].partner;
             if (kind == KIND_FLUID || (!press && share_comes(m, kind)))

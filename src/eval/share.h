@@ -233,10 +233,9 @@ bool share_comes(const struct moment *m, int kind);
 int share_reads(const struct moment *m, int kind);
 
 /* What rows of the list need of other ranks, after it was made with this status here: on all ranks
- * the first that is none.  Settles how unequal work is, too. */
+ * the first that is none.  Settles how unequal work is, too.  From then on drift_near_group() tells which
+ * groups can have neighbours that others own. */
 int share_halo(struct moment *m, int status);
-/* From then on, where ranks do not have all rows: can an owner of this group have neighbours that others own? */
-bool share_is_near(const struct list *l, int g);
 void share_free_halo(struct share_halo *halo);
 
 /* share-solids.c */

@@ -72,7 +72,7 @@ static void mark_neighbours(const struct moment *m)
 
     memset(seen, 0, ((size_t)l->listed + 1) * sizeof *seen);
     for (int g = l->group_from[KIND_FLUID]; g < l->group_from[KIND_FLUID + 1]; g++)
-        if (m->share->full || share_is_near(l, g))
+        if (m->share->full || drift_near_group(l, g))
             see_neighbours(l, g, seen);
     for (int place = l->start[KIND_WALL]; place < l->listed; place++)
         if (seen[place])

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MINE = 1, OTHERS = 2 }; /* a block that this rank compares; one that it compares another with */
-
 static int make_room(const struct list *list, struct drift *drift, size_t blocks)
 {
     const size_t all = (size_t)list->listed + 1;
@@ -173,74 +171,6 @@ static void gather_members(const struct list *list, struct drift *drift)
     THREADS(waiting_repays(list->listed / 4), add_all(list, drift));
 }
 
-int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING])
-{
-    int n = 0;
-
-    for (int z = DIM == 3 ? -1 : 0; z <= (DIM == 3); z++)
-        for (int y = -1; y <= 1; y++)
-            for (int x = -1; x <= 1; x++) {
-                const int to = (z * drift->n[1] + y) * drift->n[0] + x;
-                if (to >= 0)
-                    offset[n++] = to;
-            }
-    return n;
-}
-
-/* Is there something that can move in this block, or in one that is compared with it? */
-static bool stirs_near(const struct drift *drift, int block, const int *offset, int offsets)
-{
-    bool stirs = false;
-
-    for (int o = 0; o < offsets; o++)
-        stirs |= drift->moving[block + offset[o]] > 0;
-    return stirs;
-}
-
-/* Of many ranks one compares a block with those around it: it owns the first member, and so knows all of
- * them. */
-static bool is_mine(const struct list *list, int block)
-{
-    const struct drift *drift = &list->own->drift;
-
-    return !list->whole || list->mine[drift->row[drift->end[block] - drift->count[block]]];
-}
-
-/* Marks blocks that this rank compares, and those that it compares them with. */
-static void mark_mine(const struct list *list, struct drift *drift, const int *offset, int offsets)
-{
-    for (int k = 0; k < drift->useds; k++)
-        drift->thread[drift->used[k]] = 0;
-    for (int k = 0; k < drift->useds; k++)
-        if (is_mine(list, drift->used[k]))
-            for (int o = 0; o < offsets; o++)
-                drift->thread[drift->used[k] + offset[o]] |= offset[o] == 0 ? MINE : OTHERS;
-}
-
-/* Blocks that need not be compared go: nothing moves there, or others compare them.  Those that this
- * rank compares come first. */
-static void choose_used(const struct list *list, struct drift *drift)
-{
-    int offset[DRIFT_TOUCHING], n = 0;
-    const int offsets = drift_touching(drift, offset);
-
-    mark_mine(list, drift, offset, offsets);
-    for (int k = 0; k < drift->useds; k++) {
-        const int b = drift->used[k];
-        if (drift->thread[b] && stirs_near(drift, b, offset, offsets))
-            drift->used[n++] = b;
-    }
-    drift->useds = n;
-    drift->mines = 0;
-    for (int k = 0; k < n; k++) {
-        const int b = drift->used[k];
-        if (drift->thread[b] & MINE) {
-            drift->used[k] = drift->used[drift->mines];
-            drift->used[drift->mines++] = b;
-        }
-    }
-}
-
 int drift_note(struct list *list, const struct cloud *cloud)
 {
     struct drift *drift = &list->own->drift;
@@ -255,36 +185,8 @@ int drift_note(struct list *list, const struct cloud *cloud)
     memset(drift->moving, 0, blocks * sizeof *drift->moving);
     find_blocks(list, cloud, drift);
     gather_members(list, drift);
-    choose_used(list, drift);
+    drift_choose(list);
     return STATUS_DONE;
-}
-
-void drift_mark(const struct list *list, const bool *of)
-{
-    const struct drift *drift = &list->own->drift;
-    int *mark = drift->thread, offset[DRIFT_TOUCHING];
-    const int offsets = drift_touching(drift, offset);
-
-    for (int s = 0; s < list->listed; s++)
-        mark[drift->block[s]] = 0;
-    for (int s = 0; s < list->listed; s++) {
-        const int b = drift->block[s];
-
-        if (!of[s] || mark[b] & DRIFT_HAS)
-            continue;
-        for (int o = 0; o < offsets; o++) {
-            mark[b + offset[o]] |= DRIFT_TOUCHES;
-            mark[b - offset[o]] |= DRIFT_TOUCHES;
-        }
-        mark[b] |= DRIFT_HAS;
-    }
-}
-
-bool drift_is_near(const struct list *list, int place)
-{
-    const struct drift *drift = &list->own->drift;
-
-    return drift->thread[drift->block[place]] != 0;
 }
 
 void drift_free(struct drift *drift)

@@ -46,3 +46,17 @@ size_t drift_shape(const struct list *list, const struct cells *cells, const str
         return (size_t)blocks;
     }
 }
+
+int drift_touching(const struct drift *drift, int offset[DRIFT_TOUCHING])
+{
+    int n = 0;
+
+    for (int z = DIM == 3 ? -1 : 0; z <= (DIM == 3); z++)
+        for (int y = -1; y <= 1; y++)
+            for (int x = -1; x <= 1; x++) {
+                const int to = (z * drift->n[1] + y) * drift->n[0] + x;
+                if (to >= 0)
+                    offset[n++] = to;
+            }
+    return n;
+}

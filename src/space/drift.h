@@ -77,6 +77,10 @@ struct cells;
 size_t drift_shape(const struct list *list, const struct cells *cells, const struct cells *images,
                    struct drift *drift);
 
+/* Of blocks with members, those that need not be compared go: nothing moves there, or others compare them.
+ * Those that this rank compares come first. */
+void drift_choose(struct list *list);
+
 void drift_free(struct drift *drift);
 
 /* Offsets to a block and to one of each two opposite blocks that touch it: half of 27, and the
@@ -91,6 +95,9 @@ enum { DRIFT_TOUCHES = 1, DRIFT_HAS = 2 }; /* marks of a block */
  * beyond, all these are to be marked before it is compared. */
 void drift_mark(const struct list *list, const bool *of);
 bool drift_is_near(const struct list *list, int place);
+
+/* Of a place of some owner of a group. */
+bool drift_near_group(const struct list *l, int g);
 
 /* Where the particle or image of this place stands when the particle is at x. */
 void drift_place(const struct list *list, int slot, const double *x, double *to);
