@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "kernels/kernel.h"
+#include "walls/contact-order.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -51,7 +52,7 @@ static void count(void *self, int j, double r, const double *step)
     k->entries += weight_of(k, j, r) > 0;
 }
 
-/* The weight of the pair as the row of the lower number has it. */
+/* The weight of the pair as the row of the lower solid has it. */
 static float mirrored(const struct contact_mean *m, int row, int column)
 {
     for (long e = 0; e < contact_mean_length(m, row / CONTACT_ROWS); e++)
@@ -122,7 +123,7 @@ static void mirror_rows(struct contact_mean *m)
     for (int i = 0; i < m->n; i++)
         for (long e = 0; e < contact_mean_length(m, i / CONTACT_ROWS); e++) {
             const long at = contact_mean_at(m, i, e);
-            if (m->weight[at] > 0 && m->column[at] < i)
+            if (m->weight[at] > 0 && m->solid[m->column[at]] < m->solid[i])
                 m->weight[at] = mirrored(m, m->column[at], i);
         }
 }
@@ -194,6 +195,25 @@ static int make_rows(const struct making *k, const struct contact_cells *solids)
     return list_reads(m);
 }
 
+/* Which particles water can reach, in an order of their own; number [solids], -1: none of them. */
+static int number_solids(struct contact_mean *m, const struct part_places *at,
+                         const struct contact_share *share, int solids, int *number)
+{
+    for (int i = 0; i < solids; i++) {
+        number[i] = -1;
+        if (share[i].open > 0)
+            m->solid[m->n++] = i;
+    }
+    m->slices = (m->n + CONTACT_ROWS - 1) / CONTACT_ROWS;
+    TRY(contact_order_sort(at, m->n, m->solid));
+    for (int i = 0; i < m->n; i++)
+        number[m->solid[i]] = i;
+    for (int i = 0, k = 0; i < solids; i++)
+        if (number[i] >= 0)
+            m->by_solid[k++] = number[i];
+    return STATUS_DONE;
+}
+
 int contact_mean_create(struct contact_mean *m, const struct part_places *at,
                         const struct contact_cells *solids, const struct contact_share *share)
 {
@@ -202,20 +222,16 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
 
     *m = (struct contact_mean){ 0 };
     m->solid = status_alloc((unsigned long)n + 1, sizeof *m->solid);
+    m->by_solid = status_alloc((unsigned long)n + 1, sizeof *m->by_solid);
     m->start = status_alloc((unsigned long)n + 2, sizeof *m->start);
     m->inverse = status_alloc((unsigned long)n + CONTACT_ROWS, sizeof *m->inverse);
-    if (number && m->solid && m->start && m->inverse) {
-        for (int i = 0; i < n; i++) {
-            number[i] = share[i].open > 0 ? m->n : -1;
-            if (number[i] >= 0)
-                m->solid[m->n++] = i;
-        }
-        m->slices = (m->n + CONTACT_ROWS - 1) / CONTACT_ROWS;
+    if (number && m->solid && m->by_solid && m->start && m->inverse)
+        status = number_solids(m, at, share, n, number);
+    if (status == STATUS_DONE)
         status = make_rows(&(struct making){ .m = m, .at = at, .share = share, .number = number,
                                              .first = first,
                                              .cell = contact_room_cell(at) },
                            solids);
-    }
     free(number);
     if (status != STATUS_DONE)
         contact_mean_free(m);
@@ -225,6 +241,7 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
 void contact_mean_free(struct contact_mean *m)
 {
     free(m->solid);
+    free(m->by_solid);
     free(m->start);
     free(m->column);
     free(m->weight);
@@ -236,7 +253,7 @@ void contact_mean_free(struct contact_mean *m)
 
 double contact_mean_memory(const struct contact_mean *m)
 {
-    return (double)m->n * (sizeof *m->solid + sizeof *m->inverse)
+    return (double)m->n * (sizeof *m->solid + sizeof *m->by_solid + sizeof *m->inverse)
            + (double)m->slices * (sizeof *m->start + sizeof *m->reads_from)
            + (double)(m->slices > 0 ? m->reads_from[m->slices] : 0) * sizeof *m->reads
            + (double)(m->slices > 0 ? m->start[m->slices] : 0)
@@ -248,6 +265,7 @@ void contact_mean_show(const struct contact_mean *m, part_see *see, void *whose)
     const size_t n = (size_t)m->n, slices = (size_t)m->slices, numbers = (size_t)m->start[m->slices];
 
     see(whose, m->solid, n * sizeof *m->solid);
+    see(whose, m->by_solid, n * sizeof *m->by_solid);
     see(whose, m->start, slices * sizeof *m->start);
     see(whose, m->column, numbers * sizeof *m->column);
     see(whose, m->weight, numbers * sizeof *m->weight);

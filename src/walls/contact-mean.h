@@ -18,7 +18,8 @@ enum { CONTACT_ROWS = 4 }; /* that are added up side by side */
  * up with weights of 0, which change no bit of a sum. */
 struct contact_mean {
     int n, slices;    /* particles that water can reach; of them     */
-    int *solid;       /* [n] which, counted from the first solid     */
+    int *solid;       /* [n] which, counted from the first solid, in contact-order.h's order */
+    int *by_solid;    /* [n] which of the n, by ascending solid      */
     long *start;      /* [slices + 1] first number of a slice        */
     long entries;     /* that are no filling                         */
     int *column;      /* which of the n                              */

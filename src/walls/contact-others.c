@@ -18,7 +18,7 @@ static int group_of(const struct part_places *at, const struct contact_mean *mea
     return at->solid[p->object_of[p->from[KIND_WALL] + mean->solid[i]]].group;
 }
 
-/* Groups that there are come one after the other, particles of each by number. */
+/* Groups that there are come one after the other, particles of each by id. */
 static void sort(struct contact_others *o, const struct part_places *at,
                  const struct contact_mean *mean)
 {
@@ -28,9 +28,9 @@ static void sort(struct contact_others *o, const struct part_places *at,
         most = group_of(at, mean, i) > most ? group_of(at, mean, i) : most;
     for (int g = 0; g <= most; g++) {
         o->from[o->groups] = n;
-        for (int i = 0; i < o->n; i++)
-            if (group_of(at, mean, i) == g)
-                o->member[n++] = i;
+        for (int k = 0; k < o->n; k++)
+            if (group_of(at, mean, mean->by_solid[k]) == g)
+                o->member[n++] = mean->by_solid[k];
         o->groups += n > o->from[o->groups];
     }
     o->from[o->groups] = n;

@@ -43,7 +43,8 @@ int contact_start_short(const struct part_places *at, const struct contact_mean 
 
     TRY(contact_cells_create(&water, p->scales, (const double (*)[DIM])p->x0, fluid,
                              at->kernel->support));
-    for (int i = 0; i < mean->n; i++) {
+    for (int k = 0; k < mean->n; k++) {
+        const int i = mean->by_solid[k];
         const double full = others->room[i];
         struct sum s = { .at = at };
         double slope;
