@@ -28,7 +28,7 @@ struct workspace {
                         ahead; NULL                                           */
     double *law;     /* [solids] p2 by the density alone; NULL likewise       */
     double *between; /* that of these two by which solids press each other     */
-    double *pressed; /* [solids][DIM] for that; NULL                          */
+    double *pressed; /* [solids][DIM] for that, and for densities that a view shows; NULL */
     struct part_press_work *press; /* likewise                                  */
     int *rows;       /* [solids] of other solids near them; NULL              */
     struct {
@@ -137,8 +137,8 @@ int moment_pack(struct moment *m, const struct view *v, unsigned kinds);
  * from one another, so that no pair of these is within the support of a kernel. */
 void pack_far(const struct plan *p, int number, double *record);
 
-/* press.c: densities and p/rho^2 of solids that press by more than a density of their own, in
- * v; their rows there are those of y before.  Nothing where there are none. */
+/* press.c: densities that solids show which press by more than a density of their own, in v; their rows
+ * there are those of y before.  Nothing where there are none. */
 void moment_press(struct moment *m, struct view *v);
 
 /* press.c: tells solids that press by more than a density of their own which ones the fluid meets. */

@@ -198,7 +198,7 @@ int observe_judge(const struct moment *m, int body, double t, const double *y, c
     return b->kind->watch->judge(b->body, &m->layout, t, y, doubt, room);
 }
 
-/* Own rows, solids with the pressure that they press with. */
+/* Own rows, own solids with the densities that they show. */
 static void view_own(struct moment *run, double t, const double *y, struct view *v)
 {
     moment_view(run, t, y, v);

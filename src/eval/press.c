@@ -14,17 +14,34 @@ void press_narrow(struct moment *m)
     if (w->narrowed == m->list && w->narrowed_builds == m->list->builds)
         return;
     wet_mark(m);
-    wall->part->as.wall->press->narrow(wall->self, w->press, w->wet.met);
+    wall->part->as.wall->press->choose(wall->self, w->press, PART_SOLIDS_MET, w->wet.met);
     w->narrowed = m->list;
     w->narrowed_builds = m->list->builds;
 }
 
-/* From densities of rows of y to what is shown, which may be the same, and p/rho^2, all [solids]. */
-static void press(struct moment *m, const double *rho, double *shown, double *p2, bool all)
+/* This rank's own stay the same until there is another cut. */
+static void choose_own(struct moment *m)
+{
+    const struct plan_part *wall = m->plan->passes.press;
+    const int first = m->particles->from[KIND_WALL];
+    struct moment_share *s = m->share;
+    bool *own = (bool *)s->pack;
+
+    if (s->pressed)
+        return;
+    for (int id = first; id < s->n; id++)
+        own[id - first] = s->owner[id] == s->me;
+    wall->part->as.wall->press->choose(wall->self, m->work->press, PART_SOLIDS_OWN, own);
+    s->pressed = true;
+}
+
+/* From densities of rows of y to what is shown, which may be the same, and p/rho^2 (NULL: not wanted), all
+ * [solids]. */
+static void press(struct moment *m, const double *rho, double *shown, double *p2, enum part_solids which)
 {
     const struct plan_part *wall = m->plan->passes.press;
     const struct part_pressed io = { .rho = rho, .shown = shown, .p2 = p2, .mean = m->work->mean,
-                                     .all = all };
+                                     .which = which };
 
     wall->part->as.wall->press->press(wall->self, m->work->press, m->particles, &io);
 }
@@ -45,37 +62,55 @@ static const double *one_array(const struct view *v)
     return first;
 }
 
-/* Densities of y, of which this rank has all rows or, together, its own. */
-static void press_rows(struct moment *m, struct view *v, bool all, bool together)
+static void press_rows(struct moment *m, struct view *v, enum part_solids which)
 {
     struct workspace *w = m->work;
     const int *from = v->p->from;
-    const double *one = together ? NULL : one_array(v);
+    const double *one = one_array(v);
 
     for (int k = KIND_WALL; k < KINDS; k++) {
         const int n = particles_count(v->p, k);
         if (n == 0)
             continue;
-        if (together)
-            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], w->rho + from[k]);
-        else if (!one)
+        if (!one)
             memcpy(w->rho + from[k], v->rho[k], (size_t)n * sizeof *w->rho);
         v->rho[k] = w->rho + from[k];
         v->p2[k] = w->p2 + (from[k] - from[KIND_WALL]);
     }
-    press(m, one ? one : w->rho + from[KIND_WALL], w->rho + from[KIND_WALL], w->p2, all);
+    press(m, one ? one : w->rho + from[KIND_WALL], w->rho + from[KIND_WALL], w->p2, which);
+}
+
+/* What solids show to who looks stands apart: forces go on with what they were found by.  This rank has
+ * densities of all solids or, together, of its own. */
+static void press_apart(struct moment *m, struct view *v, enum part_solids which, bool together)
+{
+    const int *from = v->p->from;
+
+    for (int k = KIND_WALL; k < KINDS; k++) {
+        double *rho = m->work->pressed + (from[k] - from[KIND_WALL]);
+        if (particles_count(v->p, k) == 0)
+            continue;
+        if (together)
+            share_gather(m->share, v->p, (enum kind)k, 1, v->rho[k], rho);
+        else
+            memcpy(rho, v->rho[k], (size_t)particles_count(v->p, k) * sizeof *rho);
+        v->rho[k] = rho;
+    }
+    press(m, m->work->pressed, m->work->pressed, NULL, which);
 }
 
 void moment_press(struct moment *m, struct view *v)
 {
     if (m->plan->passes.press)
-        press_rows(m, v, true, false);
+        press_apart(m, v, PART_SOLIDS_ALL, false);
 }
 
 void press_together(struct moment *m, struct view *v)
 {
-    if (m->plan->passes.press)
-        press_rows(m, v, true, true);
+    if (!m->plan->passes.press)
+        return;
+    choose_own(m);
+    press_apart(m, v, PART_SOLIDS_OWN, true);
 }
 
 /* Rates ask for solids that fluid meets, fields that are looked at for all. */
@@ -84,7 +119,8 @@ int passes_press(struct evaluation *e, const struct plan_field *of)
     (void)of;
     if (e->ask)
         press_narrow(e->m);
-    press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m), false); /* sums of others meet any */
+    /* Sums of others meet any. */
+    press_rows(e->m, &e->view, !e->ask || moment_is_full(e->m) ? PART_SOLIDS_ALL : PART_SOLIDS_MET);
     return STATUS_DONE;
 }
 
@@ -133,7 +169,7 @@ int passes_press_ahead(struct evaluation *e, const struct plan_field *of)
     if (e->job.ahead == 0 || e->job.table == e->m->plan->table.velocities)
         return STATUS_DONE;
     lead(e, rho);
-    press(e->m, rho, rho, p2, moment_is_full(e->m));
+    press(e->m, rho, rho, p2, moment_is_full(e->m) ? PART_SOLIDS_ALL : PART_SOLIDS_MET);
     for (int id = first; id < p->n; id++) {
         const int row = particles_row_of(p, id);
         power += (p2[row - first] - w->p2[row - first]) * p->m[row] * rate_of(e->m, id);

@@ -67,6 +67,7 @@ struct moment_share {
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
+    bool pressed;          /* solids that press have been told which ones are own */
     bool packed;           /* own rows stand before others, own.c              */
     struct {
         long piece[LAYOUT_ROWS][2]; /* of y                                    */
@@ -139,7 +140,7 @@ static inline int share_width(int kind)
 void share_gather(struct moment_share *s, const struct particles *p, enum kind k, size_t c,
                   const double *from, double *to);
 
-/* press.c: pressure of all solids in a view of own rows, all ranks together. */
+/* press.c: the same of own solids, in a view of own rows, all ranks together. */
 void press_together(struct moment *m, struct view *v);
 
 /* balance-where.c: space cut anew, by places where the list was made.  Each rank brings its own particles

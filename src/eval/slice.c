@@ -156,7 +156,7 @@ static bool are_here(const struct moment *m, int k, bool density)
 {
     if (!moment_is_packed(m))
         return true;
-    return k != KIND_FLUID && (!density || m->plan->passes.press || m->plan->row.density[k] < 0);
+    return k != KIND_FLUID && (!density || m->plan->row.density[k] < 0);
 }
 
 static void put(struct road *r, const struct moment *m, int k, bool density, const double *from, double *to)

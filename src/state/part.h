@@ -173,14 +173,16 @@ struct part_places {
     bool sharp;       /* their pressure is solved for: its law may have corners */
 };
 
-/* Densities of rows of y, and what becomes of them, [solids] by row, counted from the first
- * solid. */
+/* Solids that fluid meets, that are this rank's (the last choose()), or all. */
+enum part_solids { PART_SOLIDS_MET, PART_SOLIDS_OWN, PART_SOLIDS_ALL };
+
+/* Densities of rows of y, and what becomes of them, [solids] by row, from the first solid. */
 struct part_pressed {
     const double *rho; /* that the solids' own rows hold         [kg/m^D]     */
     double *shown;     /* that they show, and store energy by; may be rho [kg/m^D] */
-    double *p2;        /* p/rho^2 that they press with           [m^5/(kg s^2)] */
+    double *p2;        /* p/rho^2 that they press with; NULL     [m^5/(kg s^2)] */
     double *mean;      /* that the law is of, before its corner; NULL [kg/m^D] */
-    bool all;          /* of all solids; else of those of the last narrow()   */
+    enum part_solids which; /* of which it is wanted                          */
 };
 
 struct part_press_work; /* what members work in: memory of a wall model          */
@@ -199,12 +201,11 @@ struct part_press {
     int (*work)(const void *self, struct part_press_work **out);
     void (*work_free)(struct part_press_work **work);
 
-    /* Until the next call forces ask for these solids only, met [solids] by id, counted
-     * from the first: fluid meets no others. */
-    void (*narrow)(const void *self, struct part_press_work *w, const bool *met);
+    /* From now on fluid meets these, or these are this rank's: solid [solids] by id, from the first. */
+    void (*choose)(const void *self, struct part_press_work *w, enum part_solids which, const bool *solid);
 
-    /* Marks solids [solids] by id whose densities press() then reads for these; others stay as
-     * they are.  False: it may be any, as solids come near to others. */
+    /* Marks solids [solids] by id whose densities press() reads for those that are met, and no others.
+     * False: it may be any, as solids come near to others. */
     bool (*reads)(const void *self, const struct part_press_work *w, bool *read);
 
     /* p says where solids are now, and which particle stands in which row. */

@@ -31,7 +31,8 @@ void contact_press_work_free(struct part_press_work **work)
     free(w->around);
     free(w->slope);
     free(w->touched);
-    free(w->row);
+    free(w->rows[0]);
+    free(w->rows[1]);
     free(w->rest.slice);
     contact_reach_free(&w->reach);
     contact_others_work_free(&w->others);
@@ -52,9 +53,10 @@ int contact_press_work(const void *self, struct part_press_work **out)
     w->around = status_alloc(n, sizeof *w->around);
     w->slope = status_alloc(n, sizeof *w->slope);
     w->touched = status_alloc(n, sizeof *w->touched);
-    w->row = status_alloc(n, sizeof *w->row);
+    w->rows[0] = status_alloc(n, sizeof *w->row);
+    w->rows[1] = status_alloc(n, sizeof *w->row);
     w->rest.slice = status_alloc(n / CONTACT_ROWS + 1, sizeof *w->rest.slice);
-    if (w->rest.slice && w->rho && w->pi && w->around && w->slope && w->touched && w->row
+    if (w->rest.slice && w->rho && w->pi && w->around && w->slope && w->touched && w->rows[0] && w->rows[1]
         && contact_reach_create(&w->reach, &c->mean) == STATUS_DONE
         && contact_others_work(&c->others, &w->others) == STATUS_DONE)
         return STATUS_DONE;
@@ -220,7 +222,7 @@ double contact_press_memory(const void *self)
 {
     const struct contact_press_self *c = self;
 
-    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + (6 + 4.0 / CONTACT_ROWS) * c->mean.n
+    return contact_mean_memory(&c->mean) + contact_reach_memory(&c->mean) + (10 + 4.0 / CONTACT_ROWS) * c->mean.n
            + 8.0 * c->mean.n * (c->others.groups > 1 ? 9 + DIM : 6);
 }
 
@@ -248,25 +250,26 @@ void contact_press_start(const void *self, const struct particles *p, enum kind 
 
 const struct contact_slices *contact_press_look(const struct contact_press_self *c,
                                                 struct part_press_work *w,
-                                                const struct particles *p, bool all)
+                                                const struct particles *p, enum part_solids which)
 {
     look_around(c, p, w);
-    w->last = all ? &w->reach.all : &w->reach.near;
-    if (!all && c->others.groups > 1)
+    w->last = contact_reach_of(&w->reach, which);
+    if (which == PART_SOLIDS_MET && c->others.groups > 1)
         contact_reach_widen(&w->reach, w->touched);
     return w->last;
 }
 
-void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met)
+void contact_press_choose(const void *self, struct part_press_work *w, enum part_solids which,
+                          const bool *solid)
 {
     (void)self;
-    contact_reach_narrow(&w->reach, met);
+    contact_reach_choose(&w->reach, which, solid);
 }
 
 bool contact_press_reads(const void *self, const struct part_press_work *w, bool *read)
 {
     const struct contact_press_self *c = self;
-    const struct contact_slices *near = &w->reach.near;
+    const struct contact_slices *near = contact_reach_of(&w->reach, PART_SOLIDS_MET);
 
     for (int k = 0; k < near->n[CONTACT_R]; k++)
         for (int i = near->slice[CONTACT_R][k] * CONTACT_ROWS;

@@ -26,7 +26,8 @@ struct part_press_work {
     double *around;  /* o                                     [kg/m^D] */
     double *slope;   /* dg/do of the last press()                      */
     bool *touched;   /* other solids are near                          */
-    int *row;        /* from the first solid                           */
+    int *row;        /* from the first solid, of the last press(): one of these */
+    int *rows[2];    /* of one that kept rests, as these stand in such rows; else */
     const struct contact_slices *last; /* those of the last press()    */
     struct {
         const double *shown, *p2;
@@ -49,7 +50,7 @@ static inline int contact_press_row(const struct contact_press_self *c, const st
 /* Looks for other solids where those of p are; the slices to evaluate. */
 const struct contact_slices *contact_press_look(const struct contact_press_self *c,
                                                 struct part_press_work *w,
-                                                const struct particles *p, bool all);
+                                                const struct particles *p, enum part_solids which);
 
 /* Members of the part. */
 int contact_press_prepare(void *self, const struct scales *s);
@@ -58,7 +59,8 @@ void contact_press_free(void *self);
 void contact_press_start(const void *self, const struct particles *p, enum kind k, double *rho);
 int contact_press_work(const void *self, struct part_press_work **out);
 void contact_press_work_free(struct part_press_work **work);
-void contact_press_narrow(const void *self, struct part_press_work *w, const bool *met);
+void contact_press_choose(const void *self, struct part_press_work *w, enum part_solids which,
+                          const bool *solid);
 bool contact_press_reads(const void *self, const struct part_press_work *w, bool *read);
 int contact_press_meet(const void *self, struct part_press_work *w, const struct particles *p,
                        const double *p2, double (*f)[DIM], int *row);

@@ -116,7 +116,8 @@ static void push_slice(const struct pressing *of, int slice)
 static void rest(const struct part_pressed *io, double rho0, int i)
 {
     io->shown[i] = rho0;
-    io->p2[i] = 0;
+    if (io->p2)
+        io->p2[i] = 0;
     if (io->mean)
         io->mean[i] = rho0;
 }
@@ -132,11 +133,16 @@ static enum rests rests_of(const struct part_press_work *w, const struct part_pr
     return w->reach.made == w->rest.made ? RESTS_STAND : RESTS_LAST;
 }
 
-/* For the next press(): where this one wrote. */
+/* For the next press(): where this one wrote.  Other arrays may have been written to in between. */
 static void keep_rests(struct part_press_work *w, const struct part_pressed *io,
                        const struct contact_slices *slices, bool lasts)
 {
-    w->rest.shown = lasts ? io->shown : NULL;
+    if (!lasts) {
+        if (io->shown == w->rest.shown || io->p2 == w->rest.p2)
+            w->rest.shown = w->rest.p2 = NULL;
+        return;
+    }
+    w->rest.shown = io->shown;
     w->rest.p2 = io->p2;
     w->rest.made = w->reach.made;
     w->rest.n = slices->n[CONTACT_PI]; /* slices of q are among them */
@@ -178,7 +184,7 @@ static void press_slices(const struct pressing *of, const struct contact_slices 
                     n[CONTACT_PI] - k < CHUNK ? n[CONTACT_PI] - k : CHUNK);
     threads_meet();
 #pragma omp for schedule(static) nowait
-    for (int k = 0; k < n[CONTACT_Q]; k++)
+    for (int k = 0; k < (of->io->p2 ? n[CONTACT_Q] : 0); k++)
         push_slice(of, slice[CONTACT_Q][k]);
 }
 
@@ -186,12 +192,13 @@ static void press(const void *self, struct part_press_work *w, const struct part
                   const struct part_pressed *io)
 {
     const struct contact_press_self *c = self;
-    const struct contact_slices *slices = contact_press_look(c, w, p, io->all);
+    const struct contact_slices *slices = contact_press_look(c, w, p, io->which);
     const struct pressing of = { c, w, p, io };
 
-    const bool lasts = !io->all && !io->mean && io->rho != io->shown;
+    const bool lasts = io->which == PART_SOLIDS_MET && !io->mean && io->rho != io->shown;
     const enum rests rests = rests_of(w, io, lasts);
 
+    w->row = w->rows[!lasts];
     THREADS(waiting_repays((long)slices->n[CONTACT_R] * WORTH), press_slices(&of, slices, rests));
     if (rests != RESTS_STAND)
         keep_rests(w, io, slices, lasts);
@@ -203,7 +210,7 @@ static const struct part_press contact_press = {
     .start = contact_press_start,
     .work = contact_press_work,
     .work_free = contact_press_work_free,
-    .narrow = contact_press_narrow,
+    .choose = contact_press_choose,
     .reads = contact_press_reads,
     .press = press,
     .mean = contact_press_mean,
