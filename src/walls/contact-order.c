@@ -19,22 +19,16 @@ static const double *place_of(const struct part_places *at, int solid)
     return at->p->x0[at->p->from[KIND_WALL] + solid];
 }
 
-static void find_low(const struct part_places *at, int n, const int *solid, double *low)
+/* Counted from the sides of the domain, before which walls mostly have two layers that water can reach: these
+ * share cells of twice the width. */
+static uint64_t cell_of(const struct scales *s, const double *x)
 {
-    for (int d = 0; d < DIM; d++) {
-        low[d] = HUGE_VAL;
-        for (int i = 0; i < n; i++)
-            low[d] = fmin(low[d], place_of(at, solid[i])[d]);
-    }
-}
-
-static uint64_t cell_of(const double *x, const double *low, double width)
-{
-    static const double most = (double)((1ull << BITS) - 1);
+    static const double most = (double)((1ull << BITS) - 1), middle = (double)(1ull << (BITS - 1));
     uint64_t cell = 0;
 
     for (int d = 0; d < DIM; d++) {
-        const uint64_t k = (uint64_t)fmin(floor((x[d] - low[d]) / width + 0.5), most);
+        const double along = floor((x[d] - s->low[d]) / s->dx) + middle;
+        const uint64_t k = (uint64_t)fmin(fmax(along, 0), most);
         for (int b = 0; b < BITS; b++)
             cell |= (k >> b & 1) << (b * DIM + d);
     }
@@ -56,13 +50,11 @@ int contact_order_sort(const struct part_places *at, int n, int *solid)
 {
     struct place *place = status_alloc((unsigned long)n + 1, sizeof *place);
     const int first = at->p->from[KIND_WALL];
-    double low[DIM];
 
     if (!place)
         return STATUS_FAILED;
-    find_low(at, n, solid, low);
     for (int i = 0; i < n; i++)
-        place[i] = (struct place){ .cell = cell_of(place_of(at, solid[i]), low, at->p->scales->dx),
+        place[i] = (struct place){ .cell = cell_of(at->p->scales, place_of(at, solid[i])),
                                    .group = at->solid[at->p->object_of[first + solid[i]]].group,
                                    .solid = solid[i] };
     qsort(place, (size_t)n, sizeof *place, compare);
