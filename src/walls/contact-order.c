@@ -19,8 +19,8 @@ static const double *place_of(const struct part_places *at, int solid)
     return at->p->x0[at->p->from[KIND_WALL] + solid];
 }
 
-/* Counted from the sides of the domain, before which walls mostly have two layers that water can reach: these
- * share cells of twice the width. */
+/* Counted from the sides of the domain: of walls beyond them water mostly reaches two layers, and these share
+ * cells of twice the width. */
 static uint64_t cell_of(const struct scales *s, const double *x)
 {
     static const double most = (double)((1ull << BITS) - 1), middle = (double)(1ull << (BITS - 1));

@@ -27,7 +27,7 @@ struct part_press_work {
     double *slope;   /* dg/do of the last press()                      */
     bool *touched;   /* other solids are near                          */
     int *row;        /* from the first solid, of the last press(): one of these */
-    int *rows[2];    /* of one that kept rests, as these stand in such rows; else */
+    int *rows[2];    /* of the last that kept rests, which stand in these rows; of the last other */
     const struct contact_slices *last; /* those of the last press()    */
     struct {
         const double *shown, *p2;

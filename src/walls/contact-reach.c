@@ -58,7 +58,7 @@ void contact_reach_free(struct contact_reach *r)
     *r = (struct contact_reach){ 0 };
 }
 
-/* Of one choice: no rank among others, no other. */
+/* With one choice: a process that is alone does not ask for its own. */
 double contact_reach_memory(const struct contact_mean *mean)
 {
     return (double)mean->slices * ((CONTACT_STAGES + 1) * sizeof(int) + 1);
