@@ -82,7 +82,7 @@ static void press_rows(struct moment *m, struct view *v, enum part_solids which)
 
 /* What solids show to who looks stands apart: forces go on with what they were found by.  This rank has
  * densities of all solids or, together, of its own. */
-static void press_apart(struct moment *m, struct view *v, enum part_solids which, bool together)
+static void press_apart(struct moment *m, struct view *v, bool together)
 {
     const int *from = v->p->from;
 
@@ -96,13 +96,13 @@ static void press_apart(struct moment *m, struct view *v, enum part_solids which
             memcpy(rho, v->rho[k], (size_t)particles_count(v->p, k) * sizeof *rho);
         v->rho[k] = rho;
     }
-    press(m, m->work->pressed, m->work->pressed, NULL, which);
+    press(m, m->work->pressed, m->work->pressed, NULL, together ? PART_SOLIDS_OWN : PART_SOLIDS_ALL);
 }
 
 void moment_press(struct moment *m, struct view *v)
 {
     if (m->plan->passes.press)
-        press_apart(m, v, PART_SOLIDS_ALL, false);
+        press_apart(m, v, false);
 }
 
 void press_together(struct moment *m, struct view *v)
@@ -110,7 +110,7 @@ void press_together(struct moment *m, struct view *v)
     if (!m->plan->passes.press)
         return;
     choose_own(m);
-    press_apart(m, v, PART_SOLIDS_OWN, true);
+    press_apart(m, v, true);
 }
 
 /* Rates ask for solids that fluid meets, fields that are looked at for all. */
