@@ -2,6 +2,7 @@
  * their order; and the largest product of two entries, of all ranks. */
 #include "algebra/vector-private.h"
 
+#include "base/threads.h"
 #include "ranks/ranks.h"
 
 #include <math.h>
@@ -19,34 +20,45 @@ static double block_dot(const double *x, const double *y, int n)
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-double vector_dot(long n, const double *x, const double *y, double *partial)
+static double add_blocks(long n, const double *partial)
 {
-    const long blocks = vector_blocks(n);
     double sum = 0;
 
-#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
-    for (long b = 0; b < blocks; b++)
-        partial[b] = block_dot(x + b * VECTOR_BLOCK, y + b * VECTOR_BLOCK,
-                               vector_block_size(n, b));
-    for (long b = 0; b < blocks; b++)
+    for (long b = 0; b < vector_blocks(n); b++)
         sum += partial[b];
     return sum;
 }
 
-static double dot_in_order(const struct vector_family *f, const double *x, const double *y)
+/* Of this thread's blocks. */
+static void dot_blocks(long n, const double *x, const double *y, double *partial)
 {
-    double sum = 0;
+#pragma omp for schedule(static) nowait
+    for (long b = 0; b < vector_blocks(n); b++)
+        partial[b] = block_dot(x + b * VECTOR_BLOCK, y + b * VECTOR_BLOCK,
+                               vector_block_size(n, b));
+}
 
-#pragma omp parallel for schedule(static) if (f->n > VECTOR_LONG)
+double vector_dot(long n, const double *x, const double *y, double *partial)
+{
+    THREADS(n > VECTOR_LONG, dot_blocks(n, x, y, partial));
+    return add_blocks(n, partial);
+}
+
+static void dot_blocks_in_order(const struct vector_family *f, const double *x, const double *y)
+{
+#pragma omp for schedule(static) nowait
     for (long b = 0; b < vector_blocks(f->n); b++) {
         double xb[VECTOR_BLOCK], yb[VECTOR_BLOCK];
 
         f->partial[b] = block_dot(vector_in_order(f, x, b, xb), vector_in_order(f, y, b, yb),
                                   vector_block_size(f->n, b));
     }
-    for (long b = 0; b < vector_blocks(f->n); b++)
-        sum += f->partial[b];
-    return sum;
+}
+
+static double dot_in_order(const struct vector_family *f, const double *x, const double *y)
+{
+    THREADS(f->n > VECTOR_LONG, dot_blocks_in_order(f, x, y));
+    return add_blocks(f->n, f->partial);
 }
 
 sunrealtype vector_dot_product(N_Vector x, N_Vector y)

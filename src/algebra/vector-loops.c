@@ -1,6 +1,8 @@
 /* vector-loops.c -- loops over y, block by block, that any room may use. */
 #include "algebra/vector-private.h"
 
+#include "base/threads.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -109,12 +111,22 @@ void vector_add_up(bool wide, const double *unit, int terms, const double *c,
         add_up_many(terms, c, part, first, n, to + from);
 }
 
+/* Blocks of this thread. */
+static void combine_blocks(const double *unit, int terms, const double *c,
+                           const double *const *x, long n, double *to)
+{
+    const bool wide = vector_wide();
+
+#pragma omp for schedule(static) nowait
+    for (long b = 0; b < vector_blocks(n); b++)
+        vector_add_up(wide, unit, terms, c, x, b * VECTOR_BLOCK, vector_block_size(n, b), to);
+}
+
 void vector_combine(int terms, const double *c, const double *const *x, long n, double *to)
 {
     const int unit = terms > 1 && c[0] == 1; /* x[0] is added last */
     const double *xk[VECTOR_TERMS];
     double ck[VECTOR_TERMS];
-    const bool wide = vector_wide();
     int m = 0;
 
     for (int k = unit; k < terms; k++)
@@ -122,18 +134,20 @@ void vector_combine(int terms, const double *c, const double *const *x, long n, 
             ck[m] = c[k];
             xk[m++] = x[k];
         }
-#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
+    THREADS(n > VECTOR_LONG, combine_blocks(unit ? x[0] : NULL, m, ck, xk, n, to));
+}
+
+static void copy_blocks(long n, const double *x, double *to)
+{
+#pragma omp for schedule(static) nowait
     for (long b = 0; b < vector_blocks(n); b++)
-        vector_add_up(wide, unit ? x[0] : NULL, m, ck, xk, b * VECTOR_BLOCK,
-                      vector_block_size(n, b), to);
+        memcpy(to + b * VECTOR_BLOCK, x + b * VECTOR_BLOCK,
+               (size_t)vector_block_size(n, b) * sizeof *x);
 }
 
 void vector_copy(long n, const double *x, double *to)
 {
-#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
-    for (long b = 0; b < vector_blocks(n); b++)
-        memcpy(to + b * VECTOR_BLOCK, x + b * VECTOR_BLOCK,
-               (size_t)vector_block_size(n, b) * sizeof *x);
+    THREADS(n > VECTOR_LONG, copy_blocks(n, x, to));
 }
 
 void vector_own_copy(const struct vector_family *f, const double *x, double *to)
@@ -154,14 +168,29 @@ static bool block_bad(const double *x, int n)
     return bad;
 }
 
+static void keep_earlier(long *first, long mine)
+{
+    if (mine < *first)
+        *first = mine;
+}
+
+/* Where the first bad one of this thread's blocks begins. */
+static void look_for_bad(long n, const double *x, long *first)
+{
+    const struct threads_part part = threads_part((int)vector_blocks(n));
+    long b = part.from;
+
+    while (b < part.to && !block_bad(x + b * VECTOR_BLOCK, vector_block_size(n, b)))
+        b++;
+    if (b < part.to)
+        THREADS_IN_TURN(keep_earlier(first, b * VECTOR_BLOCK));
+}
+
 long vector_first_bad(long n, const double *x)
 {
     long first = n;
 
-#pragma omp parallel for schedule(static) reduction(min : first) if (n > VECTOR_LONG)
-    for (long b = 0; b < vector_blocks(n); b++)
-        if (b * VECTOR_BLOCK < first && block_bad(x + b * VECTOR_BLOCK, vector_block_size(n, b)))
-            first = b * VECTOR_BLOCK;
+    THREADS(n > VECTOR_LONG, look_for_bad(n, x, &first));
     while (first < n && fabs(x[first]) <= DBL_MAX)
         first++;
     return first < n ? first : -1;

@@ -1,6 +1,8 @@
 /* vector-sum.c -- linear combinations, put off until they are read. */
 #include "algebra/vector-private.h"
 
+#include "base/threads.h"
+
 #include <string.h>
 
 /* to = sum of c[k] x[k] inside of the ranges, at once. */
@@ -212,10 +214,17 @@ static void fill_block(const struct vector_family *f, long b, double c, double *
             x[i] = c;
 }
 
+/* By this thread. */
+static void fill_blocks(const struct vector_family *f, double c, double *x)
+{
+#pragma omp for schedule(static) nowait
+    for (long b = 0; b < vector_blocks(f->n); b++)
+        fill_block(f, b, c, x);
+}
+
 void vector_sum_constant(sunrealtype c, N_Vector z)
 {
     const struct vector_family *f = vector_content(z)->family;
-    const long n = f->n;
     double *to;
 
     if (c == 0) {
@@ -223,9 +232,7 @@ void vector_sum_constant(sunrealtype c, N_Vector z)
         return;
     }
     to = vector_renew(vector_content(z));
-#pragma omp parallel for schedule(static) if (n > VECTOR_LONG)
-    for (long b = 0; b < vector_blocks(n); b++)
-        fill_block(f, b, c, to);
+    THREADS(f->n > VECTOR_LONG, fill_blocks(f, c, to));
 }
 
 /* --- ranges -------------------------------------------------------------- */

@@ -2,6 +2,8 @@
 #include "algebra/vector-private.h"
 
 #include "base/status.h"
+#include "base/threads.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +45,14 @@ static void clear_block(const struct vector_family *f, double *data, long b)
         memset(data + from, 0, (size_t)(end - from) * sizeof *data);
 }
 
-/* Zeroes by all threads: each gets its part into memory near it. */
+/* By this thread, which gets them into memory near it. */
+static void clear_blocks(const struct vector_family *f, double *data)
+{
+#pragma omp for schedule(static) nowait
+    for (long b = 0; b < vector_blocks(f->n); b++)
+        clear_block(f, data, b);
+}
+
 static bool fill(N_Vector v, struct vector_family *f)
 {
     struct vector_content *c = calloc(1, sizeof *c);
@@ -51,9 +60,7 @@ static bool fill(N_Vector v, struct vector_family *f)
     v->content = c;
     if (!c || !vector_join(c, f))
         return false;
-#pragma omp parallel for schedule(static) if (f->n > VECTOR_LONG)
-    for (long b = 0; b < vector_blocks(f->n); b++)
-        clear_block(f, c->store->data, b);
+    THREADS(f->n > VECTOR_LONG, clear_blocks(f, c->store->data));
     return true;
 }
 

@@ -19,6 +19,7 @@
 #include "eval/face.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "space/record.h"
 
 #include <string.h>
@@ -34,16 +35,21 @@ static const int velocity_at[DIM] = { RECORD_V, RECORD_V + 1, RECORD_VZ };
 
 /* --- slip and forces ----------------------------------------------------------- */
 
+/* Of this thread's places. */
+static void read_part(const struct moment *m, const int at[DIM], double *to)
+{
+    const struct threads_part part = threads_part(m->list->listed + 1);
+    const double *record = m->work->record;
+
+    for (int s = part.from; s < part.to; s++)
+        for (int d = 0; d < DIM; d++)
+            to[(size_t)s * COUPLE_STRIDE + (size_t)d] = record[(size_t)s * RECORD + (size_t)at[d]];
+}
+
 /* Vectors of all particles that stand at these positions of the records. */
 static void read_records(const struct moment *m, const int at[DIM], double *to)
 {
-    const double *record = m->work->record;
-    const int n = m->list->listed + 1;
-
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int s = 0; s < n; s++)
-        for (int d = 0; d < DIM; d++)
-            to[(size_t)s * COUPLE_STRIDE + (size_t)d] = record[(size_t)s * RECORD + (size_t)at[d]];
+    THREADS(m->list->listed >= 4096, read_part(m, at, to));
 }
 
 /* How far the fluid before solids is from them; places stand in o->slip for a while. */
@@ -171,6 +177,22 @@ static double add_to_fluid(const struct moment *m, const struct rates_job *job, 
     return power;
 }
 
+/* Of this thread's blocks. */
+static void add_to_part(const struct moment *m, const struct rates_job *job, int blocks)
+{
+    const struct threads_part part = threads_part(blocks);
+    const int n = m->list->start[KIND_FLUID + 1];
+    const struct face *o = m->face;
+
+    for (int k = part.from; k < part.to; k++) {
+        const int to = (k + 1) * FACE_BLOCK < n ? (k + 1) * FACE_BLOCK : n;
+        o->partial[k] = 0;
+        for (int s = k * FACE_BLOCK; s < to; s++)
+            if (o->job.firm[s] > 0)
+                o->partial[k] += add_to_fluid(m, job, s);
+    }
+}
+
 /* The same bits on any number of threads. */
 static double add_to_fluids(const struct moment *m, const struct rates_job *job)
 {
@@ -178,14 +200,7 @@ static double add_to_fluids(const struct moment *m, const struct rates_job *job)
     const struct face *o = m->face;
     double sum = 0;
 
-#pragma omp parallel for schedule(static) if (blocks > 8)
-    for (int k = 0; k < blocks; k++) {
-        const int to = (k + 1) * FACE_BLOCK < n ? (k + 1) * FACE_BLOCK : n;
-        o->partial[k] = 0;
-        for (int s = k * FACE_BLOCK; s < to; s++)
-            if (o->job.firm[s] > 0)
-                o->partial[k] += add_to_fluid(m, job, s);
-    }
+    THREADS(blocks > 8, add_to_part(m, job, blocks));
     for (int k = 0; k < blocks; k++)
         sum += o->partial[k];
     return sum;

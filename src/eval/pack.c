@@ -118,13 +118,19 @@ static void copy_chunk(const struct moment *m, const struct view *v, int k, int 
     }
 }
 
+/* By this thread. */
+static void copy_chunks(const struct moment *m, const struct view *v, int k, int from, int to)
+{
+#pragma omp for schedule(static) nowait
+    for (int s = from; s < to; s += CHUNK)
+        copy_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+}
+
 static void copy_images(const struct moment *m, const struct view *v, int k)
 {
     const int from = m->list->image[k], to = m->list->image[k + 1];
 
-#pragma omp parallel for schedule(static) if (to - from > 4 * CHUNK)
-    for (int s = from; s < to; s += CHUNK)
-        copy_chunk(m, v, k, s, s + CHUNK < to ? s + CHUNK : to);
+    THREADS(to - from > 4 * CHUNK, copy_chunks(m, v, k, from, to));
 }
 
 static int refuse_density(struct moment *m, const struct view *v, int slot)

@@ -9,6 +9,7 @@
 
 #include "algebra/vector.h"
 #include "base/status.h"
+#include "base/threads.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -111,19 +112,33 @@ static double precondition_own(const struct operator *a, const double *residual,
     return most;
 }
 
+static void keep_larger(double *most, double mine)
+{
+    *most = fmax(*most, mine);
+}
+
+/* Rows of this thread. */
+static void divide_part(const struct operator *a, const double *residual, double *near, double *most)
+{
+    const struct threads_part part = threads_part(a->n / a->width);
+    const int width = a->width;
+    double mine = 0;
+
+    for (int i = part.from; i < part.to; i++)
+        for (int k = i * width; k < (i + 1) * width; k++) {
+            near[k] = residual[k] / a->diagonal[i];
+            mine = fmax(mine, fabs(near[k]));
+        }
+    THREADS_IN_TURN(keep_larger(most, mine));
+}
+
 /* near = M^-1 residual; its largest entry. */
 static double precondition(const struct operator *a, const double *residual, double *near)
 {
-    const int n = a->n / a->width, width = a->width;
     double most = 0;
     int at = a->n;
 
-#pragma omp parallel for schedule(static) reduction(max : most) if (n > WORTH_THREADS)
-    for (int i = 0; i < n; i++)
-        for (int k = i * width; k < (i + 1) * width; k++) {
-            near[k] = residual[k] / a->diagonal[i];
-            most = fmax(most, fabs(near[k]));
-        }
+    THREADS(a->n / a->width > WORTH_THREADS, divide_part(a, residual, near, &most));
     if (a->temper)
         most = temper(a, near);
     for (int i = 0; i < a->bodies; i++) {

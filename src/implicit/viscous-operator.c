@@ -2,9 +2,12 @@
 #include "implicit/viscous.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "eval/face.h"
 
 #include <string.h>
+
+enum { WORTH_THREADS = 4096 };
 
 int viscous_body(const struct plan *p, int i)
 {
@@ -54,17 +57,24 @@ void viscous_multiply(struct moment *m, unsigned kinds, const double *x, bool wa
     m->counts.products += kinds & KIND_BIT(KIND_FLUID);
 }
 
+/* Rows of this thread. */
+static void fluid_part(const struct moment *m, double gamma, const double *x, double *to)
+{
+    const struct list *l = m->list;
+    const struct threads_part part = threads_part(l->start[KIND_FLUID + 1]);
+    const double *mass = m->particles->m, *f = m->work->f;
+
+    for (int s = part.from; s < part.to; s++)
+        for (int k = s * DIM; k < (s + 1) * DIM; k++)
+            to[k] = mass[l->order[s]] * x[k] - gamma * f[k];
+}
+
 /* Rows of the fluid, m x - gamma F, of the forces in work->f.  What is in no list is 1 x. */
 static void fluid_rows(const struct moment *m, double gamma, const double *x, double *to)
 {
-    const struct list *l = m->list;
-    const double *mass = m->particles->m, *f = m->work->f;
-    const int n = l->start[KIND_FLUID + 1], fluid = viscous_of(m)->fluid;
+    const int n = m->list->start[KIND_FLUID + 1], fluid = viscous_of(m)->fluid;
 
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (int s = 0; s < n; s++)
-        for (int k = s * DIM; k < (s + 1) * DIM; k++)
-            to[k] = mass[l->order[s]] * x[k] - gamma * f[k];
+    THREADS(n > WORTH_THREADS, fluid_part(m, gamma, x, to));
     memcpy(to + n * DIM, x + n * DIM, (size_t)(fluid - n * DIM) * sizeof *to);
 }
 

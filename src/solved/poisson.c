@@ -2,6 +2,7 @@
 #include "solved/poisson.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -173,17 +174,24 @@ int poisson_loose(struct poisson *s, const char *role, int *joined)
 
 /* --- the solve ------------------------------------------------------------------- */
 
-static void multiply(void *self, const double *x, double *to)
+/* Rows of this thread. */
+static void multiply_part(const struct poisson *s, const double *x, double *to)
 {
-    const struct poisson *s = self;
+    const struct threads_part part = threads_part(s->n);
 
-#pragma omp parallel for schedule(static) if (s->n > WORTH_THREADS)
-    for (int i = 0; i < s->n; i++) {
+    for (int i = part.from; i < part.to; i++) {
         double sum = s->diagonal[i] * x[i];
         for (size_t k = s->from[i]; k < s->from[i + 1]; k++)
             sum += s->value[k] * x[s->column[k]];
         to[i] = sum;
     }
+}
+
+static void multiply(void *self, const double *x, double *to)
+{
+    const struct poisson *s = self;
+
+    THREADS(s->n > WORTH_THREADS, multiply_part(s, x, to));
     for (int i = s->n; i < s->size; i++)
         to[i] = x[i];
 }

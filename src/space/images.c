@@ -3,6 +3,7 @@
 #include "space/images.h"
 
 #include "base/status.h"
+#include "base/threads.h"
 #include "space/list-private.h"
 
 #include <math.h>
@@ -77,22 +78,27 @@ static int turns_of(const struct list_def *def, int d, double x)
     return (lengths < (int)lengths) - (int)lengths; /* -floor() */
 }
 
-void images_bring_home(const struct list *list, const struct cloud *cloud)
+/* Rows of this thread, of `n` from `from` on, which are at `x`. */
+static void bring_part(const struct list *list, const double *x, int from, int n)
 {
+    const struct threads_part part = threads_part(n);
     const struct images *to = &list->own->images;
 
-    for (int kind = 0; kind < KINDS; kind++) {
-        const int from = list->def.from[kind], end = list->def.from[kind + 1];
+    for (int i = part.from; i < part.to; i++)
+        for (int d = 0; d < DIM; d++) {
+            const double at = x[(size_t)i * DIM + (size_t)d];
 
-#pragma omp parallel for schedule(static) if (end - from > WORTH_THREADS)
-        for (int i = from; i < end; i++) {
-            const double *x = cloud->x[kind] + (size_t)(i - from) * DIM;
-
-            for (int d = 0; d < DIM; d++) {
-                to->turns[i][d] = turns_of(&list->def, d, x[d]);
-                to->home[i][d] = moved(&list->def, d, x[d], to->turns[i][d]);
-            }
+            to->turns[from + i][d] = turns_of(&list->def, d, at);
+            to->home[from + i][d] = moved(&list->def, d, at, to->turns[from + i][d]);
         }
+}
+
+void images_bring_home(const struct list *list, const struct cloud *cloud)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        const int from = list->def.from[kind], n = list->def.from[kind + 1] - from;
+
+        THREADS(n > WORTH_THREADS, bring_part(list, cloud->x[kind], from, n));
     }
 }
 

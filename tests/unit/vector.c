@@ -21,6 +21,19 @@ enum { LONG = 70003 }; /* several threads, and a last block that is not full */
 
 static SUNContext context;
 
+/* Teams of threads that our own code asked for, where gcc compiled it. */
+static int teams;
+#ifdef _OPENMP
+void __real_GOMP_parallel(void (*loop)(void *), void *data, unsigned threads, unsigned flags);
+void __wrap_GOMP_parallel(void (*loop)(void *), void *data, unsigned threads, unsigned flags);
+
+void __wrap_GOMP_parallel(void (*loop)(void *), void *data, unsigned threads, unsigned flags)
+{
+    teams++;
+    __real_GOMP_parallel(loop, data, threads, flags);
+}
+#endif
+
 static void use_threads(int n)
 {
 #ifdef _OPENMP
@@ -397,6 +410,42 @@ static void bits_do_not_depend_on_threads(void **state)
     use_threads(1);
 }
 
+/* Teams that operations on vectors of this length ask for. */
+static int teams_for(long n, int threads)
+{
+    const double c[2] = { 2, -1 };
+    N_Vector x = noisy(n, VECTOR_NORM_MAX, 3), y = N_VClone(x), z = N_VClone(x);
+    N_Vector both[2] = { x, y };
+
+    use_threads(threads);
+    teams = 0;
+    N_VDestroy(N_VClone(x));
+    N_VConst(1, y);
+    assert_int_equal(N_VLinearCombination(2, (double *)c, both, z), 0);
+    near(N_VDotProd(y, y), (double)n, 1e-14);
+    assert_true(N_VWrmsNorm(z, y) > 0);
+    assert_int_equal(vector_first_bad(n, vector_data(z)), -1);
+    vector_copy(n, vector_data(z), vector_data(x));
+    assert_memory_equal(vector_data(x), vector_data(z), (size_t)n * sizeof(double));
+    use_threads(1);
+    N_VDestroy(x);
+    N_VDestroy(y);
+    N_VDestroy(z);
+    return teams;
+}
+
+/* A team of one costs more than a loop over a beam's entries. */
+static void one_thread_needs_no_team(void **state)
+{
+    const int needed = teams_for(LONG, 2);
+
+    (void)state;
+    if (needed > 0 && needed < 6)
+        fail_msg("%d teams of two threads for six operations on a long vector", needed);
+    assert_int_equal(teams_for(LONG, 1), 0);
+    assert_int_equal(teams_for(100, 2), 0);
+}
+
 static int open_context(void **state)
 {
     (void)state;
@@ -426,6 +475,7 @@ int main(void)
         cmocka_unit_test(wide_registers_change_no_bit),
         cmocka_unit_test(the_first_term_is_added_last),
         cmocka_unit_test(bits_do_not_depend_on_threads),
+        cmocka_unit_test(one_thread_needs_no_team),
     };
 
     return cmocka_run_group_tests(tests, open_context, close_context);
