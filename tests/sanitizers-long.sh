@@ -2,7 +2,7 @@
 # sanitizers-long.sh -- what a sanitizer sees of our code: addresses and undefined behaviour in all that
 # `make check-code' runs, in 2D and 3D, and, where there is clang with its OpenMP, races of threads.
 #
-# Each has a build tree of its own, so that this takes half an hour on two cores; `make check-long' runs it.
+# Each has a build tree of its own, so that this takes some half an hour; `make check-long' runs it.
 # The changes of a day meet the first in 2D, and in 3D what scripts run (.ci/run).
 . "$top_srcdir/tests/lib.sh"
 
