@@ -121,53 +121,6 @@ static int make_layout(struct plan *p)
     return STATUS_DONE;
 }
 
-/* How far walls move along each axis until the end [m]: a tank carries what is in it along. */
-static void wall_reach(const struct plan *p, double *most)
-{
-    for (int d = 0; d < DIM; d++)
-        most[d] = 0;
-    for (int i = 0; i < p->walls; i++) {
-        double low[DIM], high[DIM], reach[DIM];
-        shape_bounds(&p->in.wall[i].set.shape, low, high);
-        motion_extent(&p->wall[i].motion, low, high, p->in.set.until, reach);
-        for (int d = 0; d < DIM; d++)
-            most[d] = fmax(most[d], reach[d]);
-    }
-}
-
-/* Kinds of walls, if none moves. */
-static unsigned still_kinds(const struct plan *p)
-{
-    for (int i = 0; i < p->walls; i++)
-        if (p->wall[i].moves)
-            return 0;
-    return KIND_BIT(KIND_WALL) | KIND_BIT(KIND_WALL_SLIP);
-}
-
-/* Which kinds meet was noted with the tables. */
-static void make_list_def(struct plan *p)
-{
-    struct list_def *d = &p->list_def;
-    double reach[DIM];
-
-    wall_reach(p, reach);
-    memcpy(d->from, p->particles->from, sizeof d->from);
-    d->still = still_kinds(p);
-    d->support = p->scales.support;
-    d->skin = p->in.kernel.skin * p->scales.support;
-    for (int i = 0; i < DIM; i++) { /* walls stand outside of the domain */
-        const double room = (ceil(p->in.kernel.support) + 0.5) * p->scales.dx + reach[i];
-        d->low[i] = p->scales.low[i] - room;
-        d->high[i] = p->scales.high[i] + room;
-        if (p->scales.period[i] > 0) {
-            d->period[i] = p->scales.period[i];
-            d->side[i] = p->scales.low[i];
-            d->low[i] = -HUGE_VAL;
-            d->high[i] = HUGE_VAL;
-        }
-    }
-}
-
 static int check_something(const struct plan *p, const struct scene *scene)
 {
     if (p->in.fluids == 0 && p->in.bodies == 0)
@@ -206,7 +159,8 @@ static int read(struct plan *p, struct scene *scene, struct plan_survey *survey)
     return survey ? plan_survey_take(p, survey) : STATUS_DONE;
 }
 
-static int build(struct plan *p, struct scene *scene)
+/* together: all ranks do so. */
+static int build(struct plan *p, struct scene *scene, bool together)
 {
     TRY(plan_objects_fill(p));
     TRY(take_parts(p));
@@ -217,9 +171,9 @@ static int build(struct plan *p, struct scene *scene)
     TRY(plan_objects_name(p));
     TRY(plan_panels_make(p));
     TRY(make_layout(p));
-    TRY(plan_press_make(p));
+    TRY(plan_press_make(p, together));
     TRY(plan_tables_make(p));
-    make_list_def(p);
+    plan_list_make(p);
     TRY(plan_face_make(p, scene));
     TRY(plan_ahead_agree(p, scene));
     TRY(passes_make(p, passes_table));
@@ -251,8 +205,8 @@ static void destroy(struct plan **plan)
     *plan = NULL;
 }
 
-/* survey, out: NULL if there is none, or no plan is wanted. */
-static int create(struct scene *scene, struct plan_survey *survey, const struct plan **out)
+/* survey, out: NULL if there is none, or no plan is wanted.  together: all ranks do so. */
+static int create(struct scene *scene, struct plan_survey *survey, bool together, const struct plan **out)
 {
     struct plan *p = status_alloc(1, sizeof *p);
     int status;
@@ -265,7 +219,7 @@ static int create(struct scene *scene, struct plan_survey *survey, const struct 
     status = read(p, scene, survey);
     const bool whole = status == STATUS_DONE && out && !(survey && survey->large);
     if (whole)
-        status = build(p, scene);
+        status = build(p, scene, together);
     if (!whole || status != STATUS_DONE)
         destroy(&p);
     if (out)
@@ -275,19 +229,24 @@ static int create(struct scene *scene, struct plan_survey *survey, const struct 
 
 int plan_create(struct scene *scene, const struct plan **out)
 {
-    return create(scene, NULL, out);
+    return create(scene, NULL, false, out);
+}
+
+int plan_create_together(struct scene *scene, const struct plan **out)
+{
+    return create(scene, NULL, true, out);
 }
 
 int plan_survey_create(struct scene *scene, struct plan_survey *survey, const struct plan **out)
 {
     *survey = (struct plan_survey){ 0 };
-    return create(scene, survey, out);
+    return create(scene, survey, false, out);
 }
 
 int plan_survey_count(struct scene *scene, struct plan_survey *survey)
 {
     *survey = (struct plan_survey){ 0 };
-    return create(scene, survey, NULL);
+    return create(scene, survey, false, NULL);
 }
 
 void plan_free(const struct plan **plan)

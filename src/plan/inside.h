@@ -184,6 +184,9 @@ int plan_agree(const struct plan *p, const struct scene *scene);
 double plan_ahead(const struct plan *p);
 int plan_ahead_agree(const struct plan *p, const struct scene *scene);
 
+/* list.c: list_def, of a plan whose tables are made. */
+void plan_list_make(struct plan *p);
+
 /* tables.c: tables of laws, by lane-free arithmetic on pointers; summed densities. */
 int plan_tables_make(struct plan *p);
 void plan_fields_make(struct plan *p);
@@ -197,8 +200,9 @@ int plan_face_make(struct plan *p, const struct scene *scene);
 /* Is the viscosity at faces the one that is implicit? */
 bool plan_face_implicit(const struct plan *p);
 
-/* press.c: passes.press, and what that wall model keeps of the places of solids. */
-int plan_press_make(struct plan *p);
+/* press.c: passes.press, and what that wall model keeps of the places of solids, which all ranks measure
+ * together where all make this plan. */
+int plan_press_make(struct plan *p, bool together);
 void plan_press_free(struct plan *p);
 
 /* start.c: densities at t = 0; pressure that a solid's particle at x starts with [Pa];

@@ -17,6 +17,10 @@ struct scene;
 
 /* Reads and checks the scene, fills its shapes, orders its parts. */
 int plan_create(struct scene *scene, const struct plan **out);
+
+/* The same by all ranks at once, which share what takes long; then they agree on the status by
+ * ranks_agree_after(). */
+int plan_create_together(struct scene *scene, const struct plan **out);
 void plan_free(const struct plan **plan); /* NULL is welcome */
 
 long plan_size(const struct plan *plan);                    /* entries of y at t = 0 */

@@ -38,7 +38,7 @@ static struct plan_part *find(struct plan *p)
     return NULL;
 }
 
-int plan_press_make(struct plan *p)
+int plan_press_make(struct plan *p, bool together)
 {
     struct plan_part *wall = find(p);
     struct part_solid *solid;
@@ -52,7 +52,7 @@ int plan_press_make(struct plan *p)
     describe(p, solid);
     status = wall->part->as.wall->press->create(wall->self, &(struct part_places){
         .p = p->particles, .kernel = p->kernel[PART_DENSITY], .solid = solid,
-        .sharp = plan_ahead(p) > 0 });
+        .sharp = plan_ahead(p) > 0, .together = together });
     free(solid);
     p->passes.press = wall;
     return status;

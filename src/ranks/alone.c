@@ -48,6 +48,16 @@ int ranks_agree(int status)
     return status;
 }
 
+int ranks_agree_within(int status)
+{
+    return status;
+}
+
+int ranks_agree_after(int status)
+{
+    return status;
+}
+
 int ranks_first(double key, long order, void *said, size_t bytes)
 {
     (void)order;

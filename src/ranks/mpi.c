@@ -177,6 +177,23 @@ int ranks_agree(int status)
     return first < 0 ? STATUS_DONE : said.status;
 }
 
+static bool told; /* of a failure within what is made */
+
+int ranks_agree_within(int status)
+{
+    status = ranks_agree(status);
+    told = status != STATUS_DONE;
+    return status;
+}
+
+int ranks_agree_after(int status)
+{
+    const bool knows = told;
+
+    told = false;
+    return knows ? status : ranks_agree(status);
+}
+
 void ranks_most(int n, double *x)
 {
     if (count == 1)

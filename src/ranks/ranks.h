@@ -39,6 +39,11 @@ void ranks_leave(void);
  * brings another. */
 int ranks_agree(int status);
 
+/* The same within what is made on all ranks, of which one may fail before it comes there: it meets the
+ * others in ranks_agree_after(), where all agree on what has become of it. */
+int ranks_agree_within(int status);
+int ranks_agree_after(int status);
+
 /* Who has the least key is heard; of equal ones, who has the least order, then the lowest rank:
  * said [bytes] becomes what that rank had there.  Returns it; -1, and nothing has changed, where
  * all keys are infinite.  No key is NaN, and at most RANKS_SAID bytes are said. */

@@ -60,6 +60,8 @@ static inline const double *run_state_written(const struct run *r)
 
 /* Reads the scene, makes the plan and finds the method; writes nothing. */
 int run_prepare(struct run *r, const struct run_order *order);
+/* The same by all ranks at once, as plan_create_together() does it. */
+int run_prepare_together(struct run *r, const struct run_order *order);
 /* The same, but a plan that would take long to make is not made: then survey->large, and r->plan
  * is NULL. */
 int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey);

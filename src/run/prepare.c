@@ -142,14 +142,9 @@ static int read_scene(struct run *r, const struct run_order *order)
     return STATUS_DONE;
 }
 
-/* survey: as run_prepare_small() has it; NULL: whatever the size. */
-static int prepare(struct run *r, const struct run_order *order, struct plan_survey *survey)
+/* With the plan that there is. */
+static int prepare(struct run *r)
 {
-    TRY(read_scene(r, order));
-    TRY(survey ? plan_survey_create(r->scene, survey, &r->plan)
-               : plan_create(r->scene, &r->plan));
-    if (survey && survey->large)
-        return STATUS_DONE;
     TRY(moment_create(r->plan, &r->moment));
     TRY(find_method(r));
     compute_defaults(r);
@@ -161,13 +156,24 @@ static int prepare(struct run *r, const struct run_order *order, struct plan_sur
 
 int run_prepare(struct run *r, const struct run_order *order)
 {
-    return prepare(r, order, NULL);
+    TRY(read_scene(r, order));
+    TRY(plan_create(r->scene, &r->plan));
+    return prepare(r);
+}
+
+int run_prepare_together(struct run *r, const struct run_order *order)
+{
+    TRY(read_scene(r, order));
+    TRY(plan_create_together(r->scene, &r->plan));
+    return prepare(r);
 }
 
 int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey)
 {
     *survey = (struct plan_survey){ 0 };
-    return prepare(r, order, survey);
+    TRY(read_scene(r, order));
+    TRY(plan_survey_create(r->scene, survey, &r->plan));
+    return survey->large ? STATUS_DONE : prepare(r);
 }
 
 int run_prepare_count(struct run *r, const struct run_order *order, struct plan_survey *survey)

@@ -222,10 +222,10 @@ int run_carry_out(const struct run_order *order, struct archive *from)
     int status;
 
     stop_leave();
-    status = run_prepare(&r, order);
+    status = run_prepare_together(&r, order);
     if (status == STATUS_DONE)
         status = run_doubt_scene(&r);
-    status = ranks_agree(status);
+    status = ranks_agree_after(status);
     if (status == STATUS_DONE)
         status = from ? run_start_again(&r, from) : run_start(&r);
     if (status != STATUS_DONE || !r.outputs) {

@@ -171,6 +171,7 @@ struct part_places {
     const struct kernel_use *kernel;  /* of densities                         */
     const struct part_solid *solid;   /* [objects]                            */
     bool sharp;       /* their pressure is solved for: its law may have corners */
+    bool together;    /* all ranks ask this at once, and may share the work */
 };
 
 /* Solids that fluid meets, that are this rank's (the last choose()), or all. */
@@ -188,8 +189,7 @@ struct part_pressed {
 struct part_press_work; /* what members work in: memory of a wall model          */
 typedef void part_see(void *self, const void *array, size_t bytes); /* one of several */
 
-/* Solids that press by more than a density of their own.  What it knows of their places it
- * keeps in self, made once. */
+/* Solids that press by more than a density of their own.  Self keeps what is known of their places. */
 struct part_press {
     int (*create)(void *self, const struct part_places *at);
     void (*free)(void *self);

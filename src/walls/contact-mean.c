@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "kernels/kernel.h"
 #include "walls/contact-order.h"
+#include "walls/contact-together.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -79,10 +80,11 @@ static void enter(void *self, int j, double r, const double *step)
 static void measure_rows(const struct making *all, const struct contact_cells *solids)
 {
     struct contact_mean *m = all->m;
+    const struct contact_part part = contact_together_part(all->at, m->slices);
     long entries = 0;
 
 #pragma omp parallel for schedule(dynamic, 64) reduction(+ : entries)
-    for (int slice = 0; slice < m->slices; slice++) {
+    for (int slice = part.from; slice < part.to; slice++) {
         long longest = 0;
         for (int i = slice * CONTACT_ROWS; i < m->n && i < (slice + 1) * CONTACT_ROWS; i++) {
             struct making k = *all;
@@ -93,7 +95,8 @@ static void measure_rows(const struct making *all, const struct contact_cells *s
         }
         m->start[slice + 1] = longest * CONTACT_ROWS;
     }
-    m->entries = entries;
+    m->entries = contact_together_sum(all->at, entries);
+    contact_together_hear(all->at, m->slices, sizeof *m->start, m->start + 1);
     for (int slice = 0; slice < m->slices; slice++)
         m->start[slice + 1] += m->start[slice];
 }
@@ -102,9 +105,10 @@ static void measure_rows(const struct making *all, const struct contact_cells *s
 static void fill_rows(const struct making *all, const struct contact_cells *solids)
 {
     struct contact_mean *m = all->m;
+    const struct contact_part part = contact_together_part(all->at, m->slices);
 
 #pragma omp parallel for schedule(dynamic, 64)
-    for (int i = 0; i < m->slices * CONTACT_ROWS; i++) {
+    for (int i = part.from * CONTACT_ROWS; i < part.to * CONTACT_ROWS; i++) {
         const int own = i < m->n ? i : m->n - 1;
         struct making k = *all;
         k.me = m->solid[own];
@@ -113,6 +117,10 @@ static void fill_rows(const struct making *all, const struct contact_cells *soli
         for (long e = k.entries; e < contact_mean_length(m, i / CONTACT_ROWS); e++)
             m->column[contact_mean_at(m, i, e)] = own;
     }
+    contact_together_hear_uneven(all->at, m->slices, m->start, CONTACT_ROWS, CONTACT_ROWS * sizeof *m->column,
+                                 m->column);
+    contact_together_hear_uneven(all->at, m->slices, m->start, CONTACT_ROWS, CONTACT_ROWS * sizeof *m->weight,
+                                 m->weight);
 }
 
 /* What rounding made of a pair seen from its two sides becomes one number; those that are read
@@ -180,19 +188,20 @@ static int make_rows(const struct making *k, const struct contact_cells *solids)
 {
     struct contact_mean *m = k->m;
     double *one = status_alloc((unsigned long)m->n + 1, sizeof *one);
+    int status;
 
     measure_rows(k, solids);
     m->column = status_alloc((unsigned long)m->start[m->slices] + 1, sizeof *m->column);
     m->weight = status_alloc((unsigned long)m->start[m->slices] + 1, sizeof *m->weight);
-    if (!one || !m->column || !m->weight) {
-        free(one);
-        return STATUS_FAILED;
+    status = contact_together_agree(k->at, one && m->column && m->weight ? STATUS_DONE : STATUS_FAILED);
+    if (status == STATUS_DONE) {
+        fill_rows(k, solids);
+        mirror_rows(m);
+        weigh_rows(m, one);
+        status = list_reads(m);
     }
-    fill_rows(k, solids);
-    mirror_rows(m);
-    weigh_rows(m, one);
     free(one);
-    return list_reads(m);
+    return status;
 }
 
 /* Which particles water can reach, in an order of their own; number [solids], -1: none of them. */
@@ -227,6 +236,7 @@ int contact_mean_create(struct contact_mean *m, const struct part_places *at,
     m->inverse = status_alloc((unsigned long)n + CONTACT_ROWS, sizeof *m->inverse);
     if (number && m->solid && m->by_solid && m->start && m->inverse)
         status = number_solids(m, at, share, n, number);
+    status = contact_together_agree(at, status);
     if (status == STATUS_DONE)
         status = make_rows(&(struct making){ .m = m, .at = at, .share = share, .number = number,
                                              .first = first,

@@ -5,6 +5,7 @@
 #include "kernels/kernel.h"
 #include "walls/contact-side.h"
 #include "walls/contact-start.h"
+#include "walls/contact-together.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -163,17 +164,29 @@ static int take_kinds(struct contact_press_self *c, const struct particles *p)
     return c->kind ? STATUS_DONE : STATUS_FAILED;
 }
 
+/* share [solids] */
+static int take_shares(const struct part_places *at, const struct contact_cells *solids, struct contact_share *share)
+{
+    const int n = at->p->n - at->p->from[KIND_WALL];
+    const struct contact_part part = contact_together_part(at, n);
+    struct contact_room room;
+    int status = contact_room_create(&room, at, solids);
+
+    if (status == STATUS_DONE) {
+#pragma omp parallel for schedule(dynamic, 64) if (n > 64)
+        for (int i = part.from; i < part.to; i++)
+            share[i] = contact_room_share(&room, i);
+        contact_room_free(&room);
+    }
+    TRY(contact_together_agree(at, status));
+    contact_together_hear(at, n, sizeof *share, share);
+    return STATUS_DONE;
+}
+
 static int take_places(struct contact_press_self *c, const struct part_places *at,
                        const struct contact_cells *solids, struct contact_share *share)
 {
-    const int n = at->p->n - at->p->from[KIND_WALL];
-    struct contact_room room;
-
-    TRY(contact_room_create(&room, at, solids));
-#pragma omp parallel for schedule(dynamic, 64) if (n > 64)
-    for (int i = 0; i < n; i++)
-        share[i] = contact_room_share(&room, i);
-    contact_room_free(&room);
+    TRY(take_shares(at, solids, share));
     TRY(contact_mean_create(&c->mean, at, solids, share));
     TRY(contact_others_create(&c->others, at, &c->mean, share));
     TRY(take_kinds(c, at->p));

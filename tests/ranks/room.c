@@ -176,6 +176,29 @@ static void a_refusal_without_a_message_is_agreed_on_too(void)
     claim(status == STATUS_FAILED && status_message()[0] == '\0', "a status without a message");
 }
 
+/* Rank `fails` never comes to what the others ask within, or comes there (none: none does) with what it failed
+ * at; afterwards all are still at the same question. */
+static void a_failure_is_met_within_and_after(int fails, bool comes)
+{
+    const int me = ranks_me(), want = fails < ranks_count() ? STATUS_IO : STATUS_DONE;
+    int status = STATUS_DONE, again;
+    double most = me;
+
+    status_forgive();
+    if (me == fails)
+        status = status_fail(STATUS_IO, "rank %d has no memory", me);
+    for (int i = 0; i < 2 && (me != fails || comes) && (i == 0 || status == STATUS_DONE); i++)
+        status = ranks_agree_within(status);
+    status = ranks_agree_after(status);
+    claim(status == want && (want == STATUS_DONE || strstr(status_message(), "has no memory")),
+          "rank %d fails, %s: status %d, \"%s\"", fails, comes ? "within" : "before", status, status_message());
+    status_forgive();
+    again = ranks_agree_after(me == 0 ? status_fail(STATUS_FAILED, "another one") : STATUS_DONE);
+    ranks_most(1, &most);
+    claim(again == STATUS_FAILED && most == ranks_count() - 1, "afterwards: status %d, most %g", again, most);
+    status_forgive();
+}
+
 /* --- cuts ------------------------------------------------------------------------------ */
 
 /* A crowd in a corner: even boxes would share it badly. */
@@ -537,6 +560,9 @@ int main(int argc, char **argv)
     for (int first = 0; first <= ranks_count(); first++)
         the_lowest_that_fails_is_heard(first);
     a_refusal_without_a_message_is_agreed_on_too();
+    for (int fails = 0; fails <= ranks_count(); fails++)
+        for (int comes = 0; comes < 2; comes++)
+            a_failure_is_met_within_and_after(fails, comes);
     rows_arrive_in_order();
     rows_of_a_route_may_be_uneven();
     routes_may_be_under_way_together();
