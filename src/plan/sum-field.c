@@ -9,7 +9,8 @@ static void field_group(const struct sum_field_job *job, int g, struct block *b)
     struct field_sum sum = { 0 };
     struct side a;
 
-    gather_side(job->record, v.first, v.end, job->list->listed, &a);
+    if (!visit_is_idle(&v))
+        gather_side(job->record, v.first, v.end, job->list->listed, &a);
     while (visit_segment(&v, job->meets[v.kind]))
         while (visit_rows(&v, job->record, job->needs, job->kernel, &a, b))
             job->gather(job->self, &a, b, &sum);

@@ -70,7 +70,7 @@ static void end_group(const struct sum_job *job, int g, const float *sum,
     const int owners = visit_owners(&v);
     struct side a;
 
-    if (v.next == v.last) {
+    if (visit_is_idle(&v)) {
         clear_slots(job, v.kind, v.first, owners);
         return;
     }

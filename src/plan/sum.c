@@ -40,7 +40,7 @@ static void sum_group(const struct sum_job *job, int g, struct block *b,
     struct sum part[SUM_SLOTS];
     struct side a;
 
-    if (v.next == v.last) {
+    if (visit_is_idle(&v)) {
         clear_slots(job, v.kind, v.first, owners);
         return;
     }

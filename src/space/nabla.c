@@ -64,24 +64,34 @@ LANES_INLINE void weigh(const lanes *own, const lanes *of, const struct block *b
 
 enum { SLOPES = NEED_X | NEED_R2 | NEED_GRADW };
 
-/* Values have width `in`, sums `out`; all but pass, g and b are constants. */
-LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int in, int out,
-                            unsigned needs, row_term *term)
+/* Values have width `in`; all but pass, v and b are constants. */
+LANES_INLINE void add_rows(const struct pass *pass, struct visit *v, struct block *b, int in, unsigned needs,
+                           row_term *term, lanes *sum)
 {
     const struct nabla_job *job = pass->job;
     const int dummy = job->list->listed;
-    struct visit v = visit_group(job->list, g);
-    lanes own[DIM], of[DIM], sum[DIM] = { { 0 } };
+    lanes own[DIM], of[DIM];
     struct side a;
 
-    gather_side(job->record, v.first, v.end, dummy, &a);
-    visit_own(&v, dummy, pass->from, in, own);
-    while (visit_segment(&v, job->meets[v.kind]))
-        while (visit_rows(&v, job->record, needs, job->kernel, &a, b))
+    gather_side(job->record, v->first, v->end, dummy, &a);
+    visit_own(v, dummy, pass->from, in, own);
+    while (visit_segment(v, job->meets[v->kind]))
+        while (visit_rows(v, job->record, needs, job->kernel, &a, b))
             for (int k = 0; k < b->n; k++) {
-                fetch_values(pass->from, v.j + (size_t)k * LANES, in, of);
+                fetch_values(pass->from, v->j + (size_t)k * LANES, in, of);
                 term(own, of, b, k, sum);
             }
+}
+
+/* Sums have width `out`. */
+LANES_INLINE void add_group(const struct pass *pass, int g, struct block *b, int in, int out,
+                            unsigned needs, row_term *term)
+{
+    struct visit v = visit_group(pass->job->list, g);
+    lanes sum[DIM] = { { 0 } };
+
+    if (!visit_is_idle(&v))
+        add_rows(pass, &v, b, in, needs, term, sum);
     visit_write(&v, out, sum, pass->to);
 }
 

@@ -5,7 +5,8 @@
  *     visit_chunks(list, kinds, function, job);
  *
  *     struct visit v = visit_group(list, g);
- *     gather_side(record, v.first, v.end, list->listed, &a);
+ *     if (!visit_is_idle(&v))   (owners of such a group are not fetched in vain)
+ *         gather_side(record, v.first, v.end, list->listed, &a);
  *     while (visit_segment(&v, partners))
  *         while (visit_rows(&v, record, needs, kernel, &a, &b))
  *             ... add what the rows of b give to sums of the client
@@ -75,6 +76,12 @@ LANES_INLINE struct visit visit_group(const struct list *list, int g)
         .last = list->segment + list->segment_from[g + 1],
         .after = (size_t)list->rows_before[g],
     };
+}
+
+/* Does no owner have a neighbour, as in groups that other ranks own? */
+LANES_INLINE bool visit_is_idle(const struct visit *v)
+{
+    return v->next == v->last;
 }
 
 /* Owners in the group, at most LANES. */
