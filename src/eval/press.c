@@ -27,12 +27,12 @@ static void choose_own(struct moment *m)
     struct moment_share *s = m->share;
     bool *own = (bool *)s->pack;
 
-    if (s->pressed)
+    if (s->wet.pressed)
         return;
     for (int id = first; id < s->n; id++)
         own[id - first] = s->owner[id] == s->me;
     wall->part->as.wall->press->choose(wall->self, m->work->press, PART_SOLIDS_OWN, own);
-    s->pressed = true;
+    s->wet.pressed = true;
 }
 
 /* From densities of rows of y to what is shown, which may be the same, and p/rho^2 (NULL: not wanted), all

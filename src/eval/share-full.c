@@ -25,23 +25,47 @@ int moment_agree(const struct moment *m, int status)
     return fails > 0 ? ranks_agree(status) : STATUS_DONE;
 }
 
-/* Copies numbers of a rank's rows of some kinds between their places and a message; places of rows
- * in no list have none, but room in the message.  Returns what comes behind. */
-static double *copy_places(const struct moment *m, int rank, unsigned kinds, size_t width,
-                           bool pack, double *place, double *message)
+/* Most are one number or a vector, which registers move. */
+static inline void copy_row(size_t width, const double *from, double *to)
 {
-    const struct moment_share *s = m->share;
-    const int *slot = m->own->slot;
+    if (width == 1)
+        *to = *from;
+    else if (width == DIM)
+        memcpy(to, from, DIM * sizeof *to);
+    else
+        memcpy(to, from, width * sizeof *to);
+}
 
+/* Places of each rank's rows, in their order: all ranks have the same list. */
+static void sort_places(struct moment *m)
+{
+    struct moment_share *s = m->share;
+    const struct list *l = m->own;
+
+    if (s->places.builds == l->builds)
+        return;
+    memset(s->places.n, 0, (size_t)s->ranks * sizeof *s->places.n);
     for (int k = 0; k < KINDS; k++)
-        for (int i = s->from[rank][k]; kinds & KIND_BIT(k) && i < s->from[rank][k + 1]; i++) {
-            const int at = slot[s->row[i]];
-            double *one = place + (size_t)(at < 0 ? 0 : at) * width;
-            if (at >= 0)
-                memcpy(pack ? message : one, pack ? one : message, width * sizeof *one);
-            message += width;
+        for (int at = l->start[k]; at < l->start[k + 1]; at++) {
+            const int r = s->owner[particles_id_of(m->particles, l->order[at])];
+            s->places.place[s->from[r][k] + s->places.n[r][k]++] = at;
         }
-    return message;
+    s->places.builds = l->builds;
+}
+
+/* Copies numbers of a rank's rows of some kinds between their places and a message, in which room is left
+ * behind for rows that are in no list. */
+static void copy_places(const struct moment_share *s, int rank, unsigned kinds, size_t width, bool pack,
+                        double *place, double *message)
+{
+    for (int k = 0; k < KINDS; k++) {
+        const int *at = s->places.place + s->from[rank][k];
+        const int n = kinds & KIND_BIT(k) ? s->places.n[rank][k] : 0;
+        for (int i = 0; i < n; i++, message += width) {
+            double *one = place + (size_t)at[i] * width;
+            copy_row(width, pack ? one : message, pack ? message : one);
+        }
+    }
 }
 
 static void count_rows(const struct moment_share *s, unsigned kinds)
@@ -58,16 +82,18 @@ void share_complete(void *others, unsigned kinds, int width, double *to)
     struct moment *m = others;
     struct moment_share *s = m->share;
     const size_t c = (size_t)width;
-    double *at = s->all;
+    double *from = s->all;
 
     for (int k = 0; k < KINDS; k++)
         if (m->own->group_from[k] == m->own->group_from[k + 1])
             kinds &= ~KIND_BIT(k);
     count_rows(s, kinds);
-    copy_places(m, s->me, kinds, c, true, to, s->pack);
+    sort_places(m);
+    copy_places(s, s->me, kinds, c, true, to, s->pack);
     ranks_gather(s->count, c * sizeof *to, s->pack, s->all);
-    for (int r = 0; r < s->ranks; r++)
-        at = copy_places(m, r, kinds, c, false, to, at);
+    for (int r = 0; r < s->ranks; from += (size_t)s->count[r++] * c)
+        if (r != s->me) /* its own are there */
+            copy_places(s, r, kinds, c, false, to, from);
 }
 
 /* Where a row's force, its rate of density and its force apart are; NULL: nowhere. */

@@ -29,6 +29,8 @@ void share_free(struct moment_share **share)
     free(s->row);
     free(s->from);
     free(s->count);
+    free(s->places.place);
+    free(s->places.n);
     free(s->now.x);
     free(s->now.u);
     free(s->now.rho);
@@ -62,13 +64,20 @@ static int take_common(struct moment_share *s, const struct moment *m)
                ? STATUS_DONE : STATUS_FAILED;
 }
 
+static int take_places(struct moment_share *s)
+{
+    s->places.place = status_alloc((size_t)s->n + 1, sizeof *s->places.place);
+    s->places.n = status_alloc((size_t)s->ranks, sizeof *s->places.n);
+    return s->places.place && s->places.n ? STATUS_DONE : STATUS_FAILED;
+}
+
 static int take_memory(struct moment_share *s, const struct moment *m)
 {
     const size_t n = (size_t)s->n + 1;
 
     TRY(take_common(s, m));
     if (s->full)
-        return STATUS_DONE;
+        return take_places(s);
     s->now.x = status_alloc(n, DIM * sizeof *s->now.x);
     s->now.u = status_alloc(n, DIM * sizeof *s->now.u);
     s->now.rho = status_alloc(n, sizeof *s->now.rho);
@@ -161,7 +170,9 @@ double moment_share_bytes_all(const struct moment *m)
 {
     const struct moment_share *s = m->share;
 
-    return s ? owners_bytes(s) + s->n * (DIM + SHARE_WIDEST * (1 + 1.0 / s->ranks)) * sizeof(double) : 0;
+    return s ? owners_bytes(s) + s->n * (DIM + SHARE_WIDEST * (1 + 1.0 / s->ranks)) * sizeof(double)
+                   + (double)s->n * sizeof *s->places.place
+             : 0;
 }
 
 double moment_share_spared(const struct moment *m)

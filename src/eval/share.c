@@ -30,7 +30,7 @@ void share_own(const struct moment *m, const int *owner)
         s->from[r][KINDS] = n;
     }
     s->near.whole.stands = false;
-    s->pressed = false;
+    s->wet.pressed = false;
 }
 
 /* --- from all to all -------------------------------------------------------------------- */

@@ -63,11 +63,11 @@ struct moment_share {
     struct {
         int *row, *from;   /* [from[ranks]] solids with neighbours in the list, those of
                               rank r row[from[r]] ..                           */
+        bool pressed;      /* solids that press have been told which ones are own */
     } wet;
     double *pack, *all;    /* [n][SHARE_HALO] and powers of each rank: scratch */
     double *whole;         /* [size] y of all                                  */
     struct exact_sum *power; /* [slots] this rank's part                       */
-    bool pressed;          /* solids that press have been told which ones are own */
     bool packed;           /* own rows stand before others, own.c              */
     struct {
         long piece[LAYOUT_ROWS][2]; /* of y                                    */
@@ -75,6 +75,12 @@ struct moment_share {
     } here;                /* then                                             */
     bool full;             /* all rows of y and of rates are here: of the members below and
                               above, then, are there mine .. count, built, pack and all   */
+    struct {
+        int *place;        /* [n] by rank, kind and place: of rank r and kind k those in the list, from
+                              from[r][k] on                                    */
+        int (*n)[KINDS];   /* [ranks] so many                                  */
+        long builds;       /* of the list when they were sorted                */
+    } places;              /* then                                             */
     struct {
         bool refuses;      /* some rank has a density out of bounds            */
         bool apart;        /* ranks are not at one time: refused, in the moment's words */
