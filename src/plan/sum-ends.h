@@ -65,13 +65,20 @@ static inline int row_of(const struct sum_rates *to, int row)
     return row < to->rows ? row : to->rows;
 }
 
-/* Do the rates of these owners, a full group of fluid, all go to rows of their own? */
-LANES_INLINE bool have_rows(const struct sum_job *job, int kind, int owners)
+/* Do the rates of these owners, a full group of fluid, all go to rows of their own?  On one of many ranks those
+ * of others do not. */
+LANES_INLINE bool have_rows(const struct sum_job *job, int kind, int first, int owners)
 {
-    const int *from = job->list->def.from;
+    const int *from = job->list->def.from, *order = job->list->order + first;
+    int others = 0;
 
-    return owners == LANES && kind == KIND_FLUID && job->rates.u && job->rates.rho
-           && job->rates.rows >= from[KIND_FLUID + 1] - from[KIND_FLUID];
+    if (!(owners == LANES && kind == KIND_FLUID && job->rates.u && job->rates.rho))
+        return false;
+    if (job->rates.rows >= from[KIND_FLUID + 1] - from[KIND_FLUID])
+        return true;
+    for (int l = 0; l < LANES; l++)
+        others |= order[l] >= job->rates.rows;
+    return !others;
 }
 
 /* Asks for the places to which write_rates() will write: scattered, they would be waited
@@ -81,7 +88,7 @@ LANES_INLINE void expect_rates(const struct sum_job *job, int kind, int first, i
     const struct sum_rates to = rates_of(job, kind);
     const int *order = job->list->order + first;
 
-    if (have_rows(job, kind, owners)) {
+    if (have_rows(job, kind, first, owners)) {
         for (int l = 0; l < LANES; l++) {
             __builtin_prefetch(to.u[order[l]], 1);
             __builtin_prefetch(to.rho + order[l], 1);
@@ -134,7 +141,7 @@ static inline void write_rates(const struct sum_job *job, int kind, int first, i
 
     for (int d = 0; d < DIM && rates_of(job, kind).u; d++)
         all.f[d] *= im;
-    if (have_rows(job, kind, owners))
+    if (have_rows(job, kind, first, owners))
         write_rows(job, first, &all);
     else
         write_lanes(job, kind, first, owners, &all);
