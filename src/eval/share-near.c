@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "ranks/ranks.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -49,10 +50,11 @@ static void name_solids(struct moment *m, const struct cloud *cloud, const struc
     int n = whole->from[KIND_WALL];
 
     for (int k = KIND_WALL; k < KINDS; k++) {
-        for (int id = from[k]; id < from[k + 1]; id++) {
-            const int row = from[k] + particles_row(m->particles, (enum kind)k, id - from[k]);
-            if (list_near(&zone, list_home(m->own, cloud, k, row)))
-                whole->row[n++] = row;
+        const double *home = list_home(m->own, cloud, k, from[k]);
+        for (int id = 0; id < from[k + 1] - from[k]; id++) {
+            const int row = particles_row(m->particles, (enum kind)k, id);
+            if (list_near(&zone, home + (size_t)row * DIM))
+                whole->row[n++] = from[k] + row;
         }
         whole->from[k + 1] = n;
     }
@@ -88,10 +90,10 @@ static int name_rows(const struct moment *m, const struct cloud *cloud, const st
 
     for (int i = 0; i < own; i++, x += DIM) {
         const int before = n;
-        if ((to && !near[i]) || !list_inside(&m->own->def, x))
+        if (to && !near[i])
             continue;
         for (int r = 0; r < z->n; r++)
-            if (list_near(&z->of[r], x)) {
+            if (list_near(&z->of[r], x) && list_inside(&m->own->def, x)) {
                 if (to) {
                     to[n] = z->rank[r];
                     row[n] = i;
@@ -139,6 +141,13 @@ static int make_route(struct moment *m, const struct cloud *cloud, const struct 
     return STATUS_DONE;
 }
 
+enum { BITS = 64 };
+
+static inline void set_bit(uint64_t *bits, int i)
+{
+    bits[i / BITS] |= UINT64_C(1) << (i % BITS);
+}
+
 /* Fluid that is here: own rows, and those of others that came; in order of ids. */
 static void name_fluid(struct moment *m)
 {
@@ -146,18 +155,17 @@ static void name_fluid(struct moment *m)
     struct list_whole *whole = &s->near.whole;
     const struct particles *p = m->particles;
     const int n = particles_count(p, KIND_FLUID), own = moment_rows_of(m, KIND_FLUID);
-    unsigned char *here = (unsigned char *)s->pack; /* [n] by id */
+    uint64_t *here = (uint64_t *)s->pack; /* a bit for each id */
     int rows = 0;
 
-    memset(here, 0, (size_t)n);
+    memset(here, 0, ((size_t)n / BITS + 1) * sizeof *here);
     for (int i = 0; i < own; i++)
-        here[particles_id_of(p, i)] = 1;
+        set_bit(here, particles_id_of(p, i));
     for (int i = 0; i < s->near.n; i++)
-        here[particles_id_of(p, s->near.row[i])] = 1;
-    for (int id = 0; id < n; id++) {
-        whole->row[rows] = particles_row(p, KIND_FLUID, id); /* else written over */
-        rows += here[id];
-    }
+        set_bit(here, particles_id_of(p, s->near.row[i]));
+    for (int k = 0; k <= n / BITS; k++)
+        for (uint64_t some = here[k]; some; some &= some - 1)
+            whole->row[rows++] = particles_row(p, KIND_FLUID, k * BITS + __builtin_ctzll(some));
     whole->from[KIND_WALL] = rows;
 }
 

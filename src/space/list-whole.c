@@ -28,27 +28,28 @@ static struct list_bounds grown(const struct growing *b)
     return to;
 }
 
-/* Of a kind. */
+/* Of a kind.  Fluid of others is not here. */
 static void bound(const struct list *list, const struct cloud *cloud, int kind, struct list_whole *to)
 {
-    struct growing all = growing_none(), own = growing_none();
+    const int first = list->def.from[kind], n = list->def.from[kind + 1] - first;
+    const double *x = list_homes(list, cloud, kind), *was = cloud->x[kind];
+    struct growing own = growing_none(), others = growing_none(), all;
 
     to->images[kind] = none();
-    for (int i = list->def.from[kind]; i < list->def.from[kind + 1]; i++) {
-        const bool mine = list->mine[i];
-        if (kind == KIND_FLUID && !mine)
-            continue;
-        const double *x = list_home(list, cloud, kind, i);
+    for (int i = 0; i < n; i++, x += DIM, was += DIM) {
+        const bool mine = list->mine[first + i];
 
-        if (!list_inside(&list->def, x))
+        if ((kind == KIND_FLUID && !mine) || !list_inside(&list->def, x))
             continue;
-        growing_take(&all, coords_at(x));
         if (mine)
             growing_take(&own, coords_at(x));
+        else
+            growing_take(&others, coords_at(x));
         if (list->own->images.home)
-            images_widen(list, cloud->x[kind] + (size_t)DIM * (size_t)(i - list->def.from[kind]), i,
-                         &to->images[kind]);
+            images_widen(list, was, first + i, &to->images[kind]);
     }
+    all = own;
+    growing_join(&all, &others);
     to->of[kind] = grown(&all);
     to->mine[kind] = grown(&own);
 }
