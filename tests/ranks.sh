@@ -409,6 +409,12 @@ else
     echo "skipped: no library that refuses memory"
 fi
 
+# Ranks whose files of a scene are not the same.
+set -- "$top_builddir/stiffwater-2d-mpi" run "$scenes/dam-break.scene" until=0.01 -q -f -o "$out/differ"
+code=0
+timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 1 "$@" spacing=0.025 : -n 1 "$@" spacing=0.0125 >"$out/said" 2>&1 || code=$?
+claim "ranks that read different scenes are told so once" "$code == 2 && $(grep -c 'from [0-9]* to [0-9]* particles of solids' "$out/said") == 1"
+
 # A rank that stands elsewhere does not see the directory of results.
 if [ -n "$long" ]; then
     mkdir "$out/here" "$out/there"

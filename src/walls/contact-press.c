@@ -179,6 +179,7 @@ static int take_shares(const struct part_places *at, const struct contact_cells 
         contact_room_free(&room);
     }
     TRY(contact_together_agree(at, status));
+    TRY(contact_together_compare(at, n));
     contact_together_hear(at, n, sizeof *share, share);
     return STATUS_DONE;
 }

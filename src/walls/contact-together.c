@@ -16,6 +16,21 @@ int contact_together_agree(const struct part_places *at, int status)
     return at->together ? ranks_agree_within(status) : status;
 }
 
+int contact_together_compare(const struct part_places *at, int n)
+{
+    double most[2] = { n, -n }; /* and least */
+
+    if (!at->together)
+        return STATUS_DONE;
+    ranks_most(2, most);
+    if (most[0] == -most[1])
+        return STATUS_DONE;
+    return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
+        .cause = "They have read different scenes, or keys",
+        .remedy = "let all read one file, with the same keys" },
+        "ranks have from %g to %g particles of solids", -most[1], most[0]);
+}
+
 void contact_together_hear(const struct part_places *at, int n, size_t bytes, void *rows)
 {
     const int ranks = ranks_count();
