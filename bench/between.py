@@ -11,7 +11,7 @@ How far each has come is read in front.csv of its directory, so the scene has fl
 short beside TO - FROM; `until` lies well behind TO, as both are to be under way when the slower one comes there, and
 are ended then.  What the start takes is not in it, and both share the core with each other for the whole of it, which
 `bench/side-by-side.sh` leaves to chance: there the longer one has the core for itself at the end.  Turns of 25 s
-scatter by 2 % where whole runs side by side scatter by 10.  CORE=N in the environment: another core than 0.
+scatter by 1 to 4 % where whole runs side by side scatter by up to 10.  CORE=N in the environment: another core than 0.
 """
 import os
 import shlex
