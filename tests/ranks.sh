@@ -48,6 +48,12 @@ programs() {
 programs 1 2 3 4
 at_length programs 8
 
+# Where one of them has no memory to wake others in, each sleeps for itself.
+if mpicc -O1 -shared -fPIC -o "$out/no-window.so" "$top_srcdir/tests/ranks/no-window.c" 2>"$out/said"; then
+    ranks 3 -x LD_PRELOAD="$out/no-window.so" "$top_builddir/tests/ranks/room" 3
+    claim "without memory of all, ranks work the same" "$code == 0 && $(grep -c '^ok' "$out/said") > 60"
+fi
+
 # One message, one status, whatever the number of ranks.
 refused() {
     words=$1 text=$2

@@ -7,6 +7,7 @@
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE /* memfd_create() */
 #endif
+#include "ranks/mpi-wait.h"
 #include "ranks/ranks.h"
 
 #include <fcntl.h>
@@ -42,16 +43,6 @@ static struct pages pages_of(const void *block, size_t bytes)
     const uintptr_t from = (at + page - 1) / page * page, to = (at + bytes) / page * page;
 
     return (struct pages){ .first = (char *)block + (from - at), .bytes = to > from ? to - from : 0 };
-}
-
-/* Ranks of the machine on which this one is. */
-static MPI_Comm neighbours(void)
-{
-    static MPI_Comm machine = MPI_COMM_NULL;
-
-    if (machine == MPI_COMM_NULL)
-        MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-    return machine;
 }
 
 static bool may_be_written(size_t bytes)
@@ -129,11 +120,12 @@ static void take(int file, struct pages p)
 void ranks_alike(const void *block, size_t bytes)
 {
     const struct pages p = pages_of(block, bytes);
-    const MPI_Comm machine = neighbours();
+    const MPI_Comm machine = ranks_neighbours();
     struct loan loan = { .process = getpid(), .skipped = (uint64_t)(p.first - (const char *)block),
                          .bytes = p.bytes, .file = -1 };
     const struct loan mine = loan;
     int there, who, file = -1;
+    MPI_Request done;
 
     MPI_Comm_size(machine, &there);
     MPI_Comm_rank(machine, &who);
@@ -141,12 +133,14 @@ void ranks_alike(const void *block, size_t bytes)
         return;
     if (who == 0)
         loan.file = file = lend(p);
-    MPI_Bcast(&loan, (int)sizeof loan, MPI_BYTE, 0, machine);
+    MPI_Ibcast(&loan, (int)sizeof loan, MPI_BYTE, 0, machine, &done);
+    ranks_wait(1, &done);
     if (who > 0 && loan.file >= 0 && loan.skipped == mine.skipped && loan.bytes == mine.bytes)
         file = borrow(&loan);
     if (file >= 0)
         take(file, p);
-    MPI_Barrier(machine); /* until then the file is open */
+    MPI_Ibarrier(machine, &done); /* until then the file is open */
+    ranks_wait(1, &done);
     if (file >= 0)
         close(file);
 }

@@ -3,6 +3,7 @@
  * One Alltoall of counts makes a route, and tells who has no memory for it; none is needed to use it.  Routes
  * are made with each list of pairs, so they have no communicator of their own, for which all would have to
  * wait some times: messages of one come in the order in which they were sent. */
+#include "ranks/mpi-wait.h"
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
 
@@ -142,12 +143,14 @@ static bool ask_all(const struct ranks_route *r, const struct leaving *l, int *r
 {
     const int ranks = ranks_count();
     bool all = r != NULL;
+    MPI_Request done;
 
     for (int i = 0; i < ranks; i++)
         rows[i] = r ? 0 : -1;
     for (int i = 0; r && i < l->n; i++)
         rows[l->to[i]] += units_of(l, i);
-    MPI_Alltoall(rows, 1, MPI_INT, rows + ranks, 1, MPI_INT, MPI_COMM_WORLD);
+    MPI_Ialltoall(rows, 1, MPI_INT, rows + ranks, 1, MPI_INT, MPI_COMM_WORLD, &done);
+    ranks_wait(1, &done);
     for (int i = 0; i < ranks; i++)
         all &= rows[ranks + i] >= 0;
     return all;
@@ -221,13 +224,14 @@ void ranks_route_begin(struct ranks_route *r, size_t bytes, const void *from, vo
     for (int i = 0; i < r->out.n; i++)
         MPI_Isend(out + (size_t)r->out.first[i] * bytes, r->out.count[i], piece, r->out.rank[i], ROUTE_TAG,
                   MPI_COMM_WORLD, wait++);
+    ranks_wake();
     MPI_Type_free(&piece); /* only after what has begun with it */
     ranks_traffic_exchange(r->out.n, ranks_route_leaving(r) * (double)bytes);
 }
 
 void ranks_route_end(struct ranks_route *r)
 {
-    MPI_Waitall(r->in.n + r->out.n, r->wait, MPI_STATUSES_IGNORE);
+    ranks_wait(r->in.n + r->out.n, r->wait);
 }
 
 void ranks_route_go(struct ranks_route *route, size_t bytes, const void *from, void *in)

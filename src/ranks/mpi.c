@@ -1,5 +1,6 @@
 /* mpi.c -- ranks by Open MPI: beginning, end, and what all know. */
 #include "ranks/copies.h"
+#include "ranks/mpi-wait.h"
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
 
@@ -49,6 +50,7 @@ int ranks_begin(int *argc, char ***argv)
     MPI_Comm_rank(MPI_COMM_WORLD, &me);
     status_hush(me > 0);
     keep_untouched();
+    ranks_wait_begin();
     return refuse_copies();
 }
 
@@ -56,6 +58,7 @@ int ranks_begin(int *argc, char ***argv)
 void ranks_end(void)
 {
     signal(SIGTERM, SIG_IGN);
+    ranks_wait_end();
     MPI_Finalize();
 }
 
@@ -115,6 +118,14 @@ static void keep_first(void *in, void *kept, int *n, MPI_Datatype *type)
     }
 }
 
+static void all_reduce(int n, void *x, MPI_Datatype type, MPI_Op op)
+{
+    MPI_Request done;
+
+    MPI_Iallreduce(MPI_IN_PLACE, x, n, type, op, MPI_COMM_WORLD, &done);
+    ranks_wait(1, &done);
+}
+
 /* Bids of all ranks, `size` bytes each, become the first ones. */
 static void bid(int n, void *mine, size_t size)
 {
@@ -127,7 +138,7 @@ static void bid(int n, void *mine, size_t size)
     MPI_Type_contiguous((int)size, MPI_BYTE, &type);
     MPI_Type_commit(&type);
     MPI_Op_create(keep_first, 1, &op);
-    MPI_Allreduce(MPI_IN_PLACE, mine, n, type, op, MPI_COMM_WORLD);
+    all_reduce(n, mine, type, op);
     MPI_Op_free(&op);
     MPI_Type_free(&type);
 }
@@ -199,7 +210,7 @@ void ranks_most(int n, double *x)
     if (count == 1)
         return;
     ranks_traffic_ask(n * (double)sizeof *x);
-    MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    all_reduce(n, x, MPI_DOUBLE, MPI_MAX);
 }
 
 void ranks_add(int n, int64_t *x)
@@ -207,7 +218,7 @@ void ranks_add(int n, int64_t *x)
     if (count == 1)
         return;
     ranks_traffic_ask(n * (double)sizeof *x);
-    MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    all_reduce(n, x, MPI_INT64_T, MPI_SUM);
 }
 
 /* From all to `root`, or to all where that is below 0: then mine may be NULL, as ranks_gather() says. */
@@ -215,6 +226,7 @@ static void gather(int root, const int *rows, size_t bytes, const void *mine, vo
 {
     int first[count];
     MPI_Datatype row;
+    MPI_Request done;
 
     if (count == 1) {
         if (mine)
@@ -228,9 +240,11 @@ static void gather(int root, const int *rows, size_t bytes, const void *mine, vo
     MPI_Type_contiguous((int)bytes, MPI_BYTE, &row);
     MPI_Type_commit(&row);
     if (root < 0)
-        MPI_Allgatherv(mine ? mine : MPI_IN_PLACE, rows[me], row, all, rows, first, row, MPI_COMM_WORLD);
+        MPI_Iallgatherv(mine ? mine : MPI_IN_PLACE, rows[me], row, all, rows, first, row, MPI_COMM_WORLD,
+                        &done);
     else
-        MPI_Gatherv(mine, rows[me], row, all, rows, first, row, root, MPI_COMM_WORLD);
+        MPI_Igatherv(mine, rows[me], row, all, rows, first, row, root, MPI_COMM_WORLD, &done);
+    ranks_wait(1, &done);
     MPI_Type_free(&row);
 }
 

@@ -14,8 +14,15 @@ static long allreduces, gathers, gathered, exchanges, messages, bytes;
 
 int MPI_Allreduce(const void *from, void *to, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm)
 {
-    allreduces++;
+    allreduces++; /* of libraries */
     return PMPI_Allreduce(from, to, n, type, op, comm);
+}
+
+int MPI_Iallreduce(const void *from, void *to, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm,
+                   MPI_Request *wait)
+{
+    allreduces++;
+    return PMPI_Iallreduce(from, to, n, type, op, comm, wait);
 }
 
 static void count_gather(const int count[], MPI_Datatype type, MPI_Comm comm)
@@ -29,23 +36,36 @@ static void count_gather(const int count[], MPI_Datatype type, MPI_Comm comm)
         gathered += (long)count[r] * size;
 }
 
-int MPI_Gatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
-                const int first[], MPI_Datatype to_type, int root, MPI_Comm comm)
+int MPI_Igatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
+                 const int first[], MPI_Datatype to_type, int root, MPI_Comm comm, MPI_Request *wait)
 {
     count_gather(count, to_type, comm);
-    return PMPI_Gatherv(from, n, type, to, count, first, to_type, root, comm);
+    return PMPI_Igatherv(from, n, type, to, count, first, to_type, root, comm, wait);
 }
 
-int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
-                   const int first[], MPI_Datatype to_type, MPI_Comm comm)
+int MPI_Iallgatherv(const void *from, int n, MPI_Datatype type, void *to, const int count[],
+                    const int first[], MPI_Datatype to_type, MPI_Comm comm, MPI_Request *wait)
 {
     count_gather(count, to_type, comm);
-    return PMPI_Allgatherv(from, n, type, to, count, first, to_type, comm);
+    return PMPI_Iallgatherv(from, n, type, to, count, first, to_type, comm, wait);
 }
 
-/* Messages of routes have this tag, and each use of one ends with a wait: src/ranks/mpi-route.c. */
-enum { ROUTE_TAG = 4117 };
-static int routed; /* of them, those that are not waited for yet: routes may be under way together */
+/* Messages of routes have this tag: src/ranks/mpi-route.c.  Those of one use have their requests one after
+ * the other, and are waited for together. */
+enum { ROUTE_TAG = 4117, UNDER_WAY = 64 };
+static MPI_Request *first[UNDER_WAY], *last; /* first ones of what is under way */
+
+static void note_use(MPI_Request *wait)
+{
+    int slot = 0;
+
+    if (wait != last + 1) {
+        while (slot < UNDER_WAY - 1 && first[slot])
+            slot++;
+        first[slot] = wait;
+    }
+    last = wait;
+}
 
 int MPI_Isend(const void *from, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request *wait)
 {
@@ -55,24 +75,28 @@ int MPI_Isend(const void *from, int n, MPI_Datatype type, int to, int tag, MPI_C
         MPI_Type_size(type, &size);
         messages++;
         bytes += (long)n * size;
-        routed++;
+        note_use(wait);
     }
     return PMPI_Isend(from, n, type, to, tag, comm, wait);
 }
 
 int MPI_Irecv(void *to, int n, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Request *wait)
 {
-    routed += tag == ROUTE_TAG;
+    if (tag == ROUTE_TAG)
+        note_use(wait);
     return PMPI_Irecv(to, n, type, from, tag, comm, wait);
 }
 
-int MPI_Waitall(int n, MPI_Request wait[], MPI_Status status[])
+int MPI_Testall(int n, MPI_Request wait[], int *done, MPI_Status status[])
 {
-    if (n > 0 && n <= routed) {
-        exchanges++;
-        routed -= n;
-    }
-    return PMPI_Waitall(n, wait, status);
+    const int result = PMPI_Testall(n, wait, done, status);
+
+    for (int slot = 0; *done && n > 0 && slot < UNDER_WAY; slot++)
+        if (first[slot] == wait) {
+            exchanges++;
+            first[slot] = NULL;
+        }
+    return result;
 }
 
 int MPI_Finalize(void)

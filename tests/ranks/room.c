@@ -6,6 +6,7 @@
 #include "alike.h"
 #include "base/status.h"
 #include "claims.h"
+#include "waits.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -572,6 +573,7 @@ int main(int argc, char **argv)
     try_cuts(3);
     columns_are_shared_evenly();
     alike_claims();
+    waits_claims();
     status = claims_end();
     ranks_end();
     return status;
