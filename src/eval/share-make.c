@@ -150,7 +150,8 @@ static double order_bytes(const struct moment *m)
 
 /* What is written of the arrays of take_memory(), and of those of a cut: all of what any rank may own, of
  * what comes the pages in which it is scattered, which with fluid are most (velocities and densities of own
- * fluid stay in y), and of messages own rows and a quarter as many that come or leave, with their names. */
+ * fluid stay in y), and of messages own rows and a quarter as many that come or leave, with their names.  The
+ * first rank hears what others have in y, twice: in a message, and where it belongs. */
 double moment_share_bytes(const struct moment *m)
 {
     const struct moment_share *s = m->share;
@@ -163,7 +164,7 @@ double moment_share_bytes(const struct moment *m)
            + ((3 * DIM - (s->packed ? (DIM + 1) * part : 0)) * fluid + 1.25 * SHARE_HALO * n * part) * number
            + 0.5 * n * part * (SHARE_HALO * number + 4 * sizeof(int))
            + (s->packed ? order_bytes(m) : n * DIM * number)
-           + (s->me > 0 ? 0 : 2 * layout_size(&m->layout) * number);
+           + (s->me > 0 ? 0 : 2 * (1 - part) * layout_size(&m->layout) * number);
 }
 
 double moment_share_bytes_all(const struct moment *m)
