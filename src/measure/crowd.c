@@ -16,9 +16,7 @@ struct crowd {
     long cells[DIM], most; /* cells in use by direction; how many may be     */
     int *start;            /* [most+1] cell c: order[start[c]] .. [start[c+1]-1] */
     int n;                 /* particles that count                              */
-    int *who;              /* [n] their rows                                    */
-    int *order;            /* [n] the same cell by cell                         */
-    long *cell;            /* [n] cells of who                                  */
+    int *order;            /* [n] their rows, cell by cell; behind start        */
 };
 
 /* Strictly inside the support, with room for rounding: at r = H kernels are 0. */
@@ -53,14 +51,13 @@ int crowd_create(const struct particles *p, struct crowd **out)
     c->half = (full + 1) / 2;
     c->quarter = (full + 3) / 4;
     c->most = 4L * p->n + 64;
-    c->start = status_alloc((unsigned long)c->most + 1, sizeof *c->start);
-    c->who = status_alloc((unsigned long)p->n, sizeof *c->who);
-    c->order = status_alloc((unsigned long)p->n, sizeof *c->order);
-    c->cell = status_alloc((unsigned long)p->n, sizeof *c->cell);
-    if (c->start && c->who && c->order && c->cell)
-        return STATUS_DONE;
-    crowd_free(out);
-    return STATUS_FAILED;
+    c->start = status_alloc((unsigned long)(c->most + 1 + p->n), sizeof *c->start);
+    if (!c->start) {
+        crowd_free(out);
+        return STATUS_FAILED;
+    }
+    c->order = c->start + c->most + 1;
+    return STATUS_DONE;
 }
 
 void crowd_free(struct crowd **crowd)
@@ -68,9 +65,6 @@ void crowd_free(struct crowd **crowd)
     if (!*crowd)
         return;
     free((*crowd)->start);
-    free((*crowd)->who);
-    free((*crowd)->order);
-    free((*crowd)->cell);
     free(*crowd);
     *crowd = NULL;
 }
@@ -153,54 +147,71 @@ static const double *position(const struct crowd *c, int i)
     return c->view.x[k] + DIM * (long)(i - c->p->from[k]);
 }
 
-/* Row i, if it counts; of kind k. */
-static void take_row(struct crowd *c, enum kind k, int i)
+/* What is done with a row that counts, home in the domain. */
+typedef void take(struct crowd *c, int i, const double *home);
+
+/* Row i of kind k, if it counts; most solids stand above the floor. */
+static void take_row(struct crowd *c, enum kind k, int i, take *with)
 {
+    const struct scales *s = c->p->scales;
+    const double *x = c->view.x[k] + DIM * (long)(i - c->p->from[k]);
     double home[DIM];
 
-    period_home(c->p->scales, c->view.x[k] + DIM * (long)(i - c->p->from[k]), home);
-    if (is_inside(c->p->scales, k, home))
-        c->who[c->n++] = i;
+    if (k != KIND_FLUID && !(s->period[DIM - 1] > 0) && !(x[DIM - 1] < s->low[DIM - 1]))
+        return;
+    period_home(s, x, home);
+    if (is_inside(s, k, home))
+        with(c, i, home);
 }
 
-static void take_rows(struct crowd *c)
+static void take_rows(struct crowd *c, take *with)
 {
-    c->n = 0;
     for (int k = 0; k < KINDS; k++)
         for (int i = c->p->from[k]; i < c->p->from[k + 1]; i++)
             if (k != KIND_FLUID || view_has(&c->view, i))
-                take_row(c, (enum kind)k, i);
+                take_row(c, (enum kind)k, i, with);
     for (int i = 0; i < c->view.nears; i++)
-        take_row(c, KIND_FLUID, c->view.near[i]);
+        take_row(c, KIND_FLUID, c->view.near[i], with);
 }
 
-static void find_cells(struct crowd *c)
+static void note(struct crowd *c, int i, const double *home)
+{
+    (void)home;
+    c->order[c->n++] = i;
+}
+
+static void count_in_cells(struct crowd *c)
 {
     for (int m = 0; m < c->n; m++) {
         double home[DIM];
-        period_home(c->p->scales, position(c, c->who[m]), home);
-        c->cell[m] = cell_of(c, home);
+        period_home(c->p->scales, position(c, c->order[m]), home);
+        c->start[cell_of(c, home) + 1]++;
     }
 }
 
+/* Each start becomes the next one. */
+static void put_in_cell(struct crowd *c, int i, const double *home)
+{
+    c->order[c->start[cell_of(c, home)]++] = i;
+}
+
+/* Cells are found twice: to keep them would take most of a crowd's memory. */
 void crowd_update(struct crowd *c, const struct view *v)
 {
     long count;
 
     c->view = *v;
-    take_rows(c);
+    c->n = 0;
+    take_rows(c, note);
     lay_cells(c);
     count = cells(c);
-    find_cells(c);
     for (long i = 0; i <= count; i++)
         c->start[i] = 0;
-    for (int m = 0; m < c->n; m++)
-        c->start[c->cell[m] + 1]++;
+    count_in_cells(c);
     for (long i = 0; i < count; i++)
         c->start[i + 1] += c->start[i];
-    for (int m = 0; m < c->n; m++)
-        c->order[c->start[c->cell[m]]++] = c->who[m];
-    for (long i = count; i > 0; i--) /* each start has become the next one */
+    take_rows(c, put_in_cell);
+    for (long i = count; i > 0; i--)
         c->start[i] = c->start[i - 1];
     c->start[0] = 0;
 }

@@ -54,8 +54,8 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* Of a particle that may be company of others (measure/crowd.c): its row, twice, and cell. */
-enum { COMPANY = 4 + 4 + 8 };
+/* Of a particle that may be company of others (measure/crowd.c): its row. */
+enum { COMPANY = 4 };
 
 /* Particles as files have them, fluid that is company, and pressures for gauges. */
 static double frames(const struct count *c)
