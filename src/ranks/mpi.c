@@ -26,16 +26,17 @@ static int refuse_copies(void)
 }
 
 /* Arrays of all particles of which a rank writes its own rows take memory for these alone, as long as
- * they come from the system, zeroed, and not from what was freed before.  SuperLU_DIST, which comes with
- * HYPRE, has the C library ask the system for no array by itself, and give nothing back. */
+ * they come from the system, zeroed, and not from what was freed before: so the system is asked for smaller
+ * arrays, too, as many that are freed next to each other leave room for a large one.  SuperLU_DIST, which comes
+ * with HYPRE, has the C library ask the system for no array by itself, and give nothing back. */
 static void keep_untouched(void)
 {
 #if defined M_MMAP_THRESHOLD && defined M_MMAP_MAX && defined M_TRIM_THRESHOLD
-    enum { FROM = 1 << 17, MOST = 1 << 16 }; /* bytes, arrays: what the C library begins with */
+    enum { FROM = 1 << 15, MOST = 1 << 16, KEPT = 1 << 17 }; /* bytes; arrays; bytes */
 
     if (count > 1) {
         mallopt(M_MMAP_MAX, MOST);
-        mallopt(M_TRIM_THRESHOLD, FROM);
+        mallopt(M_TRIM_THRESHOLD, KEPT);
         mallopt(M_MMAP_THRESHOLD, FROM); /* and stays so */
     }
 #endif
