@@ -109,21 +109,22 @@ void moment_body_book(struct moment *m, double t, const double *y, double share,
     }
 }
 
-int moment_try(struct moment *m, double t, const double *y)
+int moment_try(struct moment *m, double t, const double *y, struct moment_trial *was)
 {
-    const struct moment_counts counts = m->counts;
-    const long builds = m->own ? m->own->builds : 0;
     double *ydot = status_alloc((unsigned long)moment_size(m), sizeof *ydot);
     int status = moment_agree(m, ydot ? STATUS_DONE : STATUS_FAILED);
 
+    *was = (struct moment_trial){ m->counts, m->own ? m->own->builds : 0 };
     if (status == STATUS_DONE)
         status = moment_eval(m, ASK_ALL, t, y, ydot);
     free(ydot);
-    if (status != STATUS_DONE)
-        return status;
+    return status;
+}
+
+void moment_tried(struct moment *m, const struct moment_trial *was)
+{
     moment_restart(m);
-    m->counts = counts;
+    m->counts = was->counts;
     if (m->own)
-        m->own->builds = builds;
-    return STATUS_DONE;
+        m->own->builds = was->builds;
 }

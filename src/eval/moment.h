@@ -162,10 +162,6 @@ int moment_settle(struct moment *moment, double t, double *y);
  * hash that does not tell how many places there are. */
 long moment_tidy(const struct moment *moment, double *y);
 
-/* Is there an answer at (t, y)?  Asked of a fresh moment, which is as fresh afterwards, its counters
- * too, unless there is none: then as moment_eval(). */
-int moment_try(struct moment *moment, double t, const double *y);
-
 /* Finds z with z - gamma f_I(t, z) = r in the stiff ranges (z comes in as a guess);
  * other entries are not touched.  STATUS_FAILED: without a failure kept, a refusal as
  * that of moment_eval() -- try a shorter step -- else the failure. */
@@ -227,6 +223,15 @@ struct moment_counts {
     double gain;          /* what an iteration corrects, of what it should        */
 };
 const struct moment_counts *moment_counts(const struct moment *moment);
+
+/* Is there an answer at (t, y)?  Asked of a fresh moment, as moment_eval().  If there is one, what it made
+ * stands until moment_tried(): then the moment is fresh again, its counters too. */
+struct moment_trial {
+    struct moment_counts counts;
+    long builds;
+};
+int moment_try(struct moment *moment, double t, const double *y, struct moment_trial *was);
+void moment_tried(struct moment *moment, const struct moment_trial *was);
 
 /* These counts, to a checkpoint and back. */
 int moment_keep(struct moment *moment, struct archive *a);

@@ -46,11 +46,18 @@ static int create_method(struct run *r)
     return STATUS_DONE;
 }
 
-/* A start that has no answer is refused before there are files. */
+/* A start that has no answer is refused before there are files.  One that has is shared anew between ranks,
+ * by its pairs. */
 static int try_start(struct run *r)
 {
-    if (moment_try(r->moment, 0, r->y) == STATUS_DONE)
-        return STATUS_DONE;
+    struct moment_trial was;
+    int status;
+
+    if (moment_try(r->moment, 0, r->y, &was) == STATUS_DONE) {
+        status = run_ranks_balance(r);
+        moment_tried(r->moment, &was);
+        return status;
+    }
     return status_fail_with(STATUS_FAILED, (struct status_advice){
         .remedy = "for a density that lies outside, try a higher eos.c0 or wider eos.lowest and "
                   "eos.highest; else look at what the scene starts with" }, "the start has no right-hand side: %s; nothing was "
@@ -111,9 +118,9 @@ int run_start(struct run *r)
     plan_show(r->plan, keep_once, NULL); /* a plan is the same on all ranks */
     TRY(let_go(r));
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
+    run_ranks_begin(r);
     TRY(try_start(r));
     TRY(ranks_agree(create_method(r)));
-    run_ranks_begin(r);
     choose_times(r);
     TRY(ranks_agree(open_outputs(r, false)));
     run_keep_extremes(r, 0, r->y);

@@ -26,13 +26,13 @@ enum moment_rows run_ranks_rows(const struct run *r)
 /* A pressure that is solved for is found by each rank for itself, from all of y. */
 void run_ranks_begin(struct run *r)
 {
-    const bool whole = plan_solved(r->method->name) != NULL;
-
-    if (ranks_count() == 1)
-        return;
-    if (whole || r->method->rearrange(r->self, 0, NULL) != STATUS_DONE)
+    if (ranks_count() > 1 && (plan_solved(r->method->name) || !r->method->rearrange))
         balance_never(r->moment);
-    status_clear();
+}
+
+static int move(struct run *r, int blocks, const struct vector_rows *row)
+{
+    return r->self ? r->method->rearrange(r->self, blocks, row) : vector_rows_move(blocks, row, 1, &r->y);
 }
 
 int run_ranks_balance(struct run *r)
@@ -44,7 +44,7 @@ int run_ranks_balance(struct run *r)
         TRY(balance_cut(r->moment, row, &blocks));
         if (blocks == 0)
             return STATUS_DONE;
-        TRY(ranks_agree(r->method->rearrange(r->self, blocks, row)));
+        TRY(ranks_agree(move(r, blocks, row)));
         TRY(balance_carry_out(r->moment));
     } while (balance_goes_on(r->moment));
     return STATUS_DONE;

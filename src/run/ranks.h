@@ -8,10 +8,11 @@
 /* Rows of y that each rank has: this run's method, or its norm, may want all, as sums in an order do. */
 enum moment_rows run_ranks_rows(const struct run *r);
 
-/* Once the method is there: can what it keeps follow particles that change their rank? */
+/* Once it is shared: can what this run's method keeps follow particles that change their rank? */
 void run_ranks_begin(struct run *r);
 
-/* After a step: ranks that have more work than others give particles away. */
+/* After a step: ranks that have more work than others give particles away.  Before there is a method, once
+ * r->y was evaluated, too: then vectors of a method have memory for rows of a cut that knows pairs. */
 int run_ranks_balance(struct run *r);
 
 /* Is this the rank that writes? */

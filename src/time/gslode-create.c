@@ -134,15 +134,6 @@ static const double *state(const void *self)
     return ((const struct gslode *)self)->node[0].y;
 }
 
-static int rearrange(void *self, int blocks, const struct vector_rows *block)
-{
-    const struct gslode *x = self;
-
-    (void)blocks, (void)block;
-    return status_fail(STATUS_FAILED, "method %s: GSL keeps the past where its rows cannot be "
-                                      "rearranged", x->row->method.name);
-}
-
 static const char *table(const void *self)
 {
     return ((const struct gslode *)self)->row->table;
@@ -160,7 +151,7 @@ static int vectors(const struct method *m, const struct plan *plan)
                 .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
                 .table = table, .free = gslode_free, .room = { vectors },                \
-                .rearrange = rearrange }
+                .rearrange = NULL }
 
 const struct gslode_row gslode_rkf45 = {
     METHOD("gsl-rkf45", 5, "explicit, 6 stages, order 5(4), GSL's Runge-Kutta-Fehlberg",

@@ -86,7 +86,7 @@ struct method {
     int (*restart)(void *self, double t, const double *y, const struct method_pace *pace);
 
     /* Between two steps: rows of y, and of all that it keeps beside, change places
-     * (eval/rearrange.h).  STATUS_FAILED, and nothing has changed: no memory, or it keeps
+     * (eval/rearrange.h).  STATUS_FAILED, and nothing has changed: no memory.  NULL: it keeps
      * something where it cannot be reached. */
     int (*rearrange)(void *self, int blocks, const struct vector_rows *block);
     const char *(*table)(const void *self);       /* for run.json             */
