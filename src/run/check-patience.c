@@ -15,7 +15,7 @@
 
 /* [s] for a look at all particles, on ranks by one of them before they all take it; for counting;
  * see sample.c for the rest of 5. */
-static const double patience = 3, patience_of_ranks = 2, patience_to_count = 1;
+static const double patience = 3, patience_of_ranks = 2.5, patience_to_count = 1;
 
 static int refuse_to_count(const struct run_order *order)
 {

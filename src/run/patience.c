@@ -77,6 +77,11 @@ void patience_is_all(void)
     is_all = true;
 }
 
+bool patience_asks(void)
+{
+    return is_all;
+}
+
 void patience_done(void)
 {
     if (is_all)

@@ -7,6 +7,8 @@
 #ifndef RUN_PATIENCE_H
 #define RUN_PATIENCE_H
 
+#include <stdbool.h>
+
 enum { PATIENCE_BEGIN = -1, PATIENCE_OVER = -2 };
 
 /* PATIENCE_BEGIN: here the work is to be done, which is a child, or this process when there can
@@ -22,7 +24,8 @@ int patience_try(double seconds);
 /* From here on it may take as much as it likes. */
 void patience_done(void);
 
-/* In the child: all that is asked is whether it comes to patience_done(), where it ends. */
+/* In the child: all that is asked is whether it comes to patience_done(), where it ends.  Is it? */
 void patience_is_all(void);
+bool patience_asks(void);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "ranks/ranks.h"
+#include "run/patience.h"
 #include "state/part.h"
 
 #include <math.h>
@@ -14,10 +15,10 @@ enum { MOST = 30000, LEAST_TIMES = 5, MOST_TIMES = 1000 };
 
 static const double patience = 1.5; /* [s] of the clock for all effects */
 
-/* Ranks ask equally often. */
+/* Ranks ask equally often, and not where all that counts is whether there is an answer. */
 static bool once_more(int n, double since)
 {
-    return n < LEAST_TIMES || (ranks_count() == 1 && run_cpu() - since < 0.1);
+    return !patience_asks() && (n < LEAST_TIMES || (ranks_count() == 1 && run_cpu() - since < 0.1));
 }
 
 int run_time_rhs(struct run *r, double *seconds)
