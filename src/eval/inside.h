@@ -103,6 +103,9 @@ int workspace_create(const struct plan *p, struct workspace **out);
 void workspace_free(const struct plan *p, struct workspace **w);
 int workspace_fit(struct workspace *w, const struct list *l);
 
+/* Bytes of it that are written: records, sums, forces on solids; not `rates`, which are like y. */
+double workspace_written(const struct plan *p, const struct workspace *w);
+
 /* share-full.c: STATUS_DONE where all that share this moment bring that, for what one may lack. */
 int moment_agree(const struct moment *m, int status);
 

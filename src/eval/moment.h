@@ -85,8 +85,12 @@ double moment_share_bytes(const struct moment *moment);
 /* The same if each had all rows, as while fluid is let go. */
 double moment_share_bytes_all(const struct moment *moment);
 
-/* Bytes that sums over pairs and the list do without, as this has a part of the particles. */
-double moment_share_spared(const struct moment *moment);
+/* Bytes that are written of its list, which stands, and of sums over its pairs. */
+double moment_list_bytes(const struct moment *moment);
+double moment_sums_bytes(const struct moment *moment);
+
+/* Fluid of other ranks that is near own particles: rows that the list has. */
+int moment_nears(const struct moment *moment);
 
 /* Numbers that passes declare to read of neighbours (house.md), of this rank's rows that go to others in
  * a right-hand side; 0 where all rows are known to all. */

@@ -4,7 +4,6 @@
 #include "algebra/exact-sum.h"
 #include "base/status.h"
 #include "ranks/ranks.h"
-#include "space/record.h"
 
 #include <stdlib.h>
 
@@ -128,59 +127,6 @@ static void find_owners(const struct moment *m, const double *y, const struct ra
         if (!s->full)
             s->now.rho[i] = m->particles->scales->rho0; /* of rows that are never heard of */
     }
-}
-
-static double owners_bytes(const struct moment_share *s)
-{
-    return (double)s->n * (sizeof *s->mine + sizeof *s->owner + sizeof *s->row);
-}
-
-/* Of particles in an order of their own: rows and names, and where solids are now and were at first; of those
- * that move how fast, and where lists were made. */
-static double order_bytes(const struct moment *m)
-{
-    const struct particles *p = m->particles;
-    const double row = sizeof *p->m + sizeof *p->object_of + sizeof *p->dye + 2 * sizeof(int);
-    double bytes = p->n * row;
-
-    for (int k = KIND_WALL; k < KINDS; k++)
-        bytes += (share_stands(m, k) ? 2 : 5) * (double)sizeof *p->x * particles_count(p, k);
-    return bytes;
-}
-
-/* What is written of the arrays of take_memory(), and of those of a cut: all of what any rank may own, of
- * what comes the pages in which it is scattered, which with fluid are most (velocities and densities of own
- * fluid stay in y), and of messages own rows and a quarter as many that come or leave, with their names.  The
- * first rank hears what others have in y, twice: in a message, and where it belongs. */
-double moment_share_bytes(const struct moment *m)
-{
-    const struct moment_share *s = m->share;
-    const double n = s ? s->n : 0, fluid = s ? m->particles->from[KIND_FLUID + 1] : 0;
-    const double part = 1.0 / ranks_count(), number = sizeof(double);
-
-    if (!s || s->full)
-        return moment_share_bytes_all(m);
-    return owners_bytes(s) + n * (number + 4 * sizeof(int))
-           + ((3 * DIM - (s->packed ? (DIM + 1) * part : 0)) * fluid + 1.25 * SHARE_HALO * n * part) * number
-           + 0.5 * n * part * (SHARE_HALO * number + 4 * sizeof(int))
-           + (s->packed ? order_bytes(m) : n * DIM * number)
-           + (s->me > 0 ? 0 : 2 * (1 - part) * layout_size(&m->layout) * number);
-}
-
-double moment_share_bytes_all(const struct moment *m)
-{
-    const struct moment_share *s = m->share;
-
-    return s ? owners_bytes(s) + s->n * (DIM + SHARE_WIDEST * (1 + 1.0 / s->ranks)) * sizeof(double)
-                   + (double)s->n * sizeof *s->places.place
-             : 0;
-}
-
-double moment_share_spared(const struct moment *m)
-{
-    const double places = list_known(m->own) - (double)m->work->slots;
-
-    return m->own->whole && places > 0 ? places * (RECORD + DIM + 1 + DIM) * (double)sizeof(double) : 0;
 }
 
 /* Does a pass read numbers of all particles, or a filter between two steps? */

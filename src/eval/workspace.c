@@ -114,6 +114,30 @@ int workspace_fit(struct workspace *w, const struct list *l)
     return want <= w->slots ? STATUS_DONE : take_places(w, want + want / 16);
 }
 
+/* Of `pressed` one number of each, until a pressure that looks ahead asks for forces. */
+static double solids_written(const struct plan *p, const struct workspace *w)
+{
+    const double solids = p->particles->n - particles_count(p->particles, KIND_FLUID);
+    const double wet = sizeof *w->wet.met + sizeof *w->wet.has + sizeof *w->wet.row + sizeof *w->wet.other
+                       + sizeof *w->wet.f;
+    const double press = sizeof *w->rho + sizeof *w->p2 + sizeof *w->rows
+                         + (w->law ? DIM + 2 : 1) * sizeof *w->pressed;
+
+    return solids * (wet + (p->passes.press ? press : 0));
+}
+
+double workspace_written(const struct plan *p, const struct workspace *w)
+{
+    const double place = (RECORD + DIM + 1) * sizeof *w->record + sizeof *w->wet.seen + sizeof *w->busy.of;
+    double each = 0; /* of the fluid */
+
+    each += p->passes.fields > 0 ? sizeof *w->rho : 0;
+    each += w->drift ? sizeof *w->drift : 0;
+    each += w->sourced ? sizeof *w->sourced : 0;
+    return (double)w->slots * place + each * particles_count(p->particles, KIND_FLUID)
+           + (w->sum ? p->particles->n * (double)sizeof *w->sum : 0) + solids_written(p, w);
+}
+
 void workspace_free(const struct plan *p, struct workspace **workspace)
 {
     struct workspace *w = *workspace;

@@ -1,6 +1,7 @@
 /* memory.c -- what a run will need memory for. */
 #include "plan/memory.h"
 
+#include "plan/facts.h"
 #include "plan/inside.h"
 #include "plan/solver.h"
 #include "space/nabla.h"
@@ -24,6 +25,7 @@ struct count {
     bool faces;          /* the fluid sticks at faces                           */
     bool drifts;         /* positions move with more than velocities            */
     bool moves;          /* solids do                                           */
+    bool gauges;         /* there are probes                                    */
 };
 
 /* Neighbours of a particle of the fluid in the list, on a full lattice. */
@@ -54,21 +56,18 @@ static double slots(const struct plan *p)
     return all;
 }
 
-/* Of a particle that may be company of others (measure/crowd.c): its row. */
-enum { COMPANY = 4 };
-
 /* Particles as files have them, fluid that is company, and pressures for gauges. */
 static double frames(const struct count *c)
 {
-    const double kind = 1, pressures = 8;
+    const double kind = 1, pressures = c->gauges ? 8 : 0;
 
-    return (c->fluid + c->solid) * ((2 * DIM + 2) * 8 + kind) + c->fluid * (COMPANY + pressures);
+    return (c->fluid + c->solid) * ((2 * DIM + 2) * 8 + kind) + c->fluid * (PLAN_COMPANY + pressures);
 }
 
-/* What else may be company, and where it begins in cells. */
+/* What else may be company, and where it begins in cells (measure/crowd.c). */
 static double company(const struct count *c)
 {
-    return c->floor * COMPANY + 4 * c->cells;
+    return c->floor * PLAN_COMPANY + 4 * c->cells;
 }
 
 /* While their file is made, it takes no more for each (output/fields-file.c). */
@@ -145,16 +144,27 @@ static double single(const struct plan *p, const struct count *c)
                : record * 1.125 * c->slots * (c->fluid + c->solid);
 }
 
-/* What a wall model with a pressure of its own keeps, and what goes through it. */
+/* What a wall model with a pressure of its own keeps. */
 static double pressed(const struct plan *p)
 {
     const struct plan_part *wall = p->passes.press;
-    const double fluid = particles_count(p->particles, KIND_FLUID);
 
-    return wall ? wall->part->as.wall->press->memory(wall->self) + 8 * p->particles->n
-                      + (8 * (1 + DIM) + 5 + (plan_ahead(p) > 0 ? 32 : 0))
-                            * (p->particles->n - fluid)
-                : 0;
+    return wall ? wall->part->as.wall->press->memory(wall->self) : 0;
+}
+
+/* What goes through it. */
+static double pressing(const struct plan *p)
+{
+    const double solids = p->particles->n - particles_count(p->particles, KIND_FLUID);
+
+    return p->passes.press ? 8 * p->particles->n + (8 * (1 + DIM) + 5 + (plan_ahead(p) > 0 ? 32 : 0)) * solids : 0;
+}
+
+/* Records, forces, and rates of densities by place; fields of densities. */
+static double records(const struct count *c)
+{
+    return 8 * (c->fluid + c->solid) * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
+           + (c->drifts ? 8 * c->fluid * DIM : 0);
 }
 
 /* What a pressure that is solved for once a step works in. */
@@ -172,8 +182,7 @@ static void estimate(const struct plan *p, const struct count *c, struct plan_me
     *m = (struct plan_memory){
         .state = 8 * c->numbers * (c->vectors + 2), /* rates of looks, run->y */
         .lists = 2 * list_bytes(n, n * c->slots, c->entries),
-        .sums = 8 * n * (c->slots * RECORD + DIM + 1 + (c->fields ? 1 + PART_SUMS : 0))
-              + viscous(c) + ahead(c) + faces(p, c) + single(p, c) + (c->drifts ? 8 * c->fluid * DIM : 0),
+        .sums = records(c) + viscous(c) + ahead(c) + faces(p, c) + single(p, c), .records = records(c),
         .particles = n * (8 * (1 + DIM) + 4 + 1) + c->solid * 8 * 2 * 2 * DIM,
         .beside = c->solid * 8 * DIM * (c->moves ? 2 : 1), .idle = c->moves ? 0 : c->solid * 8 * 2 * DIM,
         .outputs = outputs(c), .frames = frames(c), .company = company(c),
@@ -186,15 +195,17 @@ void plan_memory(const struct plan *p, double pairs, int vectors, struct plan_me
     const struct count c = {
         .fluid = fluid, .solid = p->particles->n - fluid, .floor = floor_of(p), .cells = cells(p),
         .numbers = layout_size(&p->layout),
-        .entries = pairs > 0
+        .entries = pairs >= 0
                        ? pairs
                        : neighbours(p) * fluid + neighbours_of_wall(p) * (p->particles->n - fluid),
         .slots = slots(p), .vectors = vectors, .fields = p->passes.fields > 0 || p->passes.filters, .viscous = p->stiff,
         .drifts = p->drifter, .faces = p->face, .moves = p->moving_walls || p->bodies > 0, .ahead = plan_ahead(p) > 0,
+        .gauges = plan_probes(p) > 0,
     };
 
     estimate(p, &c, out);
-    out->sums += pressed(p) + solved(p);
+    out->records += pressing(p);
+    out->sums += pressed(p) + pressing(p) + solved(p);
 }
 
 double plan_memory_sum(const struct plan_memory *m)

@@ -6,6 +6,7 @@
 #include "plan/memory.h"
 #include "ranks/ranks.h"
 #include "ranks/traffic.h"
+#include "run/ranks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,13 +16,21 @@
  * -1 to 11 MB on 2 and 4 ranks in 3D (Open MPI 4.1 on one machine) [bytes]. */
 static const double messages = 6e6;
 
+/* Lists that are made later have other entries, and blocks and cells from another corner: 0.97 to 1.15 of
+ * the first one's bytes, in 2D and 3D on 2 to 8 ranks. */
+static const double later_lists = 1.06;
+
+/* Of tables, columns and their names [bytes]. */
+static const double tables = 7e4;
+
 /* What a rank says of itself. */
 struct rank {
-    double pairs, program, shared; /* entries of its list; bytes */
+    double pairs;                  /* entries of its list */
+    double program, shared, list, sums; /* bytes */
     double spared;                 /* numbers of y that are others' alone */
-    double absent;                 /* bytes of sums, and of the list, for particles that are not in it */
     struct ranks_traffic sends;    /* for one right-hand side */
     double read;                   /* numbers that passes read of what it sends to partners */
+    double near;                   /* particles of others that may be company of its own */
 };
 
 static struct ranks_traffic since(const struct ranks_traffic *was)
@@ -35,6 +44,17 @@ static struct ranks_traffic since(const struct ranks_traffic *was)
         .exchanges = now.exchanges - was->exchanges, .messages = now.messages - was->messages,
         .sent_bytes = now.sent_bytes - was->sent_bytes,
     };
+}
+
+/* Once a list stands. */
+static void note(const struct run *r, struct rank *me)
+{
+    me->pairs = moment_pairs(r->moment);
+    me->list = moment_list_bytes(r->moment);
+    me->sums = moment_sums_bytes(r->moment);
+    me->spared = moment_size(r->moment) - moment_numbers(r->moment);
+    me->shared = moment_share_bytes(r->moment);
+    me->near = moment_nears(r->moment);
 }
 
 /* The list is as it is; what a new one takes comes on top. */
@@ -51,6 +71,27 @@ static int ask_once(struct run *r, struct rank *me)
     }
     free(ydot);
     return status;
+}
+
+/* What arrays have been written for stays theirs when own rows get fewer; a method's come afterwards. */
+static void keep_most(struct rank *me, const struct rank *was)
+{
+    me->list = fmax(me->list, was->list);
+    me->sums = fmax(me->sums, was->sums);
+    me->shared = fmax(me->shared, was->shared);
+    me->near = fmax(me->near, was->near);
+}
+
+/* By the first cut, which knows how many particles there are, and by the next, which knows their pairs. */
+static int ask_twice(struct run *r, struct rank *me)
+{
+    struct rank first = *me;
+
+    note(r, &first);
+    TRY(run_ranks_balance(r));
+    note(r, me);
+    keep_most(me, &first);
+    return ask_once(r, me);
 }
 
 /* While fluid is let go, where it is; else 0.  Pairs are those of own rows. */
@@ -85,7 +126,18 @@ static void add_looks(const struct run *r, const struct plan_memory *whole, bool
         to->of[PARTICLES] -= whole->beside;
 }
 
-/* The first rank has the outputs, but for frames of which each has its part, and all of y to look at. */
+/* The first rank has them; of frames each has its part, and own fluid with that of others near it is company,
+ * but where all rows are the first one's. */
+static double outputs_of(const struct plan_memory *own, const struct rank *rank, bool packed, bool first)
+{
+    const double shared = own->frames + own->company, alone = first ? own->outputs - shared : 0;
+
+    if (packed)
+        return tables + alone + own->frames / ranks_count() + own->company + PLAN_COMPANY * rank->near;
+    return tables + alone + (first ? shared : 0);
+}
+
+/* The first rank has all of y to look at. */
 static struct items items_of(const struct run *r, const struct rank *rank, double writing, double all)
 {
     const int vectors = r->method->room.vectors(r->method, r->plan);
@@ -96,11 +148,9 @@ static struct items items_of(const struct run *r, const struct rank *rank, doubl
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
     to = (struct items){ .of = {
-        [PROGRAM] = rank->program + messages + writing, [STATE] = own.state, [LISTS] = own.lists / 2,
-        [SUMS] = own.sums - (packed || !first ? rank->absent : 0), [PARTICLES] = own.particles - own.idle,
-        [SHARED] = rank->shared,
-        [OUTPUTS] = (first ? own.outputs - own.frames - own.company : 0)
-                    + (packed ? own.frames / ranks_count() + own.company : first ? own.frames + own.company : 0),
+        [PROGRAM] = rank->program + messages + writing, [STATE] = own.state, [LISTS] = later_lists * rank->list,
+        [SUMS] = own.sums - own.records + rank->sums, [PARTICLES] = own.particles - own.idle,
+        [SHARED] = rank->shared, [OUTPUTS] = outputs_of(&own, rank, packed, first),
     } };
     if (r->method->room.sparing)
         to.of[STATE] -= 8 * rank->spared * (vectors + (first ? packed : 2));
@@ -123,20 +173,36 @@ static void add_bytes(void *self, const void *array, size_t bytes)
     *(double *)self += (double)bytes;
 }
 
-/* Of the first rank, and of that of the others that takes most. */
-static void print_items(const struct items *first, const struct items *other)
+/* As a cut later in the run may give one rank what another has now, each item is told for itself. */
+static void grow(struct items *most, const struct items *one)
 {
-    printf("  %-32s %11s %11s\n", "", "the first", "another");
     for (int i = 0; i < ITEMS; i++)
-        printf("  %-32s %8.1f MB %8.1f MB\n", item_names[i], first->of[i] / 1e6, other->of[i] / 1e6);
-    if (first->before > 0 || other->before > 0)
-        printf("  %-32s %8.1f MB %8.1f MB\n", "while the start is solved for, all", peak_of(first) / 1e6,
-               peak_of(other) / 1e6);
+        most->of[i] = fmax(most->of[i], one->of[i]);
+    most->all = fmax(most->all, one->all);
+    most->before = fmax(most->before, one->before);
+}
+
+/* A small scene has hundredths. */
+static void print_two(const char *what, double first, double others)
+{
+    const int digits = fmax(first, others) < 10 ? 2 : 1;
+
+    printf("  %-32s %8.*f MB %8.*f MB\n", what, digits, first, digits, others);
+}
+
+/* Of the first rank, and the most of the others. */
+static void print_items(const struct items *first, const struct items *others)
+{
+    printf("  %-32s %11s %11s\n", "", "the first", "others");
+    for (int i = 0; i < ITEMS; i++)
+        print_two(item_names[i], first->of[i] / 1e6, others->of[i] / 1e6);
+    if (first->before > 0 || others->before > 0)
+        print_two("while the start is solved for, all", peak_of(first) / 1e6, peak_of(others) / 1e6);
 }
 
 static void print_memory(const struct run *r, const struct rank *rank, int n, double writing)
 {
-    struct items first, other = { .all = 0 };
+    struct items first, others = { .all = 0 };
     double all = 0, most = 0, alike = 0;
 
     plan_show(r->plan, add_bytes, &alike);
@@ -147,12 +213,12 @@ static void print_memory(const struct run *r, const struct rank *rank, int n, do
     first = items_of(r, &rank[0], writing, all);
     for (int i = 1; i < n; i++) {
         const struct items one = items_of(r, &rank[i], 0, all);
-        other = peak_of(&one) > peak_of(&other) ? one : other;
+        grow(&others, &one);
     }
     printf("memory: about %.3g MB at its peak on the first rank, at most %.3g MB on others; %.3g MB "
            "of that are there once on each machine\n",
-           peak_of(&first) / 1e6, peak_of(&other) / 1e6, alike / 1e6);
-    print_items(&first, &other);
+           peak_of(&first) / 1e6, peak_of(&others) / 1e6, alike / 1e6);
+    print_items(&first, &others);
     if (all > 0)
         printf("sums over pairs: %.3g entries, the busiest rank has %.2f times the mean\n", all,
                most * n / all);
@@ -181,13 +247,10 @@ static void print_traffic(const struct rank *rank, int n)
 int check_ranks_print(struct run *r, double program, double writing)
 {
     const int n = ranks_count();
-    struct rank me = { .pairs = moment_pairs(r->moment), .program = program,
-                       .spared = moment_size(r->moment) - moment_numbers(r->moment),
-                       .absent = moment_share_spared(r->moment),
-                       .shared = moment_share_bytes(r->moment) }, all[n];
+    struct rank me = { .program = program }, all[n];
     int count[n];
 
-    TRY(ask_once(r, &me));
+    TRY(ask_twice(r, &me));
     for (int i = 0; i < n; i++)
         count[i] = 1;
     ranks_gather(count, sizeof me, &me, all);

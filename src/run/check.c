@@ -196,6 +196,7 @@ static int check(struct run *r, const struct run_order *order, double program)
         status = start(r);
     if (status == STATUS_DONE)
         status = moment_share(r->moment, r->y, run_ranks_rows(r));
+    run_ranks_begin(r);
     if (status == STATUS_DONE)
         status = run_time_rhs(r, &seconds);
     patience_done();

@@ -1,6 +1,7 @@
 /* drift-blocks.c -- which particles stood in which block when the list was made. */
 #include "space/drift.h"
 
+#include "base/pages.h"
 #include "base/status.h"
 #include "base/threads.h"
 #include "base/waiting.h"
@@ -187,6 +188,17 @@ int drift_note(struct list *list, const struct cloud *cloud)
     gather_members(list, drift);
     drift_choose(list);
     return STATUS_DONE;
+}
+
+double drift_written(const struct list *list)
+{
+    const struct drift *d = &list->own->drift;
+    double blocks = 1;
+
+    for (int k = 0; k < DIM; k++)
+        blocks *= d->n[k];
+    return list->listed * (3.0 * sizeof(int) + DIM * sizeof(double)) + (5 * blocks + d->useds) * sizeof(int)
+           + pages_bytes(0, list->listed, d->block, 2 * DIM * sizeof *d->range);
 }
 
 void drift_free(struct drift *drift)

@@ -83,6 +83,9 @@ void drift_choose(struct list *list);
 
 void drift_free(struct drift *drift);
 
+/* Bytes of its arrays that are written, of a list that stands. */
+double drift_written(const struct list *list);
+
 /* Offsets to a block and to one of each two opposite blocks that touch it: half of 27, and the
  * block itself. */
 enum { DRIFT_TOUCHING = 14 };

@@ -241,4 +241,7 @@ double list_entries(const struct list *list);
 /* Bytes that a list of n particles in so many places, with so many entries, takes. */
 double list_bytes(double n, double slots, double entries);
 
+/* What of its arrays is written as it stands. */
+double list_written(const struct list *list);
+
 #endif
