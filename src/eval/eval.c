@@ -6,7 +6,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static void add_stiff(struct moment *m, double t, const double *y, double *ydot)
 {
@@ -28,7 +27,7 @@ static int count_pass(struct moment *m, int status)
 static int implicit_side(struct moment *m, double t, const double *y, double *ydot)
 {
     m->counts.rhs_implicit++;
-    memset(ydot, 0, (size_t)moment_size(m) * sizeof *ydot);
+    moment_clear(m, 0, moment_size(m), ydot);
     if (m->solver)
         TRY(count_pass(m, m->plan->solver->rates(m, t, y, ydot)));
     add_stiff(m, t, y, ydot);

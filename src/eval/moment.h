@@ -74,6 +74,9 @@ void moment_take(const struct moment *moment, const double *y, double *to);
 void moment_combine(const struct moment *moment, int terms, const double *c, const double *const *x,
                     double *to);
 
+/* Of numbers from..to-1, those that this rank has become 0. */
+void moment_clear(const struct moment *moment, long from, long to, double *y);
+
 /* Rows of a kind of this rank's alone?  Numbers of y that a rank has. */
 bool moment_is_packed(const struct moment *moment);
 double moment_numbers(const struct moment *moment);

@@ -38,6 +38,11 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
         moment_view(run, t, y, v);
 }
 
+bool observe_each(const struct moment *run)
+{
+    return moment_is_full(run) && run->plan->passes.fields > 0;
+}
+
 void observe_own(struct moment *run, double t, const double *y, struct view *v)
 {
     observe_fluid(run, t, y, v);

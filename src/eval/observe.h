@@ -29,6 +29,10 @@ void observe_fluid(struct moment *run, double t, const double *y, struct view *v
 /* The same at a y that has this rank's rows alone, where it has them alone: see `others` there. */
 void observe_own(struct moment *run, double t, const double *y, struct view *v);
 
+/* Has each of many ranks a second moment with all pairs, as it has to look at sums over sums for itself?
+ * Else the first alone, where own rows do not stand before others (moment_is_packed()). */
+bool observe_each(const struct moment *run);
+
 /* After observe_forces() at the same (t, y): the fluid of this rank, and where that of others is near to it;
  * where it has all rows, the fluid.  All that is within a support of an own particle is there. */
 void observe_near(struct moment *run, double t, const double *y, struct view *v);

@@ -156,6 +156,20 @@ void moment_take(const struct moment *m, const double *y, double *to)
         vector_copy(own.piece[k][1] - own.piece[k][0], y + own.piece[k][0], to + own.piece[k][0]);
 }
 
+void moment_clear(const struct moment *m, long from, long to, double *y)
+{
+    const struct vector_own own = moment_own(m);
+
+    if (own.pieces == 0)
+        memset(y + from, 0, (size_t)(to - from) * sizeof *y);
+    for (int k = 0; k < own.pieces; k++) {
+        const long first = from > own.piece[k][0] ? from : own.piece[k][0];
+        const long last = to < own.piece[k][1] ? to : own.piece[k][1];
+        if (first < last)
+            memset(y + first, 0, (size_t)(last - first) * sizeof *y);
+    }
+}
+
 void moment_combine(const struct moment *m, int terms, const double *c, const double *const *x,
                     double *to)
 {

@@ -3,8 +3,6 @@
 
 #include "base/status.h"
 
-#include <string.h>
-
 /* The laws that answer. */
 static const struct pairs_table *table_of(const struct plan *p, const struct ask *ask)
 {
@@ -46,7 +44,7 @@ static void stand_still(const struct moment *m, int first, int last, double *ydo
 {
     const long *from = m->layout.from;
 
-    memset(ydot + from[first], 0, (size_t)(from[last] - from[first]) * sizeof *ydot);
+    moment_clear(m, from[first], from[last], ydot);
 }
 
 int rates_eval(struct moment *m, const struct ask *ask, double t, const double *y, double *ydot,

@@ -66,8 +66,8 @@ static double scratch_bytes(const struct moment *m)
     return (moment_numbers(m) + (s->me > 0 ? DIM * own : 2 * whole)) * sizeof *s->all;
 }
 
-/* Rows are ids: of what comes the pages in which it is scattered, which with fluid are most, and of messages
- * own rows and a quarter as many that come or leave, with their names. */
+/* Rows are ids: of what comes the pages in which it is scattered, which with fluid are most, of messages
+ * own rows and a quarter as many that come or leave, with their names, and rates of all, which each hears. */
 static double scattered_bytes(const struct moment *m)
 {
     const struct moment_share *s = m->share;
@@ -75,7 +75,7 @@ static double scattered_bytes(const struct moment *m)
 
     return n * (number + 4 * sizeof(int)) + (3 * DIM * m->particles->from[KIND_FLUID + 1] + 1.25 * SHARE_HALO * n * part) * number
            + 0.5 * n * part * (SHARE_HALO * number + 4 * sizeof(int)) + n * DIM * number
-           + (s->me > 0 ? 0 : 2 * (1 - part) * layout_size(&m->layout) * number);
+           + layout_size(&m->layout) * number;
 }
 
 /* Each has all sums of all owners, its own packed before: forces and rates of densities. */

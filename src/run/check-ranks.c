@@ -2,6 +2,7 @@
 #include "run/check-ranks.h"
 
 #include "base/status.h"
+#include "eval/observe.h"
 #include "implicit/release.h"
 #include "plan/memory.h"
 #include "ranks/ranks.h"
@@ -116,17 +117,6 @@ static const char *const item_names[ITEMS] = { "program, libraries and messages"
                                                "pair list", "sums over pairs", "particles",
                                                "what ranks share, and with whom", "outputs" };
 
-/* A second moment, to look through, has a list of all pairs, on the first rank and on each that may look at sums
- * over sums for itself, and is not there on others; where own rows are packed, it has the run's list, and solids
- * of the run are those in an order of their own. */
-static void add_looks(const struct run *r, const struct plan_memory *whole, bool first, struct items *to)
-{
-    if (!moment_is_packed(r->moment) && (first || moment_is_full(r->moment)))
-        to->of[LISTS] += whole->lists / 2;
-    else
-        to->of[PARTICLES] -= whole->beside;
-}
-
 /* The first rank has them; of frames each has its part, and own fluid with that of others near it is company,
  * but where all rows are the first one's. */
 static double outputs_of(const struct plan_memory *own, const struct rank *rank, bool packed, bool first)
@@ -138,28 +128,44 @@ static double outputs_of(const struct plan_memory *own, const struct rank *rank,
     return tables + alone + (first ? shared : 0);
 }
 
-/* The first rank has all of y to look at. */
+/* A second moment, to look through, has a list of all pairs, on the first rank and on each that looks at sums
+ * over sums for itself, and works where the run does; where own rows are packed, it has the run's list. */
+static bool has_all_pairs(const struct run *r, bool first)
+{
+    return !moment_is_packed(r->moment) && (first || observe_each(r->moment));
+}
+
+static void add_up(struct items *to)
+{
+    for (int i = 0; i < ITEMS; i++)
+        to->all += to->of[i];
+}
+
+/* The first rank has all of y to look at.  Solids of a run that has no list of all pairs are those in an order of
+ * their own. */
 static struct items items_of(const struct run *r, const struct rank *rank, double writing, double all)
 {
     const int vectors = r->method->room.vectors(r->method, r->plan);
-    const bool first = writing > 0, packed = moment_is_packed(r->moment);
+    const bool first = writing > 0, packed = moment_is_packed(r->moment), looks = has_all_pairs(r, first);
     struct plan_memory own, whole;
     struct items to;
 
     plan_memory(r->plan, rank->pairs, vectors, &own);
     plan_memory(r->plan, all, vectors, &whole);
     to = (struct items){ .of = {
-        [PROGRAM] = rank->program + messages + writing, [STATE] = own.state, [LISTS] = later_lists * rank->list,
-        [SUMS] = own.sums - own.records + rank->sums, [PARTICLES] = own.particles - own.idle,
+        [PROGRAM] = rank->program + messages + writing, [STATE] = own.state,
+        [LISTS] = later_lists * rank->list + (looks ? whole.lists / 2 : 0),
+        [SUMS] = (looks ? whole : own).sums - own.records + rank->sums,
+        [PARTICLES] = own.particles - own.idle - (looks ? 0 : own.beside),
         [SHARED] = rank->shared, [OUTPUTS] = outputs_of(&own, rank, packed, first),
     } };
     if (r->method->room.sparing)
         to.of[STATE] -= 8 * rank->spared * (vectors + (first ? packed : 2));
     if (packed)
         to.of[STATE] *= later_rows;
-    add_looks(r, &whole, first, &to);
-    for (int i = 0; i < ITEMS; i++)
-        to.all += to.of[i];
+    else if (!first) /* has no rates to look at */
+        to.of[STATE] -= 8.0 * plan_size(r->plan);
+    add_up(&to);
     to.before = before(r, rank, &own);
     to.before = to.before > to.all ? to.before : 0;
     return to;
