@@ -82,9 +82,10 @@ static double scattered_bytes(const struct moment *m)
 static double full_bytes(const struct moment *m)
 {
     const struct moment_share *s = m->share;
-    const double part = 1.0 / s->ranks, place = DIM * sizeof *s->built, sums = (DIM + 1) * sizeof *s->all;
+    const double own = s->from[s->me][KINDS] - s->from[s->me][0], sums = (DIM + 1) * sizeof *s->all;
 
-    return owners_bytes(s) + m->particles->from[KIND_FLUID + 1] * place + s->n * (sums * (1 + part) + sizeof *s->places.place);
+    return owners_bytes(s) + m->particles->from[KIND_FLUID + 1] * DIM * (double)sizeof *s->built
+           + (s->n + own) * sums + s->n * (double)sizeof *s->places.place;
 }
 
 double moment_share_bytes(const struct moment *m)

@@ -37,16 +37,14 @@ struct road {
     struct ranks_route *route;
     const int *id;    /* [count of kind] by row                                      */
     int *made;        /* the same where rows are ids; NULL: lent                     */
-    int coming, *who; /* [coming] ids                                                */
-    double *in;       /* [coming][DIM]                                               */
+    int coming, *who; /* [coming] ids, in the scratch of the share                   */
+    double *in;       /* [coming][DIM], likewise                                     */
 };
 
 static void road_close(struct road *r)
 {
     ranks_route_free(&r->route);
     free(r->made);
-    free(r->who);
-    free(r->in);
     *r = (struct road){ .route = NULL };
 }
 
@@ -106,15 +104,9 @@ static int open_route(struct road *r, const struct moment *m, int k)
 /* For kind k, all ranks together; on all the first failure. */
 static int road_open(struct road *r, const struct moment *m, int k)
 {
-    size_t n;
-
-    *r = (struct road){ .route = NULL };
+    *r = (struct road){ .who = (int *)m->share->pack, .in = m->share->all };
     TRY(open_route(r, m, k));
     r->coming = ranks_route_coming(r->route);
-    n = (size_t)r->coming + 1;
-    r->who = status_alloc(n, sizeof *r->who);
-    r->in = status_alloc(n, DIM * sizeof *r->in);
-    TRY(ranks_agree(r->who && r->in ? STATUS_DONE : STATUS_FAILED));
     ranks_route_go(r->route, sizeof *r->id, r->id, r->who);
     return STATUS_DONE;
 }

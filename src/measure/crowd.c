@@ -97,8 +97,8 @@ static double count_along(const struct scales *s, int d, double size)
     return floor((s->high[d] - s->low[d] + 2 * s->support) / size) + 1;
 }
 
-/* Cells of one support, or larger where the domain is large and empty. */
-static void lay_cells(struct crowd *c)
+/* Cells of one support, or larger where the domain is large and empty; returns how many. */
+static long lay_cells(struct crowd *c)
 {
     const struct scales *s = c->p->scales;
     const double most = 4.0 * c->n + 64;
@@ -116,6 +116,7 @@ static void lay_cells(struct crowd *c)
         c->size[d] = s->period[d] > 0 ? s->period[d] / (double)c->cells[d] : size;
         c->low[d] = s->period[d] > 0 ? s->low[d] : s->low[d] - s->support;
     }
+    return (long)count;
 }
 
 static long cell_of(const struct crowd *c, const double *x)
@@ -127,15 +128,6 @@ static long cell_of(const struct crowd *c, const double *x)
         cell = cell * c->cells[d] + (at < c->cells[d] ? at : c->cells[d] - 1);
     }
     return cell;
-}
-
-static long cells(const struct crowd *c)
-{
-    long count = 1;
-
-    for (int d = 0; d < DIM; d++)
-        count *= c->cells[d];
-    return count;
 }
 
 static const double *position(const struct crowd *c, int i)
@@ -203,8 +195,7 @@ void crowd_update(struct crowd *c, const struct view *v)
     c->view = *v;
     c->n = 0;
     take_rows(c, note);
-    lay_cells(c);
-    count = cells(c);
+    count = lay_cells(c);
     for (long i = 0; i <= count; i++)
         c->start[i] = 0;
     count_in_cells(c);

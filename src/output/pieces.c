@@ -12,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { ROWS = 1 << 14 }; /* of one write */
+enum { ROWS = 1 << 12 }; /* of one write */
 
 /* What the first rank tells the others. */
 struct place {

@@ -112,7 +112,7 @@ static void print_cost(struct run *r, double seconds)
 
 /* What writing files takes in any case: code of HDF5, and the blocks it works in; and what large
  * pages of small arrays do, which ranks have not [bytes]. */
-static const double later = 7.5e6, pages = 3e6, without_particles = 3.5e6, later_of_ranks = 6e6;
+static const double later = 7.5e6, pages = 3e6, without_particles = 3.5e6, later_of_ranks = 4.5e6;
 
 static void print_bytes(const char *what, double bytes)
 {

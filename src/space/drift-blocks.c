@@ -198,7 +198,7 @@ double drift_written(const struct list *list)
     for (int k = 0; k < DIM; k++)
         blocks *= d->n[k];
     return list->listed * (3.0 * sizeof(int) + DIM * sizeof(double)) + (5 * blocks + d->useds) * sizeof(int)
-           + pages_bytes(0, list->listed, d->block, 2 * DIM * sizeof *d->range);
+           + 1.5 * pages_bytes(0, list->listed, d->block, 2 * DIM * sizeof *d->range);
 }
 
 void drift_free(struct drift *drift)

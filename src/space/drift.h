@@ -83,7 +83,8 @@ void drift_choose(struct list *list);
 
 void drift_free(struct drift *drift);
 
-/* Bytes of its arrays that are written, of a list that stands. */
+/* Bytes of its arrays that are written, of a list that stands.  Lists before and after it have blocks from
+ * another corner: `range` is written on half as many other pages. */
 double drift_written(const struct list *list);
 
 /* Offsets to a block and to one of each two opposite blocks that touch it: half of 27, and the

@@ -1,4 +1,5 @@
 /* base.c -- tests of src/base: what becomes of messages. */
+#include "base/pages.h"
 #include "base/status.h"
 #include "base/waiting.h"
 
@@ -254,6 +255,22 @@ static void short_loops_have_threads_where_these_spin(void **state)
     assert_true(waiting_repays(waiting_worth(NULL) + 1));
 }
 
+/* Entries of 24 bytes: 170 and 2/3 a page of 4 kB. */
+static void pages_are_those_that_entries_stand_in(void **state)
+{
+    const double page = (double)sysconf(_SC_PAGESIZE);
+    const int per_page = (int)(page / 24), across[] = { per_page }, far[] = { 1, 9 * per_page, 9 * per_page + 1 };
+
+    (void)state;
+    assert_true(pages_bytes(0, 0, NULL, 24) == 0);
+    assert_true(pages_bytes(1, 0, NULL, 24) == page);
+    assert_true(pages_bytes(per_page, 0, NULL, 24) == page);
+    assert_true(pages_bytes(per_page + 1, 0, NULL, 24) == 2 * page);
+    assert_true(pages_bytes(0, 1, across, 24) == 2 * page); /* the entry has a part of two */
+    assert_true(pages_bytes(0, 3, far, 24) == 2 * page);
+    assert_true(pages_bytes(2 * per_page, 3, far, 24) == 3 * page);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -274,6 +291,7 @@ int main(void)
         cmocka_unit_test(what_the_user_says_of_waiting_stays),
         cmocka_unit_test(more_threads_than_processors_sleep),
         cmocka_unit_test(short_loops_have_threads_where_these_spin),
+        cmocka_unit_test(pages_are_those_that_entries_stand_in),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
