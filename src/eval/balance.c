@@ -40,6 +40,12 @@ void balance_never(struct moment *m)
         m->share->balance.every = -1;
 }
 
+void balance_count(struct moment *m)
+{
+    if (m->share)
+        m->share->balance.steps = 0;
+}
+
 struct balance balance_told(const struct moment *m)
 {
     return m->share ? m->share->balance : (struct balance){ .before = NAN, .after = NAN };

@@ -32,6 +32,9 @@ struct balance balance_start(void);
 /* The same for all ranks, from a method whose past cannot travel. */
 void balance_never(struct moment *moment);
 
+/* Steps count from here, where these say when. */
+void balance_count(struct moment *moment);
+
 int balance_cut(struct moment *moment, struct vector_rows row[MOMENT_ROWS], int *blocks);
 int balance_carry_out(struct moment *moment);
 

@@ -3,6 +3,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "eval/balance.h"
 #include "implicit/release.h"
 #include "plan/memory.h"
 #include "ranks/ranks.h"
@@ -56,6 +57,7 @@ static int try_start(struct run *r)
     if (moment_try(r->moment, 0, r->y, &was) == STATUS_DONE) {
         status = run_ranks_balance(r);
         moment_tried(r->moment, &was);
+        balance_count(r->moment);
         return status;
     }
     return status_fail_with(STATUS_FAILED, (struct status_advice){
