@@ -88,7 +88,7 @@ items() {
             END { printf "%s %s: told %.2f and %.2f MB, had %.2f and %.2f\n", good(first, one) && good(others, most) ? "ok" : "no",
                       item, first, others, one, most }' "$out/had"
     done >"$out/judged"
-    claim "$what: seven items but the program are told" "$(wc -l <"$out/judged") == 6"
+    claim "$what: six items are told, beside the program" "$(wc -l <"$out/judged") == 6"
     while read -r verdict words; do
         if [ "$verdict" = ok ]; then good "$what, $words"; else wrong "$what, $words"; fi
     done <"$out/judged"
