@@ -95,11 +95,8 @@ static void print_particles(const struct run *r)
         print_mach(plan_speed_expected(r->plan), s->c0);
 }
 
-static void print_cost(struct run *r, double seconds)
+static void print_cost(const struct run *r, double seconds, const struct limit limit[2])
 {
-    struct limit limit[2];
-
-    moment_limit(r->moment, 0, r->y, false, limit);
     for (int i = 0; i < 2; i++)
         if (limit[i].rate > 0)
             printf("fastest %s %g 1/s (%s)\n", i ? "decay" : "wave", limit[i].rate, limit[i].part);
@@ -181,9 +178,11 @@ static void print_survey(const struct run_order *order, const struct plan_survey
          "not known.\nCheck it with a larger spacing, too.");
 }
 
-/* A scene whose particles can be made. */
+/* A scene whose particles can be made.  Limits are found by a list of their own, which may take as much as
+ * all else. */
 static int check(struct run *r, const struct run_order *order, double program)
 {
+    struct limit limit[2];
     double seconds = 0;
     int status = run_doubt_scene(r);
 
@@ -199,6 +198,8 @@ static int check(struct run *r, const struct run_order *order, double program)
     run_ranks_begin(r);
     if (status == STATUS_DONE)
         status = run_time_rhs(r, &seconds);
+    if (status == STATUS_DONE)
+        moment_limit(r->moment, 0, r->y, false, limit);
     patience_done();
     if (status != STATUS_DONE)
         return status;
@@ -207,7 +208,7 @@ static int check(struct run *r, const struct run_order *order, double program)
     print_parts(r);
     print_passes(r);
     print_state(r);
-    print_cost(r, seconds);
+    print_cost(r, seconds, limit);
     if (ranks_count() > 1)
         TRY(check_ranks_print(r, program, later_of_ranks));
     else
