@@ -3,6 +3,7 @@
 # and 1e9 particles, in the memory that the program itself takes; its counts are those that a
 # smaller spacing gives by the power law, and those of the particles where both can be had.
 . "$top_srcdir/tests/lib.sh"
+. "$top_srcdir/tests/mpi.sh"
 limit=300000 # [kB]
 if grep -q __asan_init "$top_builddir/stiffwater-2d"; then limit=unlimited; fi
 scenes=$top_srcdir/data/scenes
@@ -81,21 +82,21 @@ print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' "$STIFFWATER" che
 fi
 
 # programs for many ranks have the same limits
-if [ -x "$top_builddir/stiffwater-3d-mpi" ] && { mpirun=$(command -v mpirun.openmpi) || mpirun=$(command -v mpirun); }; then
-    OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
-    export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_mpi_yield_when_idle
-    for ranks in 1 2; do
-        code=0
-        (ulimit -t 5; OMP_NUM_THREADS=1 "$mpirun" -q --oversubscribe --bind-to none -n $ranks \
-            "$top_builddir/stiffwater-3d-mpi" check "$scenes/flood-six-cubes.scene" \
-            spacing=0.0142857142857143) >"$out/ranks.said" 2>&1 || code=$?
-        claim "within 5 s on $ranks ranks" "$code == 0"
+# look_by_ranks N NAME DIM SCENE KEY=VALUE...
+look_by_ranks() {
+    number=$1 name=$2 program=$top_builddir/stiffwater-${3}d-mpi
+    shift 3
+    ranks "$number" sh -c 'ulimit -t 5; exec "$@"' sh "$program" check "$@"
+    cp "$out/said" "$out/$name.said"
+}
+if have_ranks; then
+    for n in 1 2; do
+        look_by_ranks $n ranks 3 "$scenes/flood-six-cubes.scene" spacing=0.0142857142857143
+        claim "within 5 s on $n ranks" "$code == 0"
         claim 'with the size that it has' "($(count ranks particles) / 590126 - 1) ^ 2 < 0.02 ^ 2"
         claim 'said once' "$(grep -c '^particles:' "$out/ranks.said") == 1"
     done
-    code=0
-    (ulimit -t 5; OMP_NUM_THREADS=1 "$mpirun" -q --oversubscribe --bind-to none -n 2 \
-        "$top_builddir/stiffwater-2d-mpi" check "$out/points.scene") >"$out/points.said" 2>&1 || code=$?
+    look_by_ranks 2 points 2 "$out/points.scene"
     claim 'on 2 ranks: a scene that takes long to count' "$code == 2"
     prints points 'cannot even be counted within 1 s and 1 GB'
 fi

@@ -3,13 +3,10 @@
 # in products that do not grow with the particles, and with the same bits on any number of threads
 # and ranks; programs without it say so.
 . "${top_srcdir:-.}/tests/lib.sh"
+. "$top_srcdir/tests/mpi.sh"
 dam=$top_srcdir/data/scenes/mps-dam-break.scene
 cube=$top_srcdir/tests/scenes/still-cube.scene
 
-OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
-OMPI_MCA_btl_vader_single_copy_mechanism=none
-export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_mpi_yield_when_idle
-export OMPI_MCA_btl_vader_single_copy_mechanism
 unset OMP_NUM_THREADS
 
 # refused WORDS TEXT...: the last run ended so, before there were files, and said all these texts

@@ -5,26 +5,15 @@
 # to an item by the file of the program that has asked for it.  Items below 1 MB are not judged: pages of 4 kB
 # are a part of them.
 . "${top_srcdir:-.}/tests/lib.sh"
-[ -x "$top_builddir/stiffwater-2d-mpi" ] || skip "configure found no Open MPI, or no Zoltan"
+. "$top_srcdir/tests/mpi.sh"
+need_ranks
 if grep -q __asan_init "$top_builddir/stiffwater-2d"; then skip "memory is not what it is under a sanitizer"; fi
-mpirun=$(command -v mpirun.openmpi || command -v mpirun) || skip "there is no mpirun"
 command -v addr2line >/dev/null || skip "there is no addr2line"
 mpicc -O1 -shared -fPIC -o "$out/items.so" "$top_srcdir/tests/ranks/items.c" -ldl 2>"$out/said" ||
     skip "there is no mpicc to build tests/ranks/items.c with"
 scenes=$top_srcdir/data/scenes
 
-OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
-OMPI_MCA_btl_vader_single_copy_mechanism=none OMP_NUM_THREADS=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
-export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_mpi_yield_when_idle
-export OMPI_MCA_btl_vader_single_copy_mechanism OMP_NUM_THREADS OMPI_MCA_pml OMPI_MCA_btl
-
-# ranks N PROGRAM ARGUMENT...: its words go to $out/said, its status to $code
-ranks() {
-    n=$1
-    shift
-    code=0
-    timeout 300 "$mpirun" -q --oversubscribe --bind-to none -n "$n" "$@" >"$out/said" 2>&1 || code=$?
-}
+patience=300
 
 # of FILE PROGRAM: "ITEM MB" of each item of a rank
 of() {

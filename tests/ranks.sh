@@ -1,31 +1,17 @@
 #!/bin/sh
 # ranks.sh -- what ranks do together, on 1, 2, 3 and 4 of them (8, too, in ranks-long.sh), and what
-# the programs for many ranks refuse.  Cores are shared: a rank that waits lets others work.
+# the programs for many ranks refuse.
 # Each claim is made once here, within a minute of two cores; ranks-long.sh makes the same of longer
 # runs, of more scenes and methods, and on more ranks.
 . "${top_srcdir:-.}/tests/lib.sh"
-[ -x "$top_builddir/stiffwater-2d-mpi" ] || skip "configure found no Open MPI, or no Zoltan"
-
-OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
-OMPI_MCA_btl_vader_single_copy_mechanism=none OMP_NUM_THREADS=1
-OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader # on one machine: others are not looked for, 0.2 s a start
-export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_mpi_yield_when_idle
-export OMPI_MCA_btl_vader_single_copy_mechanism OMP_NUM_THREADS OMPI_MCA_pml OMPI_MCA_btl
-mpirun=$(command -v mpirun.openmpi || command -v mpirun) || skip "there is no mpirun"
+. "$top_srcdir/tests/mpi.sh"
+need_ranks
 
 long=${RANKS_LONG-}
 
 # at_length COMMAND...: in ranks-long.sh alone
 at_length() {
     [ -z "$long" ] || "$@"
-}
-
-# ranks N PROGRAM ARGUMENT...: its words go to $out/said, its status to $code
-ranks() {
-    n=$1
-    shift
-    code=0
-    timeout 120 "$mpirun" -q --oversubscribe --bind-to none -n "$n" "$@" >"$out/said" 2>&1 || code=$?
 }
 
 # programs: each on so many ranks
