@@ -2,6 +2,7 @@
 #include "run/inside.h"
 
 #include "base/status.h"
+#include "run/ranks.h"
 #include "scene/scene.h"
 
 #include <math.h>
@@ -163,7 +164,7 @@ int run_prepare(struct run *r, const struct run_order *order)
 
 int run_prepare_together(struct run *r, const struct run_order *order)
 {
-    TRY(read_scene(r, order));
+    TRY(run_ranks_same(r, read_scene(r, order)));
     TRY(plan_create_together(r->scene, &r->plan));
     return prepare(r);
 }
@@ -171,7 +172,7 @@ int run_prepare_together(struct run *r, const struct run_order *order)
 int run_prepare_small(struct run *r, const struct run_order *order, struct plan_survey *survey)
 {
     *survey = (struct plan_survey){ 0 };
-    TRY(read_scene(r, order));
+    TRY(run_ranks_same(r, read_scene(r, order)));
     TRY(plan_survey_create(r->scene, survey, &r->plan));
     return survey->large ? STATUS_DONE : prepare(r);
 }

@@ -15,6 +15,10 @@ void run_ranks_begin(struct run *r);
  * r->y was evaluated, too: then vectors of a method have memory for rows of a cut that knows pairs. */
 int run_ranks_balance(struct run *r);
 
+/* Status of all ranks that read their scenes; refused, with the first setting that differs, where these are not
+ * the same.  ranks_agree_after() knows of it. */
+int run_ranks_same(const struct run *r, int status);
+
 /* Is this the rank that writes? */
 bool run_ranks_writes(void);
 

@@ -80,6 +80,10 @@ void scene_computed_word(struct scene *scene, const char *path, const char *key,
  * filled are there even without values, for what is named is switched on. */
 int scene_write_used(const struct scene *scene, FILE *to);
 
+/* All that files and the command line give, in its order: a line for each setting, its dotted address and
+ * its value.  Two scenes with the same lines are the same. */
+void scene_write_given(const struct scene *scene, FILE *to);
+
 /* The nearest of names (NULL-ended) to word, NULL if none is near. */
 const char *scene_nearest(const char *word, const char *const *names);
 

@@ -26,8 +26,8 @@ int contact_together_compare(const struct part_places *at, int n)
     if (most[0] == -most[1])
         return STATUS_DONE;
     return status_fail_with(STATUS_BAD_SCENE, (struct status_advice){
-        .cause = "They have read different scenes, or keys",
-        .remedy = "let all read one file, with the same keys" },
+        .cause = "They run different programs, or the same one with different libraries",
+        .remedy = "let all run one program, and link it with the same libraries" },
         "ranks have from %g to %g particles of solids", -most[1], most[0]);
 }
 

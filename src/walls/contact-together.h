@@ -15,7 +15,8 @@ struct contact_part contact_together_part(const struct part_places *at, int n);
 /* The first failure of all ranks, on all. */
 int contact_together_agree(const struct part_places *at, int status);
 
-/* Have all ranks so many solids?  If not, all refuse: they have read different scenes. */
+/* Have all ranks so many solids?  If not, all refuse: of one scene, which they have read, they
+ * place different particles. */
 int contact_together_compare(const struct part_places *at, int n);
 
 /* Each of n things is one row of so many bytes: this rank's part of them are in `rows`, and all are from now on. */

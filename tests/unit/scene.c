@@ -816,6 +816,35 @@ static void a_full_disk_is_an_error_of_output(void **state)
     scene_free(&scene);
 }
 
+/* --- what is given -------------------------------------------------------------------- */
+
+static void every_setting_that_is_given_has_a_line(void **state)
+{
+    static const char lines[] =
+        "until = 0.1\ngravity = (-0, -9.81)\nseed = (1, \"two\", true)\n"
+        "title = \"\\\"quoted\\\" \\\\ back\\nline\\x09tab \\x01 \xc3\xa9\"\n"
+        "eos.c0 = 5\neos.kind = \"clamped-tait\"\neos.fields = ()\neos.x = (1e-310, 0.30000000000000004)\n"
+        "eos.outline = ((0.1, 0.2), (3, 4e+20))\neos.clamp = false\n"
+        "effects.gravity = { }\neffects.buoyancy = off\nfluid.water.rho0 = 1000\nfluid.oil-2.rho0 = 900\n"
+        "beam.a = { }\n";
+    struct scene *scene;
+    char *text = NULL;
+    size_t n = 0;
+    FILE *stream = open_memstream(&text, &n);
+
+    (void)state;
+    write_file("t.scene", everything);
+    assert_int_equal(scene_read(in_directory("t.scene"), &scene), STATUS_DONE);
+    assert_int_equal(scene_override(scene, "eos.c0=5"), STATUS_DONE);
+    assert_int_equal(scene_override(scene, "effects.viscosity=off"), STATUS_DONE);
+    assert_int_equal(scene_override(scene, "effects.buoyancy=off"), STATUS_DONE);
+    scene_write_given(scene, stream);
+    fclose(stream);
+    assert_string_equal(text, lines);
+    free(text);
+    scene_free(&scene);
+}
+
 /* --- broken bytes --------------------------------------------------------------------- */
 
 /* Whatever the bytes are: an answer, a message exactly when it is a refusal, no crash. */
@@ -910,6 +939,7 @@ int main(void)
         cmocka_unit_test(scene_used_says_unit_and_origin_of_each_value),
         cmocka_unit_test(a_group_filled_twice_is_noted_once),
         cmocka_unit_test(a_full_disk_is_an_error_of_output),
+        cmocka_unit_test(every_setting_that_is_given_has_a_line),
         cmocka_unit_test(a_scene_cut_off_anywhere_is_answered),
         cmocka_unit_test(a_scene_with_any_wrong_byte_is_answered),
     };
