@@ -18,7 +18,8 @@
 enum {
     PIECE = 4096, /* bytes of the first rank's text that all hear at once */
     SHOWN = 120,  /* of a line in a message                               */
-    HALF = SHOWN / 2
+    HALF = SHOWN / 2,
+    NUMBER = 24   /* letters of one, at most                              */
 };
 
 /* Of a rank: what it has read. */
@@ -79,12 +80,15 @@ static void show(const struct text *own, size_t where, char line[SHOWN])
         first--;
     while (end < own->bytes && text[end] != '\n')
         end++;
-    if (first == own->bytes)
+    if (first == own->bytes) {
         snprintf(line, SHOWN, "no more settings");
-    else if (where - first < HALF)
+    } else if (where - first < HALF) {
         snprintf(line, SHOWN, "%.*s", (int)(end - first), text + first);
-    else
+    } else {
+        for (int back = 0; back < NUMBER && text[where - 1] != ' '; back++)
+            where--;
         snprintf(line, SHOWN, "%.*s ... %.*s", HALF - 20, text + first, (int)(end - where), text + where);
+    }
 }
 
 static int refuse(const struct text *own, int rank, const struct other *other)
