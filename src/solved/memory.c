@@ -3,15 +3,35 @@
 
 #include <math.h>
 
-/* Share of a full ball that a solid in some three layers has. */
-static const double share = 0.6;
+/* Points of the lattice nearer than `reach` to one of them, of those between layers low and high beside it. */
+static double count(double reach, int low, int high)
+{
+    const int far = (int)reach, deep = DIM == 3 ? far : 0;
+    double n = 0;
+
+    for (int i = low > -far ? low : -far; i <= high && i <= far; i++)
+        for (int j = -far; j <= far; j++)
+            for (int k = -deep; k <= deep; k++)
+                n += i * i + j * j + k * k <= reach * reach;
+    return n - 1;
+}
+
+/* The mean over the layers of a wall, half of which has fluid before it. */
+static double of_solid(const struct plan *p, double reach)
+{
+    const int layers = (int)ceil(p->in.kernel.support);
+    double sum = 0;
+
+    for (int i = 0; i < layers; i++)
+        sum += count(reach, -(int)reach, layers - 1 - i) + count(reach, -i, layers - 1 - i);
+    return sum / (2 * layers);
+}
 
 double memory_pairs(const struct plan *p, double reach, bool solids)
 {
-    const double ball = DIM == 2 ? M_PI * reach * reach : 4 * M_PI / 3 * reach * reach * reach;
     const double fluid = particles_count(p->particles, KIND_FLUID);
 
-    return ball * (fluid + (solids ? share * (p->particles->n - fluid) : 0));
+    return fluid * count(reach, -(int)reach, (int)reach) + (solids ? (p->particles->n - fluid) * of_solid(p, reach) : 0);
 }
 
 double memory_list(const struct plan *p, double reach)

@@ -97,13 +97,25 @@ static int make_row(const struct rows *of, int i, int *column, double *value,
     return n;
 }
 
-/* Rows stand where their neighbours do, near->from, with gaps; then side by side. */
-static void close_gaps(struct poisson *s, const struct near *near, const int *length)
+/* Rows of unknowns have room for all their neighbours, others none. */
+static void find_room(struct poisson *s, const struct near *near, const char *role)
 {
     size_t at = 0;
 
     for (int i = 0; i < s->n; i++) {
-        const size_t first = near->from[i], n = (size_t)length[i];
+        s->from[i] = at;
+        at += role[i] == POISSON_UNKNOWN ? near->from[i + 1] - near->from[i] : 0;
+    }
+    s->from[s->n] = at;
+}
+
+/* Then they stand side by side. */
+static void close_gaps(struct poisson *s, const int *length)
+{
+    size_t at = 0;
+
+    for (int i = 0; i < s->n; i++) {
+        const size_t first = s->from[i], n = (size_t)length[i];
         memmove(s->column + at, s->column + first, n * sizeof *s->column);
         memmove(s->value + at, s->value + first, n * sizeof *s->value);
         s->from[i] = at;
@@ -117,13 +129,13 @@ int poisson_assemble(struct poisson *s, const struct near *near, const char *rol
 {
     const struct rows of = { near, role, weight, self, e };
 
-    TRY(take_entries(s, near->from[near->n]));
     s->n = near->n;
+    find_room(s, near, role);
+    TRY(take_entries(s, s->from[s->n]));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < s->n; i++)
-        s->queue[i] = make_row(&of, i, s->column + near->from[i], s->value + near->from[i],
-                               &s->diagonal[i]);
-    close_gaps(s, near, s->queue);
+        s->queue[i] = make_row(&of, i, s->column + s->from[i], s->value + s->from[i], &s->diagonal[i]);
+    close_gaps(s, s->queue);
     for (int i = s->n; i < s->size; i++)
         s->diagonal[i] = 1;
     return STATUS_DONE;
