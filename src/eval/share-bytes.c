@@ -66,16 +66,14 @@ static double scratch_bytes(const struct moment *m)
     return (moment_numbers(m) + (s->me > 0 ? DIM * own : 2 * whole)) * sizeof *s->all;
 }
 
-/* Rows are ids: of what comes the pages in which it is scattered, which with fluid are most, of messages
- * own rows and a quarter as many that come or leave, with their names, and rates of all, which each hears. */
+/* Rows are ids: of fluid places where lists were made, and places and velocities that come, in pages in which they
+ * are scattered; densities of all; y of all, rates of all and own ones, which each hears, and what comes and leaves. */
 static double scattered_bytes(const struct moment *m)
 {
     const struct moment_share *s = m->share;
-    const double part = 1.0 / s->ranks, number = sizeof(double), n = s->n;
+    const double fluid = m->particles->from[KIND_FLUID + 1], whole = layout_size(&m->layout);
 
-    return n * (number + 4 * sizeof(int)) + (3 * DIM * m->particles->from[KIND_FLUID + 1] + 1.25 * SHARE_HALO * n * part) * number
-           + 0.5 * n * part * (SHARE_HALO * number + 4 * sizeof(int)) + n * DIM * number
-           + layout_size(&m->layout) * number;
+    return (3 * DIM * fluid + s->n + (2 + 1.0 / s->ranks) * whole) * sizeof(double) + routes_bytes(m);
 }
 
 /* Each has all sums of all owners, its own packed before: forces and rates of densities. */

@@ -81,8 +81,7 @@ static void keep_once(void *self, const void *array, size_t bytes)
     ranks_alike(array, bytes);
 }
 
-/* On many ranks in arrays of all particles, of which each needs a part later. */
-static int let_go(struct run *r)
+int run_let_go(struct run *r)
 {
     TRY(release_start(r->moment, r->y));
     return ranks_agree(ranks_count() > 1 ? moment_renew(&r->moment) : STATUS_DONE);
@@ -118,7 +117,7 @@ int run_start(struct run *r)
 {
     TRY(ranks_agree(agree(r)));
     plan_show(r->plan, keep_once, NULL); /* a plan is the same on all ranks */
-    TRY(let_go(r));
+    TRY(run_let_go(r));
     TRY(moment_share(r->moment, r->y, run_ranks_rows(r)));
     run_ranks_begin(r);
     TRY(try_start(r));

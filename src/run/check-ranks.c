@@ -140,6 +140,17 @@ static void add_up(struct items *to)
         to->all += to->of[i];
 }
 
+/* Vectors of a run, and of looks at it, in which a rank has rows of its own alone.  Where a method has all rows of
+ * some, run->y has too. */
+static int own_vectors(const struct run *r, int vectors, bool first, bool packed)
+{
+    const int own = r->method->room.own ? r->method->room.own(r->method, r->plan) : 0;
+
+    if (own == vectors)
+        return own + (first ? packed : 2);
+    return packed ? own + 1 : 0;
+}
+
 /* The first rank has all of y to look at.  Solids of a run that has no list of all pairs are those in an order of
  * their own. */
 static struct items items_of(const struct run *r, const struct rank *rank, double writing, double all)
@@ -158,8 +169,7 @@ static struct items items_of(const struct run *r, const struct rank *rank, doubl
         [PARTICLES] = own.particles - own.idle - (looks ? 0 : own.beside),
         [SHARED] = rank->shared, [OUTPUTS] = outputs_of(&own, rank, packed, first),
     } };
-    if (r->method->room.sparing)
-        to.of[STATE] -= 8 * rank->spared * (vectors + (first ? packed : 2));
+    to.of[STATE] -= 8 * rank->spared * own_vectors(r, vectors, first, packed);
     if (packed)
         to.of[STATE] *= later_rows;
     else if (!first) /* has no rates to look at */

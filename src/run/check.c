@@ -157,7 +157,7 @@ enum { RELEASED = 20000 };
 static int start(struct run *r)
 {
     if (plan_particles(r->plan)->n <= RELEASED)
-        return release_start(r->moment, r->y);
+        return run_let_go(r);
     plan_start(r->plan, r->y);
     return STATUS_DONE;
 }

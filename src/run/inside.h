@@ -69,6 +69,10 @@ int run_prepare_small(struct run *r, const struct run_order *order, struct plan_
 int run_prepare_count(struct run *r, const struct run_order *order, struct plan_survey *survey);
 void run_release(struct run *r);
 
+/* What the scene releases is let go: r->y as it stands then.  Of many ranks, which do so in arrays of all particles, of
+ * which each needs a part later: these are given back. */
+int run_let_go(struct run *r);
+
 /* run.json; status as in base/status.h, or RUN_GOES. */
 enum { RUN_GOES = -1 };
 int run_report(const struct run *r, int status, const char *message, const double *y);

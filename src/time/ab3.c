@@ -204,6 +204,13 @@ static int vectors(const struct method *m, const struct plan *plan)
     return PACED_VECTORS + POINTS + 1;
 }
 
+/* Rates, and the error. */
+static int own(const struct method *m, const struct plan *plan)
+{
+    (void)m, (void)plan;
+    return POINTS + 1 + 1;
+}
+
 static const char *serves(const struct plan *plan)
 {
     return plan_size(plan) == 0 ? "nothing in this scene moves" : NULL;
@@ -223,7 +230,7 @@ const struct paced_kind ab3_kind = {
                          "right-hand side a step",
                           "Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, "
                           "section III.5" },
-                .order = 3, .serves = serves, .table = table, .room = { vectors }, PACED_METHOD },
+                .order = 3, .serves = serves, .table = table, .room = { vectors, own }, PACED_METHOD },
     .size = sizeof(struct ab3),
     .control = { { 0.28, -0.23, 0 }, 0.5, 2, 1.3 },
     .take_memory = take_memory,

@@ -55,7 +55,7 @@ static const char *table(const void *self)
                 .order = ORDER, .serves = SERVES, .create = arkode_create,               \
                 .step = arkode_step,                                                     \
                 .at = arkode_at, .state = state, .restart = arkode_restart,              \
-                .table = table, .free = arkode_free, .room = { arkode_vectors, true },   \
+                .table = table, .free = arkode_free, .room = { arkode_vectors, arkode_vectors }, \
                 .rearrange = arkode_rearrange }
 
 #define OWN(NAME, ABOUT, SOURCE, TABLE, ORDER, CONTROL)                                  \

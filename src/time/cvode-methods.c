@@ -40,7 +40,7 @@ static const char *table(const void *self)
                 .varies = VARIES,                                                        \
                 .serves = SERVES, .create = cvode_create, .step = cvode_step,            \
                 .at = cvode_at, .state = state, .restart = cvode_restart,                \
-                .table = table, .free = cvode_free, .room = { cvode_vectors, true },     \
+                .table = table, .free = cvode_free, .room = { cvode_vectors, cvode_vectors }, \
                 .rearrange = cvode_rearrange }
 
 const struct cvode_row cvode_adams = {

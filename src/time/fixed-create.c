@@ -32,8 +32,15 @@ int fixed_rearrange(void *self, int blocks, const struct vector_rows *block)
 
 int fixed_vectors(const struct method *m, const struct plan *plan)
 {
-    (void)m, (void)plan;
-    return VECTORS;
+    (void)plan;
+    return VECTORS - ((const struct fixed_kind *)m)->spared; /* its first member */
+}
+
+/* f, f_old, and rates unless these are spared. */
+int fixed_own(const struct method *m, const struct plan *plan)
+{
+    (void)plan;
+    return 2 + (((const struct fixed_kind *)m)->spared == 0);
 }
 
 static int take_memory(struct fixed *x)

@@ -41,6 +41,7 @@ const struct fixed_kind fixed_leapfrog = {
                            "Verlet, Phys. Rev. 159 (1967) 98-103"),
     .number = 0.25,
     .sides = ASK_EXPLICIT | ASK_IMPLICIT,
+    .spared = 1,
     .length = fixed_wave_step,
     .advance = advance,
 };

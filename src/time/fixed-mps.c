@@ -38,6 +38,7 @@ const struct fixed_kind fixed_mps = {
     .even = true,
     .sides = ASK_EXPLICIT,
     .without_pressure = true,
+    .spared = 2,
     .remedy = "Steps are not halved, as pressures grow with shorter ones. Try mps@0.2, which "
               "chooses its steps, mps.gamma = 0.2 or mps.bundle = \"enhanced\"",
     .take = fixed_solved_take,

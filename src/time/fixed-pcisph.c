@@ -60,6 +60,7 @@ const struct fixed_kind fixed_pcisph = {
     .number = 0.2,
     .sides = ASK_EXPLICIT,
     .even = true,
+    .spared = 1,
     .take = fixed_solved_take,
     .leave = fixed_solved_leave,
     .length = fixed_solved_length,

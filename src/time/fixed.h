@@ -42,6 +42,9 @@ struct fixed_kind {
                                is cut short there                              */
     bool without_pressure;  /* f is asked for without it: advance() solves for it */
 
+    int spared;             /* in so many of `try` and `rates` no fluid is written: they take
+                               no memory to speak of                                      */
+
     /* What to do when a step has no answer and a shorter one is no better; NULL: the frame
      * halves it. */
     const char *remedy;
@@ -72,6 +75,7 @@ int fixed_create(const struct method *m, const struct method_def *def, struct mo
                  double t, const double *y, void **out);
 void fixed_free(void **self);
 int fixed_vectors(const struct method *m, const struct plan *plan);
+int fixed_own(const struct method *m, const struct plan *plan);
 
 /* NULL, or why positions and velocities do not pair up entry by entry. */
 const char *fixed_serves(const struct plan *plan);
@@ -117,7 +121,7 @@ int fixed_solved_advance(struct fixed *x, double h);
     { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = false, .order = ORDER,        \
       .serves = SERVES, .create = fixed_create, .step = fixed_step,                      \
       .at = fixed_at, .state = fixed_state, .restart = fixed_restart,                    \
-      .table = fixed_table, .free = fixed_free, .room = { fixed_vectors },               \
+      .table = fixed_table, .free = fixed_free, .room = { fixed_vectors, fixed_own },    \
       .rearrange = fixed_rearrange }
 
 #endif

@@ -145,12 +145,19 @@ static int vectors(const struct method *m, const struct plan *plan)
     return ((const struct gslode_row *)m)->vectors + 2 * GSLODE_NODES + 2; /* weights, errors */
 }
 
+/* Rates at nodes, and what SUNDIALS' vectors of runs have. */
+static int own(const struct method *m, const struct plan *plan)
+{
+    (void)m, (void)plan;
+    return GSLODE_NODES + 1;
+}
+
 #define METHOD(NAME, ORDER, ABOUT, SOURCE)                                               \
     .method = { .name = NAME, .told = { ABOUT, SOURCE }, .adaptive = true,               \
                 .order = ORDER, .serves = serves, .create = gslode_create,               \
                 .step = gslode_step,                                                     \
                 .at = gslode_at, .state = state, .restart = gslode_restart,              \
-                .table = table, .free = gslode_free, .room = { vectors },                \
+                .table = table, .free = gslode_free, .room = { vectors, own },           \
                 .rearrange = NULL }
 
 const struct gslode_row gslode_rkf45 = {

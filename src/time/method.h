@@ -70,10 +70,11 @@ struct method {
      * never asks for a right-hand side that could change later bits. */
     int (*at)(void *self, double t, double *y);
 
-    /* How many vectors of the size of y it will hold; on many ranks, with rows of its own alone? */
+    /* How many vectors of the size of y it will hold; in how many of these a rank of many has rows of its
+     * own alone, NULL: in none. */
     struct {
         int (*vectors)(const struct method *m, const struct plan *plan);
-        bool sparing;
+        int (*own)(const struct method *m, const struct plan *plan);
     } room;
 
     const double *(*state)(const void *self);     /* y at the end of the last step */

@@ -16,7 +16,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { OF_MRISTEP = 12, OURS = 2 }; /* vectors; the former counted in 6.4.1 */
+enum { OF_MRISTEP = 12, OURS = 2, OWN = 9 }; /* vectors; the first counted in 6.4.1, in OWN of these
+                                                rates are written */
 
 static const char slow_table[] = "ARKODE_MIS_KW3";
 
@@ -265,14 +266,19 @@ static int vectors(const struct method *m, const struct plan *plan)
     return fixed_vectors(m, plan) + OF_MRISTEP + OURS;
 }
 
+static int own(const struct method *m, const struct plan *plan)
+{
+    return fixed_own(m, plan) + OWN;
+}
+
 #define MRI_METHOD(NAME, SERVES, ABOUT)                                                    \
     { .method = { .name = NAME,                                                           \
                   .told = { ABOUT, "Knoth, Wolke, Appl. Numer. Math. 28 (1998) 327-341" }, \
                   .adaptive = false, .order = 3, .serves = SERVES, .create = create,       \
-                  .step = step, .at = at, .room = { vectors }, .state = state,             \
+                  .step = step, .at = at, .room = { vectors, own }, .state = state,        \
                   .restart = restart, .rearrange = rearrange, .table = table,              \
                   .free = release },                                                       \
-      .number = 0.2, .sides = ASK_EXPLICIT, .length = length, .advance = advance }
+      .number = 0.2, .sides = ASK_EXPLICIT, .spared = 2, .length = length, .advance = advance }
 
 const struct mri_method mri_method = {
     MRI_METHOD("mri", serves, "water in explicit steps of order 3, beams in implicit ones of their "
