@@ -30,6 +30,7 @@ of() {
                 all = all file[$i] " "
             }
             if ($2 ~ /^(libmpi|libopen|mca_|libpmix|libhdf5)/ || first == "" || first == "eval/moment.c") return "rest"
+            if (all ~ / solved\//) return "sums"
             if (first ~ /^(algebra\/vector|time\/)/ || first ~ /^run\/(prepare|begin)\.c/ ||
                 first == "eval/workspace.c" && by == "take_memory") return "state"
             if (first ~ /^eval\/(share|own|rearrange)/ || first ~ /^ranks\// || all ~ / eval\/own\.c /) return "shared"
@@ -92,4 +93,13 @@ done
 items 4 2 3e-3 "$scenes/toth-beam.scene" spacing=8.333333333333333e-4
 # shellcheck disable=SC2086
 items 4 3 2e-2 "$scenes/dam-break-3d.scene" spacing=0.0222 $rest walls=adami
+
+# pressures that are solved for, whose matrix is told with the sums; vectors of which a method has all rows
+items 2 3 0.05 "$top_srcdir/tests/scenes/still-cube.scene" spacing=0.005
+items 4 2 0.05 "$scenes/mps-dam-break.scene" spacing=1.825e-3
+items 2 2 3e-3 "$scenes/dam-break.scene" spacing=1.25e-3 method=pcisph walls=own-density
+for method in leapfrog ab3 gsl-rkf45 dv bdf; do
+    items 2 2 3e-3 "$scenes/dam-break.scene" spacing=8.333333333333333e-4 method=$method
+done
+items 2 2 1e-3 "$scenes/toth-beam.scene" spacing=8.333333333333333e-4 method=mri
 finish
